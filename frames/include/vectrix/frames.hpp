@@ -1,0 +1,11 @@
+#pragma once
+
+#include <vectrix/frames/dcm.hpp>
+#include <vectrix/frames/dcm_doors.hpp>
+#include <vectrix/frames/edge.hpp>
+#include <vectrix/frames/errors.hpp>
+#include <vectrix/frames/frame.hpp>
+#include <vectrix/frames/graph.hpp>
+#include <vectrix/frames/level.hpp>
+#include <vectrix/frames/units.hpp>
+#include <vectrix/frames/vector.hpp>

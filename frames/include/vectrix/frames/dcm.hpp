@@ -1,0 +1,71 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vectrix/frames/vector.hpp>
+
+namespace vectrix {
+namespace detail {
+
+template <class S> using Square = Eigen::Matrix<S, 3, 3>;
+
+}  // namespace detail
+
+/// R_a^b, `R_b_from_a`, of type Dcm<B, A>: the direction cosine matrix that takes coordinates in a to
+/// coordinates in b:
+///     1.  r^b = R_a^b r^a                     R_b_from_a * r_a
+///     2.  R_a^c = R_b^c R_a^b                 R_c_from_b * R_b_from_a
+///     3.  R_b^a = (R_a^b)^-1 = (R_a^b)^T      inverse(R_b_from_a)
+/// Column i is the i-th basis vector of a in b's coordinates. Made by the doors in dcm_doors.hpp; no default.
+template <Frame ToFrame, Frame FromFrame, class S = double> class Dcm {
+ public:
+  using to = ToFrame;
+  using from = FromFrame;
+  using scalar = S;
+
+  template <class Derived> Dcm(detail::Trusted, const Eigen::MatrixBase<Derived>& matrix) : matrix_(matrix) {}
+
+  /// The bare nine numbers: the way out of the typed world.
+  const detail::Square<S>& matrix() const { return matrix_; }
+
+ private:
+  detail::Square<S> matrix_;
+};
+
+// R_a^c = R_b^c R_a^b
+template <class C, class B, class A, class S>
+Dcm<C, A, S> operator*(const Dcm<C, B, S>& R_c_from_b, const Dcm<B, A, S>& R_b_from_a) {
+  return {detail::trusted, R_c_from_b.matrix() * R_b_from_a.matrix()};
+}
+template <class LeftTo, class LeftFrom, class RightTo, class RightFrom, class S>
+  requires(!std::same_as<LeftFrom, RightTo>)
+void operator*(const Dcm<LeftTo, LeftFrom, S>&, const Dcm<RightTo, RightFrom, S>&) =
+    delete;  // R_c_from_b * R_b_from_a: the inner frames cancel
+
+// r^b = R_a^b r^a
+template <class B, class A, class U, class S>
+Vector<B, U, S> operator*(const Dcm<B, A, S>& R_b_from_a, const Vector<A, U, S>& r_a) {
+  return {detail::trusted, R_b_from_a.matrix() * r_a.coordinates()};
+}
+template <class DcmTo, class DcmFrom, class VectorIn, class U, class S>
+  requires(!std::same_as<DcmFrom, VectorIn>)
+void operator*(const Dcm<DcmTo, DcmFrom, S>&,
+               const Vector<VectorIn, U, S>&) = delete;  // R_b_from_a * r_a: r must be expressed in a
+
+// R_b^a = (R_a^b)^T
+template <class B, class A, class S> Dcm<A, B, S> inverse(const Dcm<B, A, S>& R_b_from_a) {
+  return {detail::trusted, R_b_from_a.matrix().transpose()};
+}
+
+/// Turns a vector, within a, by the rotation that turns frame a onto frame b:
+///     r2^a = R_b^a r1^a
+/// The active use of the same matrix whose passive use is R_a_from_b * r_b; the result stays in a.
+template <class A, class B, class U, class S>
+Vector<A, U, S> rotate(const Dcm<A, B, S>& R_a_from_b, const Vector<A, U, S>& r_a) {
+  return {detail::trusted, R_a_from_b.matrix() * r_a.coordinates()};
+}
+template <class DcmTo, class DcmFrom, class VectorIn, class U, class S>
+  requires(!std::same_as<DcmTo, VectorIn>)
+void rotate(const Dcm<DcmTo, DcmFrom, S>&,
+            const Vector<VectorIn, U, S>&) = delete;  // rotate(R_a_from_b, r_a): r is turned within a
+
+}  // namespace vectrix

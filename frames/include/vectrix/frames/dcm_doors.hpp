@@ -1,0 +1,138 @@
+#pragma once
+
+#include <Eigen/SVD>
+#include <cmath>
+#include <limits>
+#include <vectrix/frames/dcm.hpp>
+
+namespace vectrix {
+
+/// Largest entry of |M^T M - I| that `dcm()` lets in: rotations printed with ten digits or more pass, those
+/// printed with fewer go through nearest_dcm(), which says how far it moved them.
+inline constexpr double orthonormality_tolerance = 1e-9;
+
+namespace detail {
+
+template <class B, class A> std::string dcm_door(const char* door) {
+  return std::string{door} + "(to<" + frame_name<B>() + ">, from<" + frame_name<A>() + ">): ";
+}
+
+template <class B, class A, class S> void require_finite(const Square<S>& matrix, const char* door) {
+  for (Eigen::Index row = 0; row < 3; ++row) {
+    for (Eigen::Index column = 0; column < 3; ++column) {
+      const S entry = matrix(row, column);
+      if (!(entry - entry == S(0))) {
+        throw BadInput(dcm_door<B, A>(door) + "entry (" + text(row + 1) + ", " + text(column + 1) + ") is " +
+                       text(entry));
+      }
+    }
+  }
+}
+
+template <class B, class A, class S> void require_right_handed(const Square<S>& matrix, const char* door) {
+  const S determinant = matrix.determinant();
+  if (!(determinant > S(0))) {
+    throw BadInput(dcm_door<B, A>(door) + "the determinant is " + text(determinant) +
+                   "; a rotation is right-handed");
+  }
+}
+
+}  // namespace detail
+
+/// The checked door: claims that `matrix` takes coordinates in a to coordinates in b.
+/// Throws BadInput when an entry is not finite, when M^T M differs from I by more than
+/// orthonormality_tolerance, or when the determinant is not positive.
+template <Frame B, Frame A, class Derived>
+auto dcm(To<B>, From<A>, const Eigen::MatrixBase<Derived>& matrix) {
+  using S = typename Derived::Scalar;
+  const detail::Square<S> entries = matrix;
+  detail::require_finite<B, A>(entries, "dcm");
+  const S error = (entries.transpose() * entries - detail::Square<S>::Identity()).cwiseAbs().maxCoeff();
+  if (!(error <= S(orthonormality_tolerance))) {
+    throw BadInput(detail::dcm_door<B, A>("dcm") + "M^T M differs from the identity by " +
+                   detail::text(error) + ", tolerance " + detail::text(orthonormality_tolerance) +
+                   "; nearest_dcm() projects");
+  }
+  detail::require_right_handed<B, A>(entries, "dcm");
+  return Dcm<B, A, S>{detail::trusted, entries};
+}
+
+template <class B, class A, class S> struct NearestDcm {
+  Dcm<B, A, S> dcm;
+  /// Frobenius norm of what was changed.
+  S distance;
+};
+
+/// The projecting door: the rotation nearest to `matrix` in the Frobenius norm, and how far it was.
+///     M = U Sigma V^T  ->  R = U V^T       (polar factor; Higham, Functions of Matrices, theorem 8.4)
+/// Throws BadInput when an entry is not finite or the determinant is not positive: no rotation is then meant.
+template <Frame B, Frame A, class Derived>
+auto nearest_dcm(To<B>, From<A>, const Eigen::MatrixBase<Derived>& matrix) {
+  using S = typename Derived::Scalar;
+  const detail::Square<S> entries = matrix;
+  detail::require_finite<B, A>(entries, "nearest_dcm");
+  detail::require_right_handed<B, A>(entries, "nearest_dcm");
+  const Eigen::JacobiSVD<detail::Square<S>> svd(entries, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  const detail::Square<S> rotation = svd.matrixU() * svd.matrixV().transpose();
+  return NearestDcm<B, A, S>{Dcm<B, A, S>{detail::trusted, rotation}, (rotation - entries).norm()};
+}
+
+/// The trusted door: no check at all. The caller vouches for a rotation that takes a to b.
+template <Frame B, Frame A, class Derived>
+auto trust_dcm(To<B>, From<A>, const Eigen::MatrixBase<Derived>& matrix) {
+  return Dcm<B, A, typename Derived::Scalar>{detail::trusted, matrix};
+}
+
+/// Claims that the axes of a and b are parallel.
+template <class S = double, Frame B, Frame A> Dcm<B, A, S> aligned(To<B>, From<A>) {
+  return {detail::trusted, detail::Square<S>::Identity()};
+}
+
+namespace detail {
+
+template <class B, class A, class S>
+Dcm<B, A, S> turned(const char* door, const Quantity<si::angle, S>& angle, Eigen::Index axis) {
+  using std::cos;
+  using std::sin;
+  const S theta = angle.value();
+  if (!(theta - theta == S(0))) {
+    throw BadInput(dcm_door<B, A>(door) + "the angle is " + text(theta));
+  }
+  const Eigen::Index next = (axis + 1) % 3;
+  const Eigen::Index last = (axis + 2) % 3;
+  Square<S> matrix = Square<S>::Identity();
+  matrix(next, next) = matrix(last, last) = cos(theta);
+  matrix(next, last) = sin(theta);
+  matrix(last, next) = -matrix(next, last);
+  return {trusted, matrix};
+}
+
+}  // namespace detail
+
+/// R_b_from_a when turning a by `angle` about its x axis (y, z) gives b. Any finite angle is valid.
+///     turned_z: [cos sin 0; -sin cos 0; 0 0 1], the passive matrix; its inverse is the active one.
+template <Frame B, Frame A, class S>
+Dcm<B, A, S> turned_x(To<B>, From<A>, const Quantity<si::angle, S>& angle) {
+  return detail::turned<B, A, S>("turned_x", angle, 0);
+}
+template <Frame B, Frame A, class S>
+Dcm<B, A, S> turned_y(To<B>, From<A>, const Quantity<si::angle, S>& angle) {
+  return detail::turned<B, A, S>("turned_y", angle, 1);
+}
+template <Frame B, Frame A, class S>
+Dcm<B, A, S> turned_z(To<B>, From<A>, const Quantity<si::angle, S>& angle) {
+  return detail::turned<B, A, S>("turned_z", angle, 2);
+}
+
+/// R_b_from_a from the basis vectors of b given in a: the rows of the matrix.
+/// Throws BadInput, as dcm() does, when they are not an orthonormal right-handed triad.
+template <Frame B, class A, class S>
+Dcm<B, A, S> dcm_from_axes(To<B>, const Vector<A, si::dimensionless, S>& x_a,
+                           const Vector<A, si::dimensionless, S>& y_a,
+                           const Vector<A, si::dimensionless, S>& z_a) {
+  detail::Square<S> rows;
+  rows << x_a.coordinates().transpose(), y_a.coordinates().transpose(), z_a.coordinates().transpose();
+  return dcm(to<B>, from<A>, rows);
+}
+
+}  // namespace vectrix

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <functional>
+#include <type_traits>
+#include <utility>
+#include <vectrix/frames/level.hpp>
+
+namespace vectrix {
+
+/// An edge of a frame graph whose value never changes.
+template <EdgeValue V> class ConstantEdge {
+ public:
+  using value_type = V;
+
+  explicit ConstantEdge(const V& value) : value_(value) {}
+  const V& value() const { return value_; }
+
+ private:
+  V value_;
+};
+
+/// An edge of a frame graph that is a function of the instant: of time, of a state, of whatever the graph is
+/// asked at.
+template <class Function, EdgeValue V> class FunctionEdge {
+ public:
+  using value_type = V;
+
+  explicit FunctionEdge(Function function) : function_(std::move(function)) {}
+
+  template <class Instant> V operator()(const Instant& instant) const { return function_(instant); }
+
+ private:
+  Function function_;
+};
+
+/// A fixed rotation and nothing more: no rate can be asked across it. rigid_edge() in kinematics claims rest
+/// as well.
+template <class A, class B, class S> ConstantEdge<Dcm<A, B, S>> static_edge(const Dcm<A, B, S>& R_a_from_b) {
+  return ConstantEdge<Dcm<A, B, S>>{R_a_from_b};
+}
+
+namespace detail {
+
+template <class Signature> struct ResultOf;
+template <class Result, class... Arguments> struct ResultOf<std::function<Result(Arguments...)>> {
+  using type = std::remove_cvref_t<Result>;
+};
+template <class Function>
+using Result = typename ResultOf<decltype(std::function{std::declval<Function>()})>::type;
+
+}  // namespace detail
+
+/// The edge whose value at an instant is f(instant). f has one call operator, not a template, and returns a
+/// Dcm, a MovingDcm or an AcceleratingDcm: frames and level are read off that type.
+///     edge([](Quantity<si::time> t) { return turned_z(to<Itrf>, from<Gcrf>, rate * t); })
+template <class Function>
+  requires EdgeValue<detail::Result<Function>>
+auto edge(Function function) {
+  return FunctionEdge<Function, detail::Result<Function>>{std::move(function)};
+}
+
+}  // namespace vectrix

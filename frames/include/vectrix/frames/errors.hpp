@@ -1,0 +1,34 @@
+#pragma once
+
+#include <array>
+#include <charconv>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+
+namespace vectrix {
+
+/// Wrong data at a door: the text says the action, the operands and the number that failed.
+class BadInput : public std::invalid_argument {
+ public:
+  using std::invalid_argument::invalid_argument;
+};
+
+namespace detail {
+
+/// The shortest text that reads back as the same number.
+template <class Number> std::string text(const Number& value) {
+  if constexpr (std::is_arithmetic_v<Number>) {
+    std::array<char, 64> buffer{};
+    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr;
+    return {buffer.data(), end};
+  } else {
+    std::ostringstream out;
+    out << value;
+    return out.str();
+  }
+}
+
+}  // namespace detail
+}  // namespace vectrix

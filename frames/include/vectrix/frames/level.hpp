@@ -1,0 +1,31 @@
+#pragma once
+
+#include <vectrix/frames/dcm.hpp>
+
+namespace vectrix {
+
+/// What is known of the rotation between two frames: R alone, R and w, or R, w and alpha. Each level is a
+/// type, here Dcm, in kinematics MovingDcm and AcceleratingDcm; nothing is ever raised to a higher level by a
+/// default of zero.
+enum class Level { rotation, rate, acceleration };
+
+/// Frames and level of a type that a graph edge may carry. Specialised beside each such type.
+template <class Value> struct LevelOf;
+
+template <class A, class B, class S> struct LevelOf<Dcm<A, B, S>> {
+  using first = A;
+  using second = B;
+  static constexpr Level level = Level::rotation;
+};
+
+template <class Value>
+concept EdgeValue = requires {
+  LevelOf<Value>::level;
+};
+
+/// The rotation of a value of any level.
+template <class A, class B, class S> const Dcm<A, B, S>& rotation_of(const Dcm<A, B, S>& R_a_from_b) {
+  return R_a_from_b;
+}
+
+}  // namespace vectrix

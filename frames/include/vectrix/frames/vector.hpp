@@ -1,0 +1,188 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <cmath>
+#include <string>
+#include <vectrix/frames/errors.hpp>
+#include <vectrix/frames/frame.hpp>
+#include <vectrix/frames/units.hpp>
+
+namespace vectrix {
+namespace detail {
+
+/// Pass-key of the library's own algebra: what it builds from checked operands is not checked again.
+struct Trusted {
+  explicit Trusted() = default;
+};
+inline constexpr Trusted trusted{};
+
+template <class S> using Column = Eigen::Matrix<S, 3, 1>;
+
+}  // namespace detail
+
+/// r^a: the coordinates of a vector in the frame F, in the unit U.
+/// Sums need one frame and one unit. A product of units follows units.hpp: w x r is a velocity, r x F a
+/// torque. Made by `vector(in<F>, ...)`; there is no default vector.
+template <Frame F, VectorUnit U, class S = double> class Vector {
+ public:
+  using frame = F;
+  using unit = U;
+  using scalar = S;
+
+  template <class Derived>
+  Vector(detail::Trusted, const Eigen::MatrixBase<Derived>& coordinates) : coordinates_(coordinates) {}
+
+  /// The bare numbers, in the coherent SI unit: the way out of the typed world.
+  const detail::Column<S>& coordinates() const { return coordinates_; }
+
+  Quantity<U, S> x() const { return Quantity<U, S>::from_value(coordinates_.x()); }
+  Quantity<U, S> y() const { return Quantity<U, S>::from_value(coordinates_.y()); }
+  Quantity<U, S> z() const { return Quantity<U, S>::from_value(coordinates_.z()); }
+
+ private:
+  detail::Column<S> coordinates_;
+};
+
+namespace detail {
+
+template <Frame F, VectorUnit U, class S> Vector<F, U, S> checked_vector(const Column<S>& coordinates) {
+  if (!coordinates.allFinite()) {
+    throw BadInput("vector(in<" + frame_name<F>() + ">): the coordinates (" + text(coordinates.x()) + ", " +
+                   text(coordinates.y()) + ", " + text(coordinates.z()) + ") are not finite");
+  }
+  return {trusted, coordinates};
+}
+
+}  // namespace detail
+
+/// The vector with coordinates x, y, z in F. Throws BadInput when one is not finite.
+template <Frame F, class BoostUnit, class S>
+  requires VectorUnit<unit_tag<BoostUnit>> Vector<F, unit_tag<BoostUnit>, S> vector(
+      In<F>, const AnyQuantity<BoostUnit, S>& x, const AnyQuantity<BoostUnit, S>& y,
+      const AnyQuantity<BoostUnit, S>& z) {
+    return detail::checked_vector<F, unit_tag<BoostUnit>, S>({x.value(), y.value(), z.value()});
+  }
+
+template <class F, class BoostUnit, class S, class UnitGiven = unit_tag<BoostUnit>>
+  requires(!VectorUnit<UnitGiven>)
+void vector(In<F>, const AnyQuantity<BoostUnit, S>&, const AnyQuantity<BoostUnit, S>&,
+            const AnyQuantity<BoostUnit, S>&) =
+    delete;  // no vector has this unit: convert<U>() it to SI first
+
+/// Claims that the three bare numbers are coordinates in F, in the coherent SI unit U:
+/// vector<si::length>(in<F>, m). Throws BadInput when one is not finite.
+template <VectorUnit U, Frame F, class Derived>
+  requires(Derived::SizeAtCompileTime == 3)
+auto vector(In<F>, const Eigen::MatrixBase<Derived>& coordinates) {
+  return detail::checked_vector<F, U, typename Derived::Scalar>(coordinates);
+}
+
+/// The zero vector of F in the unit U.
+template <VectorUnit U, Frame F, class S = double> Vector<F, U, S> zero(In<F>) {
+  return {detail::trusted, detail::Column<S>::Zero()};
+}
+
+/// The unit vectors of F along its own axes.
+template <Frame F, class S = double> Vector<F, si::dimensionless, S> unit_x(In<F>) {
+  return {detail::trusted, detail::Column<S>::UnitX()};
+}
+template <Frame F, class S = double> Vector<F, si::dimensionless, S> unit_y(In<F>) {
+  return {detail::trusted, detail::Column<S>::UnitY()};
+}
+template <Frame F, class S = double> Vector<F, si::dimensionless, S> unit_z(In<F>) {
+  return {detail::trusted, detail::Column<S>::UnitZ()};
+}
+
+template <class F, class U, class S>
+Vector<F, U, S> operator+(const Vector<F, U, S>& r, const Vector<F, U, S>& s) {
+  return {detail::trusted, r.coordinates() + s.coordinates()};
+}
+template <class F, class U, class S>
+Vector<F, U, S> operator-(const Vector<F, U, S>& r, const Vector<F, U, S>& s) {
+  return {detail::trusted, r.coordinates() - s.coordinates()};
+}
+template <class F, class U, class S> Vector<F, U, S> operator-(const Vector<F, U, S>& r) {
+  return {detail::trusted, -r.coordinates()};
+}
+
+template <class LeftFrame, class RightFrame, class U, class S>
+  requires(!std::same_as<LeftFrame, RightFrame>)
+void operator+(const Vector<LeftFrame, U, S>&,
+               const Vector<RightFrame, U, S>&) = delete;  // r_a + s_a: one frame
+template <class LeftFrame, class RightFrame, class U, class S>
+  requires(!std::same_as<LeftFrame, RightFrame>)
+void operator-(const Vector<LeftFrame, U, S>&,
+               const Vector<RightFrame, U, S>&) = delete;  // r_a - s_a: one frame
+template <class LeftFrame, class RightFrame, class LeftUnit, class RightUnit, class S>
+  requires(!std::same_as<LeftUnit, RightUnit>)
+void operator+(const Vector<LeftFrame, LeftUnit, S>&,
+               const Vector<RightFrame, RightUnit, S>&) = delete;  // one unit
+template <class LeftFrame, class RightFrame, class LeftUnit, class RightUnit, class S>
+  requires(!std::same_as<LeftUnit, RightUnit>)
+void operator-(const Vector<LeftFrame, LeftUnit, S>&,
+               const Vector<RightFrame, RightUnit, S>&) = delete;  // one unit
+
+template <class F, class U, class S>
+Vector<F, U, S> operator*(const std::type_identity_t<S>& k, const Vector<F, U, S>& r) {
+  return {detail::trusted, k * r.coordinates()};
+}
+template <class F, class U, class S>
+Vector<F, U, S> operator*(const Vector<F, U, S>& r, const std::type_identity_t<S>& k) {
+  return {detail::trusted, r.coordinates() * k};
+}
+template <class F, class U, class S>
+Vector<F, U, S> operator/(const Vector<F, U, S>& r, const std::type_identity_t<S>& k) {
+  return {detail::trusted, r.coordinates() / k};
+}
+
+template <class F, class U, class S, class BoostUnit>
+Vector<F, unit_of_vector_product<unit_tag<BoostUnit>, U>, S> operator*(const AnyQuantity<BoostUnit, S>& k,
+                                                                       const Vector<F, U, S>& r) {
+  return {detail::trusted, k.value() * r.coordinates()};
+}
+template <class F, class U, class S, class BoostUnit>
+Vector<F, unit_of_vector_product<U, unit_tag<BoostUnit>>, S> operator*(const Vector<F, U, S>& r,
+                                                                       const AnyQuantity<BoostUnit, S>& k) {
+  return {detail::trusted, r.coordinates() * k.value()};
+}
+template <class F, class U, class S, class BoostUnit>
+Vector<F, unit_of_vector_quotient<U, unit_tag<BoostUnit>>, S> operator/(const Vector<F, U, S>& r,
+                                                                        const AnyQuantity<BoostUnit, S>& k) {
+  return {detail::trusted, r.coordinates() / k.value()};
+}
+
+/// r . s, in the exact product of the units: F . v is a power, tau . w too.
+template <class F, class U, class V, class S>
+Quantity<unit_product<U, V>, S> dot(const Vector<F, U, S>& r, const Vector<F, V, S>& s) {
+  return Quantity<unit_product<U, V>, S>::from_value(r.coordinates().dot(s.coordinates()));
+}
+template <class LeftFrame, class RightFrame, class U, class V, class S>
+  requires(!std::same_as<LeftFrame, RightFrame>)
+void dot(const Vector<LeftFrame, U, S>&, const Vector<RightFrame, V, S>&) = delete;  // r_a . s_a: one frame
+
+/// r x s, the radian counting as 1: r x F is a torque, w x r a velocity, w x H a torque.
+template <class F, class U, class V, class S>
+Vector<F, unit_of_vector_product<U, V>, S> cross(const Vector<F, U, S>& r, const Vector<F, V, S>& s) {
+  return {detail::trusted, r.coordinates().cross(s.coordinates())};
+}
+template <class LeftFrame, class RightFrame, class U, class V, class S>
+  requires(!std::same_as<LeftFrame, RightFrame>)
+void cross(const Vector<LeftFrame, U, S>&, const Vector<RightFrame, V, S>&) = delete;  // r_a x s_a: one frame
+
+/// |r|, in the unit of r.
+template <class F, class U, class S> Quantity<U, S> norm(const Vector<F, U, S>& r) {
+  return Quantity<U, S>::from_value(r.coordinates().norm());
+}
+
+/// r / |r|, safe from overflow and underflow. Throws BadInput for the zero vector, which has no direction.
+template <class F, class U, class S> Vector<F, si::dimensionless, S> direction(const Vector<F, U, S>& r) {
+  const S largest = r.coordinates().cwiseAbs().maxCoeff();
+  if (!(largest > S(0))) {
+    throw BadInput("direction(vector in " + frame_name<F>() + "): |r| is " + detail::text(largest) +
+                   "; a zero vector has no direction");
+  }
+  return {detail::trusted, (r.coordinates() / largest).normalized()};
+}
+
+}  // namespace vectrix

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <vectrix/kinematics/angular_velocity.hpp>
+
+namespace vectrix {
+
+/// alpha_ab^c, `alpha_ab_c`: the angular acceleration of b relative to a, the derivative of w_ab seen from a
+/// (or from b: the two agree), expressed in c, rad/s^2. Its laws:
+///     1.  alpha_ad = alpha_ab + alpha_bd + w_ab x w_bd    chain(alpha_ab_c, alpha_bd_c, w_ab_c, w_bd_c)
+///     2.  alpha_ba^c = -alpha_ab^c
+///     3.  alpha_ab^d = R_c^d alpha_ab^c
+/// A sum without the rates does not compile: the transport term would be lost.
+template <Frame A, Frame B, class Expressed, class S = double> class AngularAcceleration;
+
+template <Frame A, Frame B, Frame C, class S> class AngularAcceleration<A, B, In<C>, S> {
+ public:
+  explicit AngularAcceleration(detail::Trusted, const Vector<C, si::angular_acceleration, S>& vector)
+      : vector_(vector) {}
+
+  const Vector<C, si::angular_acceleration, S>& vector() const { return vector_; }
+  const detail::Column<S>& coordinates() const { return vector_.coordinates(); }
+
+ private:
+  Vector<C, si::angular_acceleration, S> vector_;
+};
+
+/// Claims that the vector is the angular acceleration of b relative to a.
+template <Frame B, Frame A, class C, class S>
+AngularAcceleration<A, B, In<C>, S> angular_acceleration(
+    Of<B>, RelativeTo<A>, const Vector<C, si::angular_acceleration, S>& alpha_ab_c) {
+  return AngularAcceleration<A, B, In<C>, S>{detail::trusted, alpha_ab_c};
+}
+template <class B, class A, class C, class UnitGiven, class S>
+  requires(!std::same_as<UnitGiven, si::angular_acceleration>)
+void angular_acceleration(Of<B>, RelativeTo<A>, const Vector<C, UnitGiven, S>&) = delete;  // needs rad/s^2
+
+/// Claims that the rate of b relative to a does not change.
+template <Frame B, Frame A, Frame C, class S = double>
+AngularAcceleration<A, B, In<C>, S> unaccelerated(Of<B>, RelativeTo<A>, In<C>) {
+  return AngularAcceleration<A, B, In<C>, S>{detail::trusted, zero<si::angular_acceleration, C, S>(in<C>)};
+}
+
+/// alpha_ad^c = alpha_ab^c + alpha_bd^c + w_ab^c x w_bd^c      (Kane and Levinson's addition theorem, with
+/// its cross term) All four expressed in c.
+template <class A, class B, class D, class C, class S>
+AngularAcceleration<A, D, In<C>, S> chain(const AngularAcceleration<A, B, In<C>, S>& alpha_ab_c,
+                                          const AngularAcceleration<B, D, In<C>, S>& alpha_bd_c,
+                                          const AngularVelocity<A, B, In<C>, S>& w_ab_c,
+                                          const AngularVelocity<B, D, In<C>, S>& w_bd_c) {
+  return AngularAcceleration<A, D, In<C>, S>{
+      detail::trusted, alpha_ab_c.vector() + alpha_bd_c.vector() + cross(w_ab_c.vector(), w_bd_c.vector())};
+}
+
+template <class LeftRelativeTo, class LeftOf, class LeftIn, class RightRelativeTo, class RightOf,
+          class RightIn, class S>
+void operator+(
+    const AngularAcceleration<LeftRelativeTo, LeftOf, LeftIn, S>&,  // chain() needs the rates as well
+    const AngularAcceleration<RightRelativeTo, RightOf, RightIn, S>&) = delete;
+
+// alpha_ba^c = -alpha_ab^c
+template <class A, class B, class C, class S>
+AngularAcceleration<B, A, In<C>, S> operator-(const AngularAcceleration<A, B, In<C>, S>& alpha_ab_c) {
+  return AngularAcceleration<B, A, In<C>, S>{detail::trusted, -alpha_ab_c.vector()};
+}
+
+// alpha_ab^d = R_c^d alpha_ab^c
+template <class D, class C, class A, class B, class S>
+AngularAcceleration<A, B, In<D>, S> operator*(const Dcm<D, C, S>& R_d_from_c,
+                                              const AngularAcceleration<A, B, In<C>, S>& alpha_ab_c) {
+  return AngularAcceleration<A, B, In<D>, S>{detail::trusted, R_d_from_c * alpha_ab_c.vector()};
+}
+template <class DcmTo, class DcmFrom, class A, class B, class AccelerationIn, class S>
+  requires(!std::same_as<DcmFrom, AccelerationIn>)
+void operator*(const Dcm<DcmTo, DcmFrom, S>&,  // R_d_from_c * alpha_ab_c: alpha must be expressed in c
+               const AngularAcceleration<A, B, In<AccelerationIn>, S>&) = delete;
+
+}  // namespace vectrix

@@ -1,0 +1,123 @@
+#pragma once
+
+#include <vectrix/kinematics/angular_velocity.hpp>
+#include <vectrix/kinematics/hat.hpp>
+#include <vectrix/kinematics/quaternion.hpp>
+
+namespace vectrix {
+
+/// Rdot_b^a, `Rdot_a_from_b`, of type DcmRate<A, B>: the time derivative of R_b^a, 1/s. Not a rotation, and
+/// not convertible to one.
+template <Frame A, Frame B, class S = double> class DcmRate {
+ public:
+  template <class Derived>
+  DcmRate(detail::Trusted, const Eigen::MatrixBase<Derived>& matrix) : matrix_(matrix) {}
+
+  const detail::Square<S>& matrix() const { return matrix_; }
+
+ private:
+  detail::Square<S> matrix_;
+};
+
+/// Body form:       d/dt R_b^a = R_b^a [w_ab^b]x
+/// Reference form:  d/dt R_b^a = [w_ab^a]x R_b^a
+/// Any finite input is valid.
+template <class A, class B, class S>
+DcmRate<A, B, S> rate(const Dcm<A, B, S>& R_a_from_b, const AngularVelocity<A, B, In<B>, S>& w_ab_b) {
+  // Row by row: row [w]x = row x w.
+  const auto& m = R_a_from_b.matrix();
+  const auto& w = w_ab_b.coordinates();
+  detail::Square<S> rate;
+  rate.col(0) = m.col(1) * w.z() - m.col(2) * w.y();
+  rate.col(1) = m.col(2) * w.x() - m.col(0) * w.z();
+  rate.col(2) = m.col(0) * w.y() - m.col(1) * w.x();
+  return {detail::trusted, rate};
+}
+template <class A, class B, class S>
+  requires(!std::same_as<A, B>)
+DcmRate<A, B, S> rate(const Dcm<A, B, S>& R_a_from_b, const AngularVelocity<A, B, In<A>, S>& w_ab_a) {
+  const auto& m = R_a_from_b.matrix();
+  const auto& w = w_ab_a.coordinates();
+  detail::Square<S> rate;
+  rate.row(0) = m.row(2) * w.y() - m.row(1) * w.z();
+  rate.row(1) = m.row(0) * w.z() - m.row(2) * w.x();
+  rate.row(2) = m.row(1) * w.x() - m.row(0) * w.y();
+  return {detail::trusted, rate};
+}
+template <class DcmTo, class DcmFrom, class RateRelativeTo, class RateOf, class RateIn, class S>
+  requires(!(std::same_as<DcmTo, RateRelativeTo> && std::same_as<DcmFrom, RateOf> &&
+             (std::same_as<RateIn, RateOf> || std::same_as<RateIn, RateRelativeTo>)))
+void rate(const Dcm<DcmTo, DcmFrom, S>&,  // rate(R_a_from_b, w_ab_b) or rate(R_a_from_b, w_ab_a)
+          const AngularVelocity<RateRelativeTo, RateOf, In<RateIn>, S>&) = delete;
+
+/// The checked door for a derivative that comes as a matrix: Rdot_b^a = R_b^a [w]x for some w.
+/// Throws BadInput when the matrix is not finite, or R^T Rdot is not skew (see vee()).
+template <class A, class B, class Derived, class S>
+DcmRate<A, B, S> dcm_rate(const Dcm<A, B, S>& R_a_from_b, const Eigen::MatrixBase<Derived>& matrix) {
+  vee(R_a_from_b.matrix().transpose() * matrix);
+  return {detail::trusted, matrix};
+}
+
+/// The inverse of rate(): w_ab^b = vee(R^T Rdot) in b, w_ab^a = vee(Rdot R^T) in a, for R = R_b^a.
+/// Throws BadInput when the two do not belong together: the product is then not skew.
+template <class A, class B, class S, class C>
+  requires(std::same_as<C, A> || std::same_as<C, B>)
+AngularVelocity<A, B, In<C>, S> angular_velocity(const Dcm<A, B, S>& R_a_from_b,
+                                                 const DcmRate<A, B, S>& Rdot_a_from_b, In<C>) {
+  const auto& R = R_a_from_b.matrix();
+  const auto& Rdot = Rdot_a_from_b.matrix();
+  const detail::Column<S> w = std::same_as<C, B> ? vee(R.transpose() * Rdot) : vee(Rdot * R.transpose());
+  return angular_velocity(of<B>, relative_to<A>, vector<si::angular_velocity>(in<C>, w));
+}
+
+// Rdot_b^a r^b, the part of d/dt (R_b^a r^b) that the turning of b makes.
+template <class A, class B, class U, class S>
+Vector<A, unit_of_vector_quotient<U, si::time>, S> operator*(const DcmRate<A, B, S>& Rdot_a_from_b,
+                                                             const Vector<B, U, S>& r_b) {
+  return {detail::trusted, Rdot_a_from_b.matrix() * r_b.coordinates()};
+}
+template <class RateTo, class RateFrom, class VectorIn, class U, class S>
+  requires(!std::same_as<RateFrom, VectorIn>)
+void operator*(const DcmRate<RateTo, RateFrom, S>&,  // Rdot_a_from_b * r_b: r must be expressed in b
+               const Vector<VectorIn, U, S>&) = delete;
+template <class RateTo, class RateFrom, class DcmTo, class DcmFrom, class S>
+void operator*(const DcmRate<RateTo, RateFrom, S>&,  // a rate is not a rotation: it does not compose
+               const Dcm<DcmTo, DcmFrom, S>&) = delete;
+template <class DcmTo, class DcmFrom, class RateTo, class RateFrom, class S>
+void operator*(const Dcm<DcmTo, DcmFrom, S>&,  // a rate is not a rotation: it does not compose
+               const DcmRate<RateTo, RateFrom, S>&) = delete;
+
+/// The time derivative of q_b^a, four numbers, 1/s; not a rotation.
+template <Frame A, Frame B, class S = double> class QuaternionRate {
+ public:
+  QuaternionRate(detail::Trusted, const Eigen::Quaternion<S>& value) : value_(value) {}
+
+  const Eigen::Quaternion<S>& eigen() const { return value_; }
+  std::array<S, 4> scalar_first() const { return {value_.w(), value_.x(), value_.y(), value_.z()}; }
+
+ private:
+  Eigen::Quaternion<S> value_;
+};
+
+/// Body form: d/dt q_b^a = 1/2 q_b^a (0, w_ab^b). Reference form: d/dt q_b^a = 1/2 (0, w_ab^a) q_b^a.
+template <class A, class B, class S>
+QuaternionRate<A, B, S> rate(const Quaternion<A, B, S>& q_a_from_b,
+                             const AngularVelocity<A, B, In<B>, S>& w_ab_b) {
+  const detail::Column<S> h = w_ab_b.coordinates() / S(2);
+  return {detail::trusted, q_a_from_b.eigen() * Eigen::Quaternion<S>(S(0), h.x(), h.y(), h.z())};
+}
+template <class A, class B, class S>
+  requires(!std::same_as<A, B>)
+QuaternionRate<A, B, S> rate(const Quaternion<A, B, S>& q_a_from_b,
+                             const AngularVelocity<A, B, In<A>, S>& w_ab_a) {
+  const detail::Column<S> h = w_ab_a.coordinates() / S(2);
+  return {detail::trusted, Eigen::Quaternion<S>(S(0), h.x(), h.y(), h.z()) * q_a_from_b.eigen()};
+}
+template <class QuaternionTo, class QuaternionFrom, class RateRelativeTo, class RateOf, class RateIn, class S>
+  requires(!(std::same_as<QuaternionTo, RateRelativeTo> && std::same_as<QuaternionFrom, RateOf> &&
+             (std::same_as<RateIn, RateOf> || std::same_as<RateIn, RateRelativeTo>)))
+void rate(const Quaternion<QuaternionTo, QuaternionFrom,
+                           S>&,  // rate(q_a_from_b, w_ab_b) or rate(q_a_from_b, w_ab_a)
+          const AngularVelocity<RateRelativeTo, RateOf, In<RateIn>, S>&) = delete;
+
+}  // namespace vectrix

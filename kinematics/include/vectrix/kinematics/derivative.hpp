@@ -1,0 +1,52 @@
+#pragma once
+
+#include <vectrix/kinematics/angular_velocity.hpp>
+
+namespace vectrix {
+
+/// The frame from which a change is watched: observed_from<A>.
+template <Frame A> struct ObservedFrom {};
+template <Frame A> inline constexpr ObservedFrom<A> observed_from{};
+
+/// d/dt|_a r, expressed in c: how the vector r changes for an observer fixed in a. U is the unit of r; the
+/// derivative has that of U per second. d/dt|_a and d/dt|_b are different types; transport() takes one to the
+/// other.
+template <Frame A, Frame C, VectorUnit U, class S = double> class Derivative {
+ public:
+  using unit = unit_of_vector_quotient<U, si::time>;
+
+  Derivative(detail::Trusted, const Vector<C, unit, S>& vector) : vector_(vector) {}
+
+  const Vector<C, unit, S>& vector() const { return vector_; }
+
+ private:
+  Vector<C, unit, S> vector_;
+};
+
+/// Claims that rdot_c is d/dt|_a of a vector in the unit U: derivative<si::length>(observed_from<A>, v_c).
+template <VectorUnit U, Frame A, class C, class S>
+Derivative<A, C, U, S> derivative(ObservedFrom<A>,
+                                  const Vector<C, unit_of_vector_quotient<U, si::time>, S>& rdot_c) {
+  return {detail::trusted, rdot_c};
+}
+
+/// The transport of a derivative from the observer b to the observer a, all expressed in one frame c:
+///     d/dt|_a r = d/dt|_b r + w_ab x r
+template <class A, class B, class C, class U, class S>
+Derivative<A, C, U, S> transport(ObservedFrom<A>, const Derivative<B, C, U, S>& rdot_c,
+                                 const Vector<C, U, S>& r_c, const AngularVelocity<A, B, In<C>, S>& w_ab_c) {
+  return {detail::trusted, Vector<C, typename Derivative<A, C, U, S>::unit, S>{
+                               detail::trusted, rdot_c.vector().coordinates() +
+                                                    w_ab_c.coordinates().cross(r_c.coordinates())}};
+}
+template <class ToObserver, class FromObserver, class DerivativeIn, class U, class VectorIn, class V,
+          class RateRelativeTo, class RateOf, class RateIn, class S>
+  requires(!(std::same_as<ToObserver, RateRelativeTo> && std::same_as<FromObserver, RateOf> &&
+             std::same_as<DerivativeIn, VectorIn> && std::same_as<DerivativeIn, RateIn> &&
+             std::same_as<U, V>))
+void transport(
+    ObservedFrom<ToObserver>,  // transport(observed_from<A>, rdot_b, r, w_ab), all expressed in one frame
+    const Derivative<FromObserver, DerivativeIn, U, S>&, const Vector<VectorIn, V, S>&,
+    const AngularVelocity<RateRelativeTo, RateOf, In<RateIn>, S>&) = delete;
+
+}  // namespace vectrix

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <limits>
+#include <vectrix/frames/dcm.hpp>
+
+namespace vectrix {
+
+/// [x]x, the skew matrix of the cross product:
+///     1.  [x]x y = x x y      2.  [R x]x = R [x]x R^T      3.  ([x]x)^2 = x x^T - |x|^2 I
+/// Works on bare coordinates. Any input is valid.
+template <class Derived>
+  requires(Derived::SizeAtCompileTime == 3)
+auto hat(const Eigen::MatrixBase<Derived>& x) {
+  using S = typename Derived::Scalar;
+  const detail::Column<S> v = x;
+  detail::Square<S> skew;
+  skew << S(0), -v.z(), v.y(), v.z(), S(0), -v.x(), -v.y(), v.x(), S(0);
+  return skew;
+}
+
+/// The x of a skew matrix [x]x, from the half difference of opposite entries.
+/// Throws BadInput when the matrix is not finite, or its symmetric part exceeds 1e-9 of its largest entry.
+template <class Derived> auto vee(const Eigen::MatrixBase<Derived>& matrix) {
+  using S = typename Derived::Scalar;
+  // Far above the rounding of a product of rotations, far below any wrong matrix.
+  constexpr double skew_tolerance = 1e-9;
+  const detail::Square<S> m = matrix;
+  if (!m.allFinite()) {
+    throw BadInput("vee(matrix): an entry is not finite");
+  }
+  const S symmetric = ((m + m.transpose()) / S(2)).cwiseAbs().maxCoeff();
+  const S largest = m.cwiseAbs().maxCoeff();
+  if (!(symmetric <= S(skew_tolerance) * largest)) {
+    throw BadInput("vee(matrix): the symmetric part reaches " + detail::text(symmetric) +
+                   " beside entries of " + detail::text(largest) + "; the matrix is not skew");
+  }
+  return detail::Column<S>{(m(2, 1) - m(1, 2)) / S(2), (m(0, 2) - m(2, 0)) / S(2),
+                           (m(1, 0) - m(0, 1)) / S(2)};
+}
+
+}  // namespace vectrix

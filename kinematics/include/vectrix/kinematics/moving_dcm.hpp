@@ -1,0 +1,129 @@
+#pragma once
+
+#include <vectrix/frames/level.hpp>
+#include <vectrix/kinematics/angular_acceleration.hpp>
+
+namespace vectrix {
+
+/// The rotation and the rate of b relative to a at one instant: R_b^a and w_ab^b. The second level of a graph
+/// edge.
+///     (R_b^a, w_ab^b) * (R_d^b, w_bd^d) = (R_b^a R_d^b, R_b^d w_ab^b + w_bd^d)
+template <Frame A, Frame B, class S = double> class MovingDcm {
+ public:
+  MovingDcm(const Dcm<A, B, S>& R_a_from_b, const AngularVelocity<A, B, In<B>, S>& w_ab_b)
+      : rotation_(R_a_from_b), rate_(w_ab_b) {}
+
+  const Dcm<A, B, S>& rotation() const { return rotation_; }
+  const AngularVelocity<A, B, In<B>, S>& angular_velocity() const { return rate_; }
+
+ private:
+  Dcm<A, B, S> rotation_;
+  AngularVelocity<A, B, In<B>, S> rate_;
+};
+
+/// The rotation, rate and acceleration of b relative to a at one instant: R_b^a, w_ab^b and alpha_ab^b. The
+/// third level.
+///     alpha_ad^d = R_b^d alpha_ab^b + alpha_bd^d + (R_b^d w_ab^b) x w_bd^d
+template <Frame A, Frame B, class S = double> class AcceleratingDcm {
+ public:
+  AcceleratingDcm(const MovingDcm<A, B, S>& moving, const AngularAcceleration<A, B, In<B>, S>& alpha_ab_b)
+      : moving_(moving), acceleration_(alpha_ab_b) {}
+
+  const MovingDcm<A, B, S>& moving() const { return moving_; }
+  const Dcm<A, B, S>& rotation() const { return moving_.rotation(); }
+  const AngularVelocity<A, B, In<B>, S>& angular_velocity() const { return moving_.angular_velocity(); }
+  const AngularAcceleration<A, B, In<B>, S>& angular_acceleration() const { return acceleration_; }
+
+ private:
+  MovingDcm<A, B, S> moving_;
+  AngularAcceleration<A, B, In<B>, S> acceleration_;
+};
+
+/// Joins a rotation and its rate; the rate may be expressed in b or in a.
+template <class A, class B, class S>
+MovingDcm<A, B, S> moving_dcm(const Dcm<A, B, S>& R_a_from_b, const AngularVelocity<A, B, In<B>, S>& w_ab_b) {
+  return {R_a_from_b, w_ab_b};
+}
+template <class A, class B, class S>
+  requires(!std::same_as<A, B>)
+MovingDcm<A, B, S> moving_dcm(const Dcm<A, B, S>& R_a_from_b, const AngularVelocity<A, B, In<A>, S>& w_ab_a) {
+  return {R_a_from_b, inverse(R_a_from_b) * w_ab_a};
+}
+template <class DcmTo, class DcmFrom, class RateRelativeTo, class RateOf, class RateIn, class S>
+  requires(!(std::same_as<DcmTo, RateRelativeTo> && std::same_as<DcmFrom, RateOf> &&
+             (std::same_as<RateIn, RateOf> || std::same_as<RateIn, RateRelativeTo>)))
+void moving_dcm(const Dcm<DcmTo, DcmFrom, S>&,  // moving_dcm(R_a_from_b, w_ab_b) or (R_a_from_b, w_ab_a)
+                const AngularVelocity<RateRelativeTo, RateOf, In<RateIn>, S>&) = delete;
+
+/// Joins a rotation, its rate and its acceleration, the last two expressed in b.
+template <class A, class B, class S>
+AcceleratingDcm<A, B, S> accelerating_dcm(const Dcm<A, B, S>& R_a_from_b,
+                                          const AngularVelocity<A, B, In<B>, S>& w_ab_b,
+                                          const AngularAcceleration<A, B, In<B>, S>& alpha_ab_b) {
+  return {moving_dcm(R_a_from_b, w_ab_b), alpha_ab_b};
+}
+
+template <class A, class B, class D, class S>
+MovingDcm<A, D, S> operator*(const MovingDcm<A, B, S>& ab, const MovingDcm<B, D, S>& bd) {
+  return {ab.rotation() * bd.rotation(),
+          inverse(bd.rotation()) * ab.angular_velocity() + bd.angular_velocity()};
+}
+template <class A, class B, class D, class S>
+AcceleratingDcm<A, D, S> operator*(const AcceleratingDcm<A, B, S>& ab, const AcceleratingDcm<B, D, S>& bd) {
+  const auto R_d_from_b = inverse(bd.rotation());
+  const auto w_ab_d = R_d_from_b * ab.angular_velocity();
+  return {{ab.rotation() * bd.rotation(), w_ab_d + bd.angular_velocity()},
+          chain(R_d_from_b * ab.angular_acceleration(), bd.angular_acceleration(), w_ab_d,
+                bd.angular_velocity())};
+}
+template <class LeftTo, class LeftFrom, class RightTo, class RightFrom, class S>
+  requires(!std::same_as<LeftFrom, RightTo>)
+void operator*(const MovingDcm<LeftTo, LeftFrom, S>&,  // the inner frames cancel
+               const MovingDcm<RightTo, RightFrom, S>&) = delete;
+template <class LeftTo, class LeftFrom, class RightTo, class RightFrom, class S>
+  requires(!std::same_as<LeftFrom, RightTo>)
+void operator*(const AcceleratingDcm<LeftTo, LeftFrom, S>&,  // the inner frames cancel
+               const AcceleratingDcm<RightTo, RightFrom, S>&) = delete;
+
+// w_ba^a = -R_b^a w_ab^b, and so alpha
+template <class A, class B, class S> MovingDcm<B, A, S> inverse(const MovingDcm<A, B, S>& ab) {
+  return {inverse(ab.rotation()), -(ab.rotation() * ab.angular_velocity())};
+}
+template <class A, class B, class S> AcceleratingDcm<B, A, S> inverse(const AcceleratingDcm<A, B, S>& ab) {
+  return {inverse(ab.moving()), -(ab.rotation() * ab.angular_acceleration())};
+}
+
+// What a frame graph asks of the values on its edges.
+template <class A, class B, class S> struct LevelOf<MovingDcm<A, B, S>> {
+  using first = A;
+  using second = B;
+  static constexpr Level level = Level::rate;
+};
+template <class A, class B, class S> struct LevelOf<AcceleratingDcm<A, B, S>> {
+  using first = A;
+  using second = B;
+  static constexpr Level level = Level::acceleration;
+};
+template <class A, class B, class S> const Dcm<A, B, S>& rotation_of(const MovingDcm<A, B, S>& value) {
+  return value.rotation();
+}
+template <class A, class B, class S> const Dcm<A, B, S>& rotation_of(const AcceleratingDcm<A, B, S>& value) {
+  return value.rotation();
+}
+template <class A, class B, class S> const MovingDcm<A, B, S>& moving_part(const MovingDcm<A, B, S>& value) {
+  return value;
+}
+template <class A, class B, class S>
+const MovingDcm<A, B, S>& moving_part(const AcceleratingDcm<A, B, S>& value) {
+  return value.moving();
+}
+template <class A, class B, class S>
+const AngularVelocity<A, B, In<B>, S>& angular_velocity_of(const MovingDcm<A, B, S>& value) {
+  return value.angular_velocity();
+}
+template <class A, class B, class S>
+const AngularAcceleration<A, B, In<B>, S>& angular_acceleration_of(const AcceleratingDcm<A, B, S>& value) {
+  return value.angular_acceleration();
+}
+
+}  // namespace vectrix

@@ -1,0 +1,155 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <array>
+#include <cmath>
+#include <vectrix/frames/dcm.hpp>
+
+namespace vectrix {
+
+/// Largest | |q| - 1 | that the checked doors let in: ten printed digits pass.
+inline constexpr double unit_norm_tolerance = 1e-9;
+
+/// q_a^b, `q_b_from_a`, of type Quaternion<B, A>: a unit quaternion (Hamilton's product) that maps
+/// coordinates as R_a^b:
+///     1.  r^b = q_a^b r^a (q_a^b)*          q_b_from_a * r_a
+///     2.  q_a^c = q_b^c q_a^b               q_c_from_b * q_b_from_a
+///     3.  q and -q are the same rotation
+/// Made from numbers only by doors that name the place of the scalar.
+template <Frame ToFrame, Frame FromFrame, class S = double> class Quaternion {
+ public:
+  using to = ToFrame;
+  using from = FromFrame;
+
+  Quaternion(detail::Trusted, const Eigen::Quaternion<S>& value) : value_(value) {}
+
+  /// The bare quaternion; Eigen stores the scalar last and constructs with the scalar first.
+  const Eigen::Quaternion<S>& eigen() const { return value_; }
+  std::array<S, 4> scalar_first() const { return {value_.w(), value_.x(), value_.y(), value_.z()}; }
+  std::array<S, 4> scalar_last() const { return {value_.x(), value_.y(), value_.z(), value_.w()}; }
+
+ private:
+  Eigen::Quaternion<S> value_;
+};
+
+namespace detail {
+
+template <class B, class A> std::string quaternion_door(const char* door) {
+  return std::string{door} + "(to<" + frame_name<B>() + ">, from<" + frame_name<A>() + ">): ";
+}
+
+template <class B, class A, class S> S checked_norm(const Eigen::Quaternion<S>& q, const char* door) {
+  if (!q.coeffs().allFinite()) {
+    throw BadInput(quaternion_door<B, A>(door) + "the numbers, scalar first, (" + text(q.w()) + ", " +
+                   text(q.x()) + ", " + text(q.y()) + ", " + text(q.z()) + ") are not finite");
+  }
+  const S norm = q.coeffs().stableNorm();
+  if (!(norm > S(0))) {
+    throw BadInput(quaternion_door<B, A>(door) + "the norm is " + text(norm) +
+                   "; a zero quaternion turns nothing");
+  }
+  return norm;
+}
+
+template <class B, class A, class S>
+Quaternion<B, A, S> unit_quaternion(const Eigen::Quaternion<S>& q, const char* door) {
+  const S norm = checked_norm<B, A>(q, door);
+  const S error = norm > S(1) ? norm - S(1) : S(1) - norm;
+  if (!(error <= S(unit_norm_tolerance))) {
+    throw BadInput(quaternion_door<B, A>(door) + "the norm differs from 1 by " + text(error) +
+                   ", tolerance " + text(unit_norm_tolerance) + "; nearest_" + door + "() projects");
+  }
+  return {trusted, q};
+}
+
+}  // namespace detail
+
+/// The checked doors. Throw BadInput when a number is not finite or | |q| - 1 | exceeds unit_norm_tolerance.
+template <Frame B, Frame A, class S>
+Quaternion<B, A, S> quaternion_scalar_first(To<B>, From<A>, S w, S x, S y, S z) {
+  return detail::unit_quaternion<B, A, S>({w, x, y, z}, "quaternion_scalar_first");
+}
+template <Frame B, Frame A, class S>
+Quaternion<B, A, S> quaternion_scalar_last(To<B>, From<A>, S x, S y, S z, S w) {
+  return detail::unit_quaternion<B, A, S>({w, x, y, z}, "quaternion_scalar_last");
+}
+
+template <class B, class A, class S> struct NearestQuaternion {
+  Quaternion<B, A, S> quaternion;
+  /// How far the norm was from 1.
+  S distance;
+};
+
+/// The projecting doors: q / |q|, and how far |q| was from 1. Throw BadInput for a zero or not finite
+/// quaternion.
+template <Frame B, Frame A, class S>
+NearestQuaternion<B, A, S> nearest_quaternion_scalar_first(To<B>, From<A>, S w, S x, S y, S z) {
+  using std::abs;
+  const Eigen::Quaternion<S> q{w, x, y, z};
+  const S norm = detail::checked_norm<B, A>(q, "nearest_quaternion_scalar_first");
+  return {Quaternion<B, A, S>{detail::trusted, Eigen::Quaternion<S>(q.coeffs() / norm)}, abs(norm - S(1))};
+}
+template <Frame B, Frame A, class S>
+NearestQuaternion<B, A, S> nearest_quaternion_scalar_last(To<B>, From<A>, S x, S y, S z, S w) {
+  return nearest_quaternion_scalar_first(to<B>, from<A>, w, x, y, z);
+}
+
+// q_a^c = q_b^c q_a^b
+template <class C, class B, class A, class S>
+Quaternion<C, A, S> operator*(const Quaternion<C, B, S>& q_c_from_b, const Quaternion<B, A, S>& q_b_from_a) {
+  return {detail::trusted, q_c_from_b.eigen() * q_b_from_a.eigen()};
+}
+template <class LeftTo, class LeftFrom, class RightTo, class RightFrom, class S>
+  requires(!std::same_as<LeftFrom, RightTo>)
+void operator*(const Quaternion<LeftTo, LeftFrom, S>&,  // q_c_from_b * q_b_from_a: the inner frames cancel
+               const Quaternion<RightTo, RightFrom, S>&) = delete;
+
+// r^b = q r^a q*
+template <class B, class A, class U, class S>
+Vector<B, U, S> operator*(const Quaternion<B, A, S>& q_b_from_a, const Vector<A, U, S>& r_a) {
+  return {detail::trusted, q_b_from_a.eigen()._transformVector(r_a.coordinates())};
+}
+template <class QuaternionTo, class QuaternionFrom, class VectorIn, class U, class S>
+  requires(!std::same_as<QuaternionFrom, VectorIn>)
+void operator*(
+    const Quaternion<QuaternionTo, QuaternionFrom, S>&,  // q_b_from_a * r_a: r must be expressed in a
+    const Vector<VectorIn, U, S>&) = delete;
+
+template <class B, class A, class S> Quaternion<A, B, S> inverse(const Quaternion<B, A, S>& q_b_from_a) {
+  return {detail::trusted, q_b_from_a.eigen().conjugate()};
+}
+
+/// R_a^b of q_a^b: entries such as 1 - 2 (y^2 + z^2) and 2 (x y - w z).
+template <class B, class A, class S> Dcm<B, A, S> dcm(const Quaternion<B, A, S>& q_b_from_a) {
+  return {detail::trusted, q_b_from_a.eigen().toRotationMatrix()};
+}
+
+/// q_a^b of R_a^b, with q_w >= 0, and at q_w = 0 the first non-zero of x, y, z positive. Accurate for every
+/// rotation: the largest of the four components is taken from the diagonal (Shepperd 1978), the others by
+/// division.
+template <class B, class A, class S> Quaternion<B, A, S> quaternion(const Dcm<B, A, S>& R_b_from_a) {
+  const auto& m = R_b_from_a.matrix();
+  const S trace = m.trace();
+  Eigen::Index largest;
+  const S diagonal = m.diagonal().maxCoeff(&largest);
+  Eigen::Quaternion<S> q;
+  if (trace > diagonal) {
+    q = {S(1) + trace, m(2, 1) - m(1, 2), m(0, 2) - m(2, 0), m(1, 0) - m(0, 1)};
+  } else {
+    const Eigen::Index i = largest;
+    const Eigen::Index j = (i + 1) % 3;
+    const Eigen::Index k = (i + 2) % 3;
+    q.w() = m(k, j) - m(j, k);
+    q.coeffs()(i) = S(1) + m(i, i) - m(j, j) - m(k, k);
+    q.coeffs()(j) = m(i, j) + m(j, i);
+    q.coeffs()(k) = m(i, k) + m(k, i);
+  }
+  const auto first_sign = [](const auto& c) {
+    return c(3) != S(0) ? c(3) : c(0) != S(0) ? c(0) : c(1) != S(0) ? c(1) : c(2);
+  };
+  const S norm = q.coeffs().norm();
+  q.coeffs() /= first_sign(q.coeffs()) < S(0) ? -norm : norm;
+  return {detail::trusted, q};
+}
+
+}  // namespace vectrix
