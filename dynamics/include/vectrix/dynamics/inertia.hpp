@@ -1,0 +1,108 @@
+#pragma once
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <vectrix/kinematics/angular_acceleration.hpp>
+
+namespace vectrix {
+
+/// J_b: the inertia tensor of a rigid body about its centre of mass, in axes of the frame b fixed to it, kg
+/// m^2.
+///     J_b = [ Jxx Jxy Jxz; Jxy Jyy Jyz; Jxz Jyz Jzz ],  Jxx = int (y^2 + z^2) dm,  Jxy = - int x y dm
+/// Made by inertia_from_tensor() or inertia_from_moments_and_products(), which differ in the sign of the
+/// off-diagonal numbers; there is no default. Its principal moments are positive and satisfy J1 + J2 >= J3.
+template <Frame B, class S = double> class Inertia {
+ public:
+  Inertia(detail::Trusted, const detail::Square<S>& tensor) : tensor_(tensor), inverse_(tensor.inverse()) {}
+
+  /// The entries of the tensor, kg m^2: the way out of the typed world; and the inverse tensor.
+  const detail::Square<S>& matrix() const { return tensor_; }
+  const detail::Square<S>& inverse_matrix() const { return inverse_; }
+
+ private:
+  detail::Square<S> tensor_;
+  detail::Square<S> inverse_;
+};
+
+namespace detail {
+
+/// Relative room for rounding in J1 + J2 >= J3, which a flat plate satisfies with equality.
+inline constexpr double triangle_tolerance = 1e-12;
+
+template <class B, class S> Inertia<B, S> checked_inertia(const char* door, const Square<S>& tensor) {
+  const std::string place = std::string{door} + "(in<" + frame_name<B>() + ">): ";
+  if (!tensor.allFinite()) {
+    throw BadInput(place + "an entry is not finite");
+  }
+  const Eigen::SelfAdjointEigenSolver<Square<S>> solver(tensor, Eigen::EigenvaluesOnly);
+  const Column<S> moments = solver.eigenvalues();  // in increasing order
+  const std::string listed =
+      "(" + text(moments(0)) + ", " + text(moments(1)) + ", " + text(moments(2)) + ") kg m^2";
+  if (!(moments(0) > S(0))) {
+    throw BadInput(place + "the principal moments " + listed + " are not all positive");
+  }
+  const S excess = moments(2) - moments(0) - moments(1);
+  if (!(excess <= S(triangle_tolerance) * moments(2))) {
+    throw BadInput(place + "the largest principal moment of " + listed +
+                   " exceeds the sum of the others by " + text(excess) + "; no body has this inertia");
+  }
+  return {trusted, tensor};
+}
+
+template <class S>
+Square<S> symmetric(const S& xx, const S& yy, const S& zz, const S& xy, const S& xz, const S& yz) {
+  Square<S> matrix;
+  matrix << xx, xy, xz, xy, yy, yz, xz, yz, zz;
+  return matrix;
+}
+
+}  // namespace detail
+
+/// From the entries of the tensor: Jxy = - int x y dm is given as it stands in the matrix.
+/// Throws BadInput when an entry is not finite, a principal moment is not positive, or one exceeds the other
+/// two.
+template <Frame B, class S>
+Inertia<B, S> inertia_from_tensor(In<B>, const Quantity<si::moment_of_inertia, S>& Jxx,
+                                  const Quantity<si::moment_of_inertia, S>& Jyy,
+                                  const Quantity<si::moment_of_inertia, S>& Jzz,
+                                  const Quantity<si::moment_of_inertia, S>& Jxy,
+                                  const Quantity<si::moment_of_inertia, S>& Jxz,
+                                  const Quantity<si::moment_of_inertia, S>& Jyz) {
+  return detail::checked_inertia<B, S>(
+      "inertia_from_tensor",
+      detail::symmetric(Jxx.value(), Jyy.value(), Jzz.value(), Jxy.value(), Jxz.value(), Jyz.value()));
+}
+
+/// From moments and products of inertia, Pxy = + int x y dm: the tensor's off-diagonal entries are their
+/// negatives. Throws BadInput as inertia_from_tensor().
+template <Frame B, class S>
+Inertia<B, S> inertia_from_moments_and_products(In<B>, const Quantity<si::moment_of_inertia, S>& Jxx,
+                                                const Quantity<si::moment_of_inertia, S>& Jyy,
+                                                const Quantity<si::moment_of_inertia, S>& Jzz,
+                                                const Quantity<si::moment_of_inertia, S>& Pxy,
+                                                const Quantity<si::moment_of_inertia, S>& Pxz,
+                                                const Quantity<si::moment_of_inertia, S>& Pyz) {
+  return detail::checked_inertia<B, S>(
+      "inertia_from_moments_and_products",
+      detail::symmetric<S>(Jxx.value(), Jyy.value(), Jzz.value(), -Pxy.value(), -Pxz.value(), -Pyz.value()));
+}
+
+// h^b = J_b w_ab^b, the angular momentum about the centre of mass, relative to a.
+template <class B, class A, class S>
+Vector<B, si::angular_momentum, S> operator*(const Inertia<B, S>& J_b,
+                                             const AngularVelocity<A, B, In<B>, S>& w_ab_b) {
+  return {detail::trusted, J_b.matrix() * w_ab_b.coordinates()};
+}
+template <class InertiaOf, class RateRelativeTo, class RateOf, class RateIn, class S>
+  requires(!(std::same_as<InertiaOf, RateOf> && std::same_as<InertiaOf, RateIn>))
+void operator*(const Inertia<InertiaOf, S>&,  // J_b * w_ab_b: the rate of the same body, in its own frame
+               const AngularVelocity<RateRelativeTo, RateOf, In<RateIn>, S>&) = delete;
+
+/// T = 1/2 w . J w, the rotational energy relative to a.
+template <class B, class A, class S>
+Quantity<si::energy, S> kinetic_energy(const Inertia<B, S>& J_b,
+                                       const AngularVelocity<A, B, In<B>, S>& w_ab_b) {
+  return dot(w_ab_b.vector(), J_b * w_ab_b) / S(2);
+}
+
+}  // namespace vectrix
