@@ -87,6 +87,13 @@ Inertia<B, S> inertia_from_moments_and_products(In<B>, const Quantity<si::moment
       detail::symmetric<S>(Jxx.value(), Jyy.value(), Jzz.value(), -Pxy.value(), -Pxz.value(), -Pyz.value()));
 }
 
+/// The trusted door: no check at all. For a symmetric positive tensor that is no rigid body's, such as the effective
+/// tensor of a body with rotors, which may break J1 + J2 >= J3.
+template <Frame B, class Derived>
+auto trust_inertia(In<B>, const Eigen::MatrixBase<Derived>& tensor) {
+  return Inertia<B, typename Derived::Scalar>{detail::trusted, tensor};
+}
+
 // h^b = J_b w_ab^b, the angular momentum about the centre of mass, relative to a.
 template <class B, class A, class S>
 Vector<B, si::angular_momentum, S> operator*(const Inertia<B, S>& J_b,

@@ -15,13 +15,15 @@
 namespace vectrix::ode {
 
 /// Integration methods. The Adams and BDF formulas vary their order (to 12 and 5); BDF is for stiff problems.
-/// The error estimate of Fehlberg 7(8) does not see a rate that depends on time alone (a quadrature): give such
-/// a problem a `maximum_step` or another method.
+/// The error estimate of Fehlberg 7(8) does not see a rate that depends on time alone (a quadrature): give
+/// such a problem a `maximum_step` or another method.
 enum class Method { cvode_adams, cvode_bdf, arkode_dormand_prince_5, arkode_fehlberg_8 };
 
 /// ydot = f(t, y) in the smooth segment that begins at `segment_start`. What switches at a breakpoint must be
-/// decided by segment_start alone: t equals the breakpoint at the end of one segment and at the start of the next.
-using RightHandSide = std::function<void(double segment_start, double t, std::span<const double> y, std::span<double> ydot)>;
+/// decided by segment_start alone: t equals the breakpoint at the end of one segment and at the start of the
+/// next.
+using RightHandSide =
+    std::function<void(double segment_start, double t, std::span<const double> y, std::span<double> ydot)>;
 
 /// A function of time and state whose zeros are found and reported. A zero is looked for where the function
 /// changes sign, or becomes 0, from one step to the next; two zeros within one step go unseen, which
@@ -50,14 +52,14 @@ struct Problem {
   double maximum_step = std::numeric_limits<double>::infinity();
 };
 
-/// A run that could not be finished. `solution()` is everything computed until then. When the right-hand side or
-/// a root function threw, the failure also derives from std::nested_exception and holds what was thrown:
+/// A run that could not be finished. `solution()` is everything computed until then. When the right-hand side
+/// or a root function threw, the failure also derives from std::nested_exception and holds what was thrown:
 /// std::rethrow_if_nested(failure) throws it.
 class VECTRIX_EXPORT Failure : public std::runtime_error {
  public:
   Failure(const std::string& text, double time, std::size_t step, int flag, Solution solution);
 
-  [[nodiscard]] double time() const { return time_; }      ///< time at which the trouble was met
+  [[nodiscard]] double time() const { return time_; }       ///< time at which the trouble was met
   [[nodiscard]] std::size_t step() const { return step_; }  ///< accepted steps before it
   [[nodiscard]] int flag() const { return flag_; }          ///< SUNDIALS' return flag; the text has its name
   [[nodiscard]] const Solution& solution() const { return solution_; }

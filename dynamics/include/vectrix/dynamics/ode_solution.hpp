@@ -13,7 +13,9 @@ namespace vectrix::ode {
 /// Sense in which a root function passes through zero as time grows.
 enum class Direction { rising, falling, any };
 
-/// One accepted step: time, state and its rate. The spans live as long as any copy of the solution.
+/// One accepted step: time, state and its rate. The rate is f(t, y) with the ARKODE methods, and with the
+/// CVODE methods the slope of the integrator's polynomial, equal to f(t, y) within the tolerance (at the
+/// start of a segment, f(t, y)). The spans live as long as any copy of the solution.
 struct Node {
   double t;
   std::span<const double> y;

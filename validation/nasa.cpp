@@ -1,0 +1,62 @@
+#include <vectrix/dynamics.hpp>
+
+#include "comparison.hpp"
+#include "nasa_runs.hpp"
+
+namespace vectrix::validation {
+namespace {
+
+// NASA's figures carry 16 digits; rounding in the inputs and in 28 800 s of integration stays a hundred times
+// below these.
+constexpr double attitude_tolerance_rad = 1e-10;
+constexpr double rate_tolerance_rad_s = 1e-14;
+constexpr double position_tolerance_m = 1e-3;
+constexpr const char* reason = "16 printed digits, 8 h of rounding";
+
+CsvTable read(const std::string& file) {
+  return CsvTable::read(file, {"run", "t_s", "x_m", "y_m", "z_m", "wx_radps", "wy_radps", "wz_radps", "T11",
+                               "T12", "T13", "T21", "T22", "T23", "T31", "T32", "T33"});
+}
+
+void add(Difference& difference, const State<Inertial, Body>& state, const CsvTable& table, std::size_t row) {
+  const auto number = [&](const char* name) { return table.number(row, name); };
+  Eigen::Matrix3d T;  // body from inertial
+  T << number("T11"), number("T12"), number("T13"), number("T21"), number("T22"), number("T23"),
+      number("T31"), number("T32"), number("T33");
+  difference.attitude(state.R_i_from_b(), T.transpose());
+  difference.rate(state.w_ib_b, {number("wx_radps"), number("wy_radps"), number("wz_radps")});
+  difference.position(*state.orbit, {number("x_m"), number("y_m"), number("z_m")});
+}
+
+void report(Rows& rows, const std::string& scenario, const Difference& difference) {
+  rows.push_back(
+      {"NASA", scenario, "attitude", attitude_tolerance_rad, "rad", reason, difference.attitude_rad});
+  rows.push_back(
+      {"NASA", scenario, "body rate", rate_tolerance_rad_s, "rad/s", reason, difference.rate_rad_s});
+  rows.push_back({"NASA", scenario, "position", position_tolerance_m, "m", reason, difference.position_m});
+}
+
+}  // namespace
+
+Rows nasa_rows(const std::string& data) {
+  Rows rows;
+  const CsvTable finals = read(data + "/nasa_final_states.csv");
+  for (std::size_t row = 0; row < finals.rows(); ++row) {
+    const std::string run = finals.text(row, "run").substr(4);  // "RUN_10A" -> "10A"
+    const double end = finals.number(row, "t_s");
+    const auto trajectory = propagate(nasa_scenario(run), tight(end, {}));
+    Difference difference;
+    add(difference, trajectory.at(trajectory.end()), finals, row);
+    report(rows, "run " + run + " at " + std::to_string(static_cast<int>(end)) + " s", difference);
+  }
+  const CsvTable minutes = read(data + "/nasa_10A_first_300s.csv");
+  const auto trajectory = propagate(nasa_scenario("10A"), tight(300.0, {}));
+  Difference difference;
+  for (std::size_t row = 0; row < minutes.rows(); ++row) {
+    add(difference, trajectory.at(minutes.number(row, "t_s") * si::second), minutes, row);
+  }
+  report(rows, "run 10A, each minute to 300 s", difference);
+  return rows;
+}
+
+}  // namespace vectrix::validation

@@ -1,0 +1,86 @@
+#include <vectrix/dynamics.hpp>
+
+#include "comparison.hpp"
+#include "nasa_runs.hpp"
+#include "simbody_scenario.hpp"
+
+namespace vectrix::validation {
+namespace {
+
+// Simbody bounds the error of a step, relative to the size of the motion; over a run the errors of its steps
+// add up, so that accuracy * steps * size is what can be asked of the end. Whose the difference is shows when
+// Simbody alone is tightened: an accuracy a hundred times tighter must bring the difference down at least ten
+// times.
+constexpr double accuracies[] = {1e-6, 1e-8, 1e-10, 1e-12};
+constexpr double largest_ratio = 0.1;
+
+constexpr double interval_s = 600.0;
+
+std::string power(double accuracy) {
+  return "1e" + std::to_string(static_cast<int>(std::round(std::log10(accuracy))));
+}
+
+struct Compared {
+  Difference difference;
+  double steps;
+};
+
+Compared compare(const Scenario<Inertial, Body>& scenario, const Trajectory<Inertial, Body>& ours,
+                 double accuracy, const std::vector<double>& times) {
+  const SimbodyRun theirs =
+      simbody_propagate(simbody_body(scenario), accuracy, times, SimbodyIntegrator::runge_kutta_merson);
+  Difference difference;
+  for (const SimbodySample& sample : theirs.samples) {
+    const State<Inertial, Body> state = ours.at(sample.t_s * si::second);
+    using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
+    difference.attitude(state.R_i_from_b(), Eigen::Map<const RowMajor>(sample.R_i_from_b.data()));
+    difference.rate(state.w_ib_b, Eigen::Map<const Eigen::Vector3d>(sample.w_ib_b.data()));
+    difference.position(*state.orbit, Eigen::Map<const Eigen::Vector3d>(sample.r_i_m.data()));
+  }
+  return {difference, static_cast<double>(theirs.steps)};
+}
+
+// Adds the comparison at the tightest accuracy to `rows`, and what tightening does to `tightened`.
+void report(Rows& rows, Rows& tightened, const std::string& what, const std::string& run,
+            double Difference::*watched, const std::string& watched_name) {
+  const Scenario<Inertial, Body> scenario = nasa_scenario(run);
+  const auto ours = propagate(scenario, tight(nasa_duration_s, {}));
+  std::vector<double> times;
+  for (double t = 0.0; t <= nasa_duration_s; t += interval_s) times.push_back(t);
+
+  std::vector<Compared> runs;
+  for (const double accuracy : accuracies) runs.push_back(compare(scenario, ours, accuracy, times));
+
+  const std::string name = what + " (NASA run " + run + "), every 600 s to 28800 s";
+  const double of_run = std::end(accuracies)[-1] * runs.back().steps;
+  const double orbital_rate =
+      norm(scenario.initial.orbit->v_i).value() / norm(scenario.initial.orbit->r_i).value();
+  const Difference& last = runs.back().difference;
+  const std::string reason = "Simbody's accuracy " + power(std::end(accuracies)[-1]) + " times its steps";
+  rows.push_back({"Simbody", name, "attitude", of_run, "rad", reason, last.attitude_rad});
+  rows.push_back({"Simbody", name, "body rate", of_run * orbital_rate, "rad/s",
+                  reason + " and the orbital rate", last.rate_rad_s});
+  rows.push_back({"Simbody", name, "position", of_run * norm(scenario.initial.orbit->r_i).value(), "m",
+                  reason + " and the radius", last.position_m});
+  for (std::size_t i = 1; i < runs.size(); ++i) {
+    tightened.push_back(
+        {"Simbody tightened: the difference is Simbody's", name,
+         watched_name + ", accuracy " + power(accuracies[i]) + " over " + power(accuracies[i - 1]),
+         largest_ratio, "", "a hundred times tighter",
+         runs[i].difference.*watched / runs[i - 1].difference.*watched});
+  }
+}
+
+}  // namespace
+
+Rows simbody_rows(const std::string&) {
+  Rows rows;
+  Rows tightened;
+  report(rows, tightened, "torque-free", "2", &Difference::position_m, "position");
+  report(rows, tightened, "pulse torque", "9A", &Difference::position_m, "position");
+  report(rows, tightened, "gravity gradient", "10A", &Difference::attitude_rad, "attitude");
+  rows.insert(rows.end(), tightened.begin(), tightened.end());
+  return rows;
+}
+
+}  // namespace vectrix::validation
