@@ -21,14 +21,15 @@ class VECTRIX_EXPORT CsvError : public BadInput {
 };
 
 /// A text table: one header line of column names, then one line of fields per row, separated by commas.
-/// Lines that begin with '#' in front of the header are comments. Blanks around a field do not count, a line may
-/// end with CR LF, quotation marks are not supported. Every line, the last too, must end: a file that stops
-/// within a line was truncated. Rows are counted from 0, lines and columns in messages from 1.
+/// Lines that begin with '#' in front of the header are comments. Blanks around a field do not count, a line
+/// may end with CR LF, quotation marks are not supported. Every line, the last too, must end: a file that
+/// stops within a line was truncated. Rows are counted from 0, lines and columns in messages from 1.
 class VECTRIX_EXPORT CsvTable {
  public:
   /// Throws CsvError when the file cannot be read, is empty, ends within a line, lacks a required column, has
   /// two columns of one name, or a row whose number of fields is not that of the header.
-  static CsvTable read(const std::filesystem::path& file, std::initializer_list<std::string_view> required_columns);
+  static CsvTable read(const std::filesystem::path& file,
+                       std::initializer_list<std::string_view> required_columns);
 
   [[nodiscard]] std::size_t rows() const { return lines_.size(); }
   [[nodiscard]] const std::vector<std::string>& columns() const { return columns_; }

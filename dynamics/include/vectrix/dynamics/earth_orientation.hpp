@@ -27,12 +27,17 @@ struct EarthOrientationParameters {
 /// The rotation of the Earth by IAU 2006/2000A, with the pole's observed offsets and polar motion:
 ///     R_itrf^gcrf = Q(X + dX, Y + dY, s) R3(-ERA(UT1)) W(x, y, s')
 ///     w_gi^i = dERA/dUT1 (1 + d(UT1-TAI)/dTAI), along the celestial intermediate pole
-/// The rate leaves out precession-nutation (up to 3e-11 rad/s) and polar motion (2e-13 rad/s). About 40
-/// microseconds a call: in a long propagation, call it as often as the Earth needs, not as often as the attitude.
-VECTRIX_EXPORT MovingDcm<Gcrf, Itrf> earth_rotation(const Epoch& epoch, const EarthOrientationParameters& parameters);
+/// The rate leaves out the motion of the pole: precession-nutation (below 1e-11 rad/s), polar motion (1e-13
+/// rad/s). A call takes about 0.1 ms, for the series of X and Y.
+VECTRIX_EXPORT MovingDcm<Gcrf, Itrf> earth_rotation(const Epoch& epoch,
+                                                    const EarthOrientationParameters& parameters);
 
-/// Bias, precession and nutation by IAU 2006/2000A, without observed offsets (a few 1e-9 rad).
+/// The classical way by the equinox: bias, precession and nutation of the same models without observed
+/// offsets (a few 1e-9 rad), then apparent sidereal time and polar motion. With dX = dY = 0 both ways agree
+/// to 1e-11.
 VECTRIX_EXPORT Dcm<TrueOfDate, Gcrf> true_of_date_from_gcrf(const Epoch& epoch);
+VECTRIX_EXPORT Dcm<Itrf, TrueOfDate> itrf_from_true_of_date(const Epoch& epoch,
+                                                            const EarthOrientationParameters& parameters);
 
 /// The observed orientation of the Earth, a row a day, from the IERS series finals2000A:
 ///     graph edge    edge([&](const Epoch& t) { return orientation.at(t); })
@@ -41,10 +46,11 @@ VECTRIX_EXPORT Dcm<TrueOfDate, Gcrf> true_of_date_from_gcrf(const Epoch& epoch);
 class VECTRIX_EXPORT EarthOrientation {
  public:
   /// Reads fixed columns: MJD 8-15, x 19-27 and y 38-46 (arcsec), UT1-UTC 59-68 (s), dX 98-106 and dY 117-125
-  /// (milliarcsec). Lines that begin with '#' are comments. The series ends with predictions that lack values:
-  /// the rows used end with the last complete one. Throws BadInput with file, line, columns and reason when a
-  /// field is no number, a complete row follows an incomplete one, rows are not a day apart, UT1-TAI jumps as
-  /// at a leap second unknown to ERFA, the file stops within a line, or fewer than two rows are complete.
+  /// (milliarcsec). Lines that begin with '#' are comments. The series ends with predictions that lack
+  /// values: the rows used end with the last complete one. Throws BadInput with file, line, columns and
+  /// reason when a field is no number, a complete row follows an incomplete one, rows are not a day apart,
+  /// UT1-TAI jumps as at a leap second unknown to ERFA, the file stops within a line, or fewer than two rows
+  /// are complete.
   static EarthOrientation read(const std::filesystem::path& finals2000A);
 
   [[nodiscard]] const Epoch& first() const { return epochs_.front(); }

@@ -26,9 +26,9 @@ VECTRIX_EXPORT Vector<Itrf, si::length> position(const Geodetic& geodetic);
 /// The unit normal of the ellipsoid, up at the latitude and longitude of r.
 VECTRIX_EXPORT Vector<Itrf, si::dimensionless> up(const Vector<Itrf, si::length>& r_itrf);
 
-/// Where the ray r + t d, t >= 0, first meets the ellipsoid; nothing when it misses. d is any vector but zero. An
-/// origin within about 10 micrometres of the surface is itself the answer.
-/// Throws BadInput when the origin lies inside, or d is zero.
+/// Where the ray r + t d, t >= 0, first meets the ellipsoid; nothing when it misses. d is any vector but
+/// zero. An origin within about 10 micrometres of the surface is itself the answer. Throws BadInput when the
+/// origin lies inside, or d is zero.
 VECTRIX_EXPORT std::optional<Vector<Itrf, si::length>> first_intersection(
     const Vector<Itrf, si::length>& r_itrf, const Vector<Itrf, si::dimensionless>& d_itrf);
 

@@ -21,17 +21,18 @@ struct JulianDate {
 ///     TT = TAI + 32.184 s        TAI = UTC + leap seconds (ERFA's table)
 /// Differences are SI seconds, leap seconds included. An instant of the graph: graph.at(epoch).
 ///
-/// UTC is known from 1960 on; earlier is BadInput. In years that ERFA's table of leap seconds does not cover yet,
-/// UTC is taken with the last leap second it knows; from_tt() depends on no table.
+/// UTC is known from 1960 on; earlier is BadInput. In years that ERFA's table of leap seconds does not cover
+/// yet, UTC is taken with the last leap second it knows; from_tt() depends on no table.
 class VECTRIX_EXPORT Epoch {
  public:
-  /// From "2022-04-14T10:22:11.874999", with up to 12 decimals or none, 'Z' or nothing at the end. The second 60
-  /// exists where there is a leap second. Throws BadInput for any other text and for dates that do not exist.
+  /// From "2022-04-14T10:22:11.874999", with up to 12 decimals or none, 'Z' or nothing at the end. The second
+  /// 60 exists where there is a leap second. Throws BadInput for any other text and for dates that do not
+  /// exist.
   static Epoch from_utc(std::string_view text);
   /// From the same text, meant in Terrestrial Time; no 'Z'.
   static Epoch from_tt(std::string_view text);
-  /// From a modified Julian day of UTC and the elapsed part of that day, in [0, 1) of its own length: a day with a
-  /// leap second has 86401 s. Throws BadInput when the part is outside.
+  /// From a modified Julian day of UTC and the elapsed part of that day, in [0, 1) of its own length: a day
+  /// with a leap second has 86401 s. Throws BadInput when the part is outside.
   static Epoch from_utc_mjd(int day, double part = 0.0);
 
   /// The text of the instant, rounded to 0 to 9 decimals. utc() throws BadInput before 1960.

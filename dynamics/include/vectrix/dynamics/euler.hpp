@@ -14,8 +14,7 @@ AngularAcceleration<I, B, In<B>, S> euler(const Inertia<B, S>& J_b,
                                           const Vector<B, si::torque, S>& torque_b) {
   const detail::Column<S> momentum = J_b.matrix() * w_ib_b.coordinates();
   const detail::Column<S> net = torque_b.coordinates() - w_ib_b.coordinates().cross(momentum);
-  return AngularAcceleration<I, B, In<B>, S>{
-      detail::trusted, Vector<B, si::angular_acceleration, S>{detail::trusted, J_b.inverse_matrix() * net}};
+  return AngularAcceleration<I, B, In<B>, S>{detail::trusted, J_b.inverse_matrix() * net};
 }
 template <class RotatingReference, class InertiaOf, class RateOf, class RateIn, class TorqueIn, class U,
           class S>

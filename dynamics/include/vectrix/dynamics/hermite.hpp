@@ -11,8 +11,8 @@ template <Frame F> struct PositionVelocity {
   Vector<F, si::velocity> velocity;
 };
 
-/// Position and velocity at the time t after the sample `start`, with `end` a time h after it: the cubic that has
-/// both positions and velocities (Hermite), and its derivative. With s = t/h:
+/// Position and velocity at the time t after the sample `start`, with `end` a time h after it: the cubic that
+/// has both positions and velocities (Hermite), and its derivative. With s = t/h:
 ///     r = r0 + s^2 (3 - 2s) (r1 - r0) + s (1 - s) h ((1 - s) v0 - s v1)
 /// In the middle it is h^4/384 times the fourth derivative of r away.
 /// Throws BadInput when h is not positive and finite, or t is outside [0, h].

@@ -2,6 +2,7 @@
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
+#include <algorithm>
 #include <vectrix/kinematics/angular_acceleration.hpp>
 
 namespace vectrix {
@@ -26,23 +27,32 @@ template <Frame B, class S = double> class Inertia {
 
 namespace detail {
 
-/// Relative room for rounding in J1 + J2 >= J3, which a flat plate satisfies with equality.
-inline constexpr double triangle_tolerance = 1e-12;
+/// Relative room for rounding in J1 + J2 >= J3, which a flat plate satisfies with equality, and in J1 > 0, which the
+/// rounding of a thin rod's J1 = 0 must not pass.
+template <class S> S moment_tolerance() {
+  return S(std::max(1e-12, 16.0 * static_cast<double>(Eigen::NumTraits<S>::epsilon())));
+}
 
 template <class B, class S> Inertia<B, S> checked_inertia(const char* door, const Square<S>& tensor) {
   const std::string place = std::string{door} + "(in<" + frame_name<B>() + ">): ";
-  if (!tensor.allFinite()) {
-    throw BadInput(place + "an entry is not finite");
+  for (Eigen::Index row = 0; row < 3; ++row) {
+    for (Eigen::Index column = row; column < 3; ++column) {
+      const S& entry = tensor(row, column);
+      if (!(entry - entry == S(0))) {
+        throw BadInput(place + "entry (" + text(row + 1) + ", " + text(column + 1) + ") of the tensor is " +
+                       text(entry) + " kg m^2");
+      }
+    }
   }
   const Eigen::SelfAdjointEigenSolver<Square<S>> solver(tensor, Eigen::EigenvaluesOnly);
   const Column<S> moments = solver.eigenvalues();  // in increasing order
   const std::string listed =
       "(" + text(moments(0)) + ", " + text(moments(1)) + ", " + text(moments(2)) + ") kg m^2";
-  if (!(moments(0) > S(0))) {
+  if (!(moments(0) > moment_tolerance<S>() * moments(2))) {
     throw BadInput(place + "the principal moments " + listed + " are not all positive");
   }
   const S excess = moments(2) - moments(0) - moments(1);
-  if (!(excess <= S(triangle_tolerance) * moments(2))) {
+  if (!(excess <= moment_tolerance<S>() * moments(2))) {
     throw BadInput(place + "the largest principal moment of " + listed +
                    " exceeds the sum of the others by " + text(excess) + "; no body has this inertia");
   }

@@ -43,7 +43,7 @@ struct Record;
 /// What a run computed, immutable and cheap to copy. A failed run's solution ends at its last accepted step.
 ///
 /// Nodes are ordered by time. Smooth segments lie between consecutive breakpoints; a breakpoint is a node of
-/// both its segments, with the same state and its two one-sided rates.
+/// both its segments, with the same state and its two one-sided rates. A temporary gives no view of itself.
 class VECTRIX_EXPORT Solution {
  public:
   explicit Solution(std::shared_ptr<const Record> record);
@@ -56,17 +56,21 @@ class VECTRIX_EXPORT Solution {
   [[nodiscard]] bool stopped() const;
 
   [[nodiscard]] std::size_t node_count() const;
-  [[nodiscard]] Node node(std::size_t index) const;
+  [[nodiscard]] Node node(std::size_t index) const&;
+  Node node(std::size_t index) && = delete;  // the spans would outlive the solution
   [[nodiscard]] std::size_t segment_count() const;
   /// Index of the first node of a segment; segment_count() gives node_count().
   [[nodiscard]] std::size_t segment_begin(std::size_t segment) const;
 
   /// The output times that were reached, and the states there, which are at(time).
-  [[nodiscard]] std::span<const double> output_times() const;
-  [[nodiscard]] std::span<const double> output(std::size_t index) const;
+  [[nodiscard]] std::span<const double> output_times() const&;
+  std::span<const double> output_times() && = delete;  // the span would outlive the solution
+  [[nodiscard]] std::span<const double> output(std::size_t index) const&;
+  std::span<const double> output(std::size_t index) && = delete;  // the span would outlive the solution
 
-  [[nodiscard]] const std::vector<Event>& events() const;
-  [[nodiscard]] const Statistics& statistics() const;
+  [[nodiscard]] const std::vector<Event>& events() const&;
+  [[nodiscard]] std::vector<Event> events() &&;
+  [[nodiscard]] Statistics statistics() const;
 
   /// State at any time in [start, end]: the Hermite polynomial through (y, ydot) of up to six nodes around t
   /// within its smooth segment (degree 11 or less); at a node exactly the node's state.

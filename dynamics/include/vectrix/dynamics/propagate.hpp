@@ -1,7 +1,7 @@
 #pragma once
 
 #include <exception>
-#include <memory>
+#include <limits>
 #include <utility>
 #include <vectrix/dynamics/ode.hpp>
 #include <vectrix/dynamics/trajectory.hpp>
@@ -26,7 +26,10 @@ template <InertialFrame I, Frame B> struct Root {
   bool stop = false;
 };
 
-/// How a scenario is propagated, from its initial time to `end`.
+/// How a scenario is propagated, from its initial time to `end`. A torque that depends on time and is not piecewise
+/// constant needs a `maximum_step` below the time in which it changes: a step may otherwise pass over a short
+/// burst, and the error estimate of Fehlberg 7(8) does not see a rate that depends on time alone. So do roots
+/// with two zeros close together.
 template <InertialFrame I, Frame B> struct Propagation {
   Quantity<si::time> end;
   ode::Method method = ode::Method::arkode_fehlberg_8;
@@ -35,6 +38,7 @@ template <InertialFrame I, Frame B> struct Propagation {
   std::vector<Quantity<si::time>> output_times = {};
   std::vector<Root<I, B>> roots = {};
   std::size_t max_steps = 10'000'000;
+  Quantity<si::time> maximum_step = std::numeric_limits<double>::infinity() * si::second;
 };
 
 /// A propagation that could not be finished: time, step and flag of the solver, and the trajectory up to
@@ -111,6 +115,7 @@ Trajectory<I, B> propagate(const Scenario<I, B>& scenario, const Propagation<I, 
   problem.absolute_tolerances = detail::absolute_tolerances(how.tolerances, layout, orbit);
   problem.method = how.method;
   problem.max_steps = how.max_steps;
+  problem.maximum_step = how.maximum_step.value();
   problem.rhs = [&](double segment_start, double t, std::span<const double> y, std::span<double> ydot) {
     layout.derivative(scenario, segment_start, t, y, ydot);
   };

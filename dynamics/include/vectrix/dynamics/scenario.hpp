@@ -1,6 +1,9 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <functional>
+#include <limits>
 #include <vector>
 #include <vectrix/dynamics/euler.hpp>
 #include <vectrix/dynamics/gravity.hpp>
@@ -16,7 +19,8 @@ template <Frame B> struct PulseTorque {
 };
 
 /// A torque that is any function of the state; times at which it jumps are listed, so that no step crosses
-/// them.
+/// them. At such a time the integrator asks the function one rounding before it, then one rounding after it: the
+/// function may give either value there.
 template <InertialFrame I, Frame B> struct CustomTorque {
   std::function<Vector<B, si::torque>(const State<I, B>&)> torque_b;
   std::vector<Quantity<si::time>> discontinuities = {};
@@ -35,8 +39,27 @@ template <InertialFrame I, Frame B> struct Scenario {
   bool torque_free() const { return !gravity_gradient && pulses.empty() && torques.empty(); }
 };
 
+namespace detail {
+
+/// The state as the smooth piece that begins at `switched_at` sees it: at a listed jump, its time is moved by one
+/// rounding into the piece.
+template <class I, class B>
+State<I, B> inside_piece(const CustomTorque<I, B>& custom, State<I, B> state,
+                         const Quantity<si::time>& switched_at) {
+  const auto& jumps = custom.discontinuities;
+  if (std::find(jumps.begin(), jumps.end(), state.time) != jumps.end()) {
+    const double forever = std::numeric_limits<double>::infinity();
+    state.time = Quantity<si::time>::from_value(
+        std::nextafter(state.time.value(), switched_at < state.time ? -forever : forever));
+  }
+  return state;
+}
+
+}  // namespace detail
+
 /// The sum of the scenario's torques in a state. A pulse acts when it acts at `switched_at`: the state's own
 /// time or, inside an integrator, the start of the smooth piece in which the state lies.
+/// Throws BadInput when the gravity-gradient torque lacks mu or the state's orbit.
 template <class I, class B>
 Vector<B, si::torque> torque(const Scenario<I, B>& scenario, const State<I, B>& state,
                              const Quantity<si::time>& switched_at) {
@@ -45,11 +68,16 @@ Vector<B, si::torque> torque(const Scenario<I, B>& scenario, const State<I, B>& 
     if (pulse.start <= switched_at && switched_at < pulse.stop) sum_b = sum_b + pulse.torque_b;
   }
   if (scenario.gravity_gradient) {
+    if (!scenario.mu || !state.orbit) {
+      throw BadInput("torque(scenario of " + frame_name<B>() + "): the gravity-gradient torque needs mu and an orbit");
+    }
     // r^b = R_i^b r^i
     const Vector<B, si::length> r_b = inverse(state.R_i_from_b()) * state.orbit->r_i;
     sum_b = sum_b + gravity_gradient_torque(*scenario.mu, scenario.inertia, r_b);
   }
-  for (const CustomTorque<I, B>& custom : scenario.torques) sum_b = sum_b + custom.torque_b(state);
+  for (const CustomTorque<I, B>& custom : scenario.torques) {
+    sum_b = sum_b + custom.torque_b(detail::inside_piece(custom, state, switched_at));
+  }
   return sum_b;
 }
 template <class I, class B>

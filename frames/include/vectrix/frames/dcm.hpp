@@ -8,6 +8,12 @@ namespace detail {
 
 template <class S> using Square = Eigen::Matrix<S, 3, 3>;
 
+/// The tolerance of a checked door, never below what S itself rounds to.
+template <class S> double door_tolerance(double wanted) {
+  const double rounding = 16 * static_cast<double>(Eigen::NumTraits<S>::epsilon());
+  return wanted > rounding ? wanted : rounding;
+}
+
 }  // namespace detail
 
 /// R_a^b, `R_b_from_a`, of type Dcm<B, A>: the direction cosine matrix that takes coordinates in a to
@@ -23,6 +29,8 @@ template <Frame ToFrame, Frame FromFrame, class S = double> class Dcm {
   using scalar = S;
 
   template <class Derived> Dcm(detail::Trusted, const Eigen::MatrixBase<Derived>& matrix) : matrix_(matrix) {}
+  template <detail::Makes<detail::Square<S>> Make>
+  Dcm(detail::Trusted, const Make& make) : matrix_(make()) {}
 
   /// The bare nine numbers: the way out of the typed world.
   const detail::Square<S>& matrix() const { return matrix_; }
@@ -38,8 +46,8 @@ Dcm<C, A, S> operator*(const Dcm<C, B, S>& R_c_from_b, const Dcm<B, A, S>& R_b_f
 }
 template <class LeftTo, class LeftFrom, class RightTo, class RightFrom, class S>
   requires(!std::same_as<LeftFrom, RightTo>)
-void operator*(const Dcm<LeftTo, LeftFrom, S>&, const Dcm<RightTo, RightFrom, S>&) =
-    delete;  // R_c_from_b * R_b_from_a: the inner frames cancel
+void operator*(const Dcm<LeftTo, LeftFrom, S>&,  // R_c_from_b * R_b_from_a: the inner frames cancel
+               const Dcm<RightTo, RightFrom, S>&) = delete;
 
 // r^b = R_a^b r^a
 template <class B, class A, class U, class S>
@@ -48,8 +56,8 @@ Vector<B, U, S> operator*(const Dcm<B, A, S>& R_b_from_a, const Vector<A, U, S>&
 }
 template <class DcmTo, class DcmFrom, class VectorIn, class U, class S>
   requires(!std::same_as<DcmFrom, VectorIn>)
-void operator*(const Dcm<DcmTo, DcmFrom, S>&,
-               const Vector<VectorIn, U, S>&) = delete;  // R_b_from_a * r_a: r must be expressed in a
+void operator*(const Dcm<DcmTo, DcmFrom, S>&,  // R_b_from_a * r_a: r must be expressed in a
+               const Vector<VectorIn, U, S>&) = delete;
 
 // R_b^a = (R_a^b)^T
 template <class B, class A, class S> Dcm<A, B, S> inverse(const Dcm<B, A, S>& R_b_from_a) {
@@ -65,7 +73,7 @@ Vector<A, U, S> rotate(const Dcm<A, B, S>& R_a_from_b, const Vector<A, U, S>& r_
 }
 template <class DcmTo, class DcmFrom, class VectorIn, class U, class S>
   requires(!std::same_as<DcmTo, VectorIn>)
-void rotate(const Dcm<DcmTo, DcmFrom, S>&,
-            const Vector<VectorIn, U, S>&) = delete;  // rotate(R_a_from_b, r_a): r is turned within a
+void rotate(const Dcm<DcmTo, DcmFrom, S>&,  // rotate(R_a_from_b, r_a): r is turned within a
+            const Vector<VectorIn, U, S>&) = delete;
 
 }  // namespace vectrix

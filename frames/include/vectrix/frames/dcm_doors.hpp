@@ -2,7 +2,6 @@
 
 #include <Eigen/SVD>
 #include <cmath>
-#include <limits>
 #include <vectrix/frames/dcm.hpp>
 
 namespace vectrix {
@@ -48,9 +47,10 @@ auto dcm(To<B>, From<A>, const Eigen::MatrixBase<Derived>& matrix) {
   const detail::Square<S> entries = matrix;
   detail::require_finite<B, A>(entries, "dcm");
   const S error = (entries.transpose() * entries - detail::Square<S>::Identity()).cwiseAbs().maxCoeff();
-  if (!(error <= S(orthonormality_tolerance))) {
+  const double tolerance = detail::door_tolerance<S>(orthonormality_tolerance);
+  if (!(error <= S(tolerance))) {
     throw BadInput(detail::dcm_door<B, A>("dcm") + "M^T M differs from the identity by " +
-                   detail::text(error) + ", tolerance " + detail::text(orthonormality_tolerance) +
+                   detail::text(error) + ", tolerance " + detail::text(tolerance) +
                    "; nearest_dcm() projects");
   }
   detail::require_right_handed<B, A>(entries, "dcm");
@@ -91,20 +91,29 @@ template <class S = double, Frame B, Frame A> Dcm<B, A, S> aligned(To<B>, From<A
 namespace detail {
 
 template <class B, class A, class S>
-Dcm<B, A, S> turned(const char* door, const Quantity<si::angle, S>& angle, Eigen::Index axis) {
+[[noreturn, gnu::cold, gnu::noinline]] void refuse_angle(const char* door, const S& theta) {
+  throw BadInput(dcm_door<B, A>(door) + "the angle is " + text(theta));
+}
+
+template <Eigen::Index axis, class B, class A, class S>
+Dcm<B, A, S> turned(const char* door, const Quantity<si::angle, S>& angle) {
   using std::cos;
   using std::sin;
   const S theta = angle.value();
   if (!(theta - theta == S(0))) {
-    throw BadInput(dcm_door<B, A>(door) + "the angle is " + text(theta));
+    refuse_angle<B, A>(door, theta);
   }
-  const Eigen::Index next = (axis + 1) % 3;
-  const Eigen::Index last = (axis + 2) % 3;
-  Square<S> matrix = Square<S>::Identity();
-  matrix(next, next) = matrix(last, last) = cos(theta);
-  matrix(next, last) = sin(theta);
-  matrix(last, next) = -matrix(next, last);
-  return {trusted, matrix};
+  const S c = cos(theta);
+  const S s = sin(theta);
+  return {trusted, [&] {
+            constexpr Eigen::Index next = (axis + 1) % 3;
+            constexpr Eigen::Index last = (axis + 2) % 3;
+            Square<S> matrix = Square<S>::Identity();
+            matrix(next, next) = matrix(last, last) = c;
+            matrix(next, last) = s;
+            matrix(last, next) = -s;
+            return matrix;
+          }};
 }
 
 }  // namespace detail
@@ -113,15 +122,15 @@ Dcm<B, A, S> turned(const char* door, const Quantity<si::angle, S>& angle, Eigen
 ///     turned_z: [cos sin 0; -sin cos 0; 0 0 1], the passive matrix; its inverse is the active one.
 template <Frame B, Frame A, class S>
 Dcm<B, A, S> turned_x(To<B>, From<A>, const Quantity<si::angle, S>& angle) {
-  return detail::turned<B, A, S>("turned_x", angle, 0);
+  return detail::turned<0, B, A>("turned_x", angle);
 }
 template <Frame B, Frame A, class S>
 Dcm<B, A, S> turned_y(To<B>, From<A>, const Quantity<si::angle, S>& angle) {
-  return detail::turned<B, A, S>("turned_y", angle, 1);
+  return detail::turned<1, B, A>("turned_y", angle);
 }
 template <Frame B, Frame A, class S>
 Dcm<B, A, S> turned_z(To<B>, From<A>, const Quantity<si::angle, S>& angle) {
-  return detail::turned<B, A, S>("turned_z", angle, 2);
+  return detail::turned<2, B, A>("turned_z", angle);
 }
 
 /// R_b_from_a from the basis vectors of b given in a: the rows of the matrix.

@@ -34,6 +34,14 @@ template <bool reversed, class Value> decltype(auto) oriented(const Value& value
   }
 }
 
+/// The value of an edge, or its inverse, and the product of what is before it with that.
+template <bool reversed, class Value> auto times(const Value& value) {
+  return oriented<reversed>(value);
+}
+template <bool reversed, class Value, class Before> auto times(const Value& value, const Before& before) {
+  return before * oriented<reversed>(value);
+}
+
 }  // namespace detail
 
 template <class... Edges> class FrameGraph;
@@ -74,16 +82,23 @@ template <class Instant, class... Edges> class GraphSnapshot {
 
   /// w_ab^c, of b relative to a, expressed in c: needs the rate on every edge from a to b.
   template <class B, class A, class C>
-    requires(knows_level<A, B, Level::rate>() && joined<C, B>)
+    requires(!std::is_same_v<A, B> && knows_level<A, B, Level::rate>() && joined<C, B>)
   auto angular_velocity(Of<B>, RelativeTo<A>, In<C>) const {
-    const auto R_a_from_b =
-        walk<A, B>([](const auto& value) -> decltype(auto) { return moving_part(value); });
-    return reexpressed<C, B>(angular_velocity_of(R_a_from_b));
+    // The paths from a to b and to c part at m: w_ab^m = w_am^m - w_bm^m, then from m to c. Each edge once.
+    static constexpr auto& to_b = Topology::template path_between<A, B>;
+    static constexpr std::size_t parting = Topology::template shared_steps<A, B, C>();
+    if constexpr (parting == 0) {
+      return carried<A, C, 0>(-rate<B, A, to_b.length>());
+    } else if constexpr (parting == to_b.length) {
+      return carried<A, C, parting>(rate<A, B, parting>());
+    } else {
+      return carried<A, C, parting>(rate<A, B, parting>() + -rate<B, A, to_b.length - parting>());
+    }
   }
 
   /// alpha_ab^c, of b relative to a, expressed in c: needs the acceleration on every edge from a to b.
   template <class B, class A, class C>
-    requires(knows_level<A, B, Level::acceleration>() && joined<C, B>)
+    requires(!std::is_same_v<A, B> && knows_level<A, B, Level::acceleration>() && joined<C, B>)
   auto angular_acceleration(Of<B>, RelativeTo<A>, In<C>) const {
     const auto R_a_from_b = walk<A, B>([](const auto& value) -> decltype(auto) { return (value); });
     return reexpressed<C, B>(angular_acceleration_of(R_a_from_b));
@@ -102,11 +117,15 @@ template <class Instant, class... Edges> class GraphSnapshot {
   template <class OfFrame, class RelativeFrame, class InFrame>
     requires(all_known<OfFrame, RelativeFrame, InFrame> &&
              !(joined<OfFrame, RelativeFrame> && joined<OfFrame, InFrame>))
-  void angular_velocity(Of<OfFrame>, RelativeTo<RelativeFrame>,
-                        In<InFrame>) const = delete;  // no path between the frames
+  void angular_velocity(Of<OfFrame>,  // no path between the frames
+                        RelativeTo<RelativeFrame>, In<InFrame>) const = delete;
   template <class B, class A, class C, class EdgeWithoutRate = EdgeBelow<A, B, Level::rate>>
     requires(joined<A, B>&& joined<C, B> && !knows_level<A, B, Level::rate>())
   void angular_velocity(Of<B>, RelativeTo<A>, In<C>) const = delete;  // an edge on the path has no rate
+
+  template <class SameFrame, class C>
+  void angular_velocity(Of<SameFrame>,  // a frame does not turn relative to itself
+                        RelativeTo<SameFrame>, In<C>) const = delete;
 
   template <class B, class A, class C, class UnknownFrame = FirstUnknown<B, A, C>>
     requires(!all_known<B, A, C>)
@@ -114,11 +133,15 @@ template <class Instant, class... Edges> class GraphSnapshot {
   template <class OfFrame, class RelativeFrame, class InFrame>
     requires(all_known<OfFrame, RelativeFrame, InFrame> &&
              !(joined<OfFrame, RelativeFrame> && joined<OfFrame, InFrame>))
-  void angular_acceleration(Of<OfFrame>, RelativeTo<RelativeFrame>,
-                            In<InFrame>) const = delete;  // no path between the frames
+  void angular_acceleration(Of<OfFrame>,  // no path between the frames
+                            RelativeTo<RelativeFrame>, In<InFrame>) const = delete;
   template <class B, class A, class C, class EdgeWithoutAcceleration = EdgeBelow<A, B, Level::acceleration>>
     requires(joined<A, B>&& joined<C, B> && !knows_level<A, B, Level::acceleration>())
   void angular_acceleration(Of<B>, RelativeTo<A>, In<C>) const = delete;  // an edge has no acceleration
+
+  template <class SameFrame, class C>
+  void angular_acceleration(Of<SameFrame>,  // a frame does not turn relative to itself
+                            RelativeTo<SameFrame>, In<C>) const = delete;
 
  private:
   template <std::size_t I> const auto& value() const {
@@ -132,14 +155,44 @@ template <class Instant, class... Edges> class GraphSnapshot {
     }
   }
 
-  // The product, from A to B, of `part` of each edge's value, turned into the direction of the walk.
-  template <class A, class B, std::size_t step = 0, class Part> auto walk(Part part) const {
+  // The product, from A to B, of `part` of each edge's value, turned into the direction of the walk; `before`
+  // is that of the first `step` edges.
+  template <class A, class B, std::size_t step = 0, class Part, class... Product>
+  auto walk(Part part, const Product&... before) const {
     static constexpr auto& path = Topology::template path_between<A, B>;
-    const auto here = detail::oriented<path.reversed[step]>(part(value<path.edge[step]>()));
-    if constexpr (step + 1 == path.length) {
-      return here;
+    if constexpr (step == path.length) {
+      return (before, ...);
     } else {
-      return here * walk<A, B, step + 1>(part);
+      const auto& here = part(value<path.edge[step]>());
+      return walk<A, B, step + 1>(part, detail::times<path.reversed[step]>(here, before...));
+    }
+  }
+
+  // w_am^m, of the frame m that is `end` steps from A on the way to B; `before` is that of the first `step`
+  // edges.
+  template <class A, class B, std::size_t end, std::size_t step = 0, class... Rate>
+  auto rate(const Rate&... before) const {
+    static constexpr auto& path = Topology::template path_between<A, B>;
+    if constexpr (step == end) {
+      return (before, ...);
+    } else {
+      const auto& here = moving_part(value<path.edge[step]>());
+      if constexpr (path.reversed[step]) {
+        return rate<A, B, end, step + 1>(rate_against(here, before...));
+      } else {
+        return rate<A, B, end, step + 1>(rate_along(here, before...));
+      }
+    }
+  }
+
+  // A vector given in the frame `step` steps from A on the way to C, expressed in C.
+  template <class A, class C, std::size_t step, class Rate> auto carried(const Rate& rate) const {
+    static constexpr auto& path = Topology::template path_between<A, C>;
+    if constexpr (step == path.length) {
+      return rate;
+    } else {
+      const auto& here = rotation_of(value<path.edge[step]>());
+      return carried<A, C, step + 1>(detail::oriented<!path.reversed[step]>(here) * rate);
     }
   }
 

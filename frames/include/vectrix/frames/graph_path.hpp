@@ -107,6 +107,15 @@ template <class... Edges> struct Topology {
     }
   }
 
+  /// How many steps the paths from Start to Goal and to Other have in common.
+  template <class Start, class Goal, class Other> static constexpr std::size_t shared_steps() {
+    const auto& walk = path_between<Start, Goal>;
+    const auto& other = path_between<Start, Other>;
+    std::size_t step = 0;
+    while (step < walk.length && step < other.length && walk.edge[step] == other.edge[step]) ++step;
+    return step;
+  }
+
   /// The first edge from Start to Goal that knows less than `level`; `nowhere` when all know enough.
   template <class Start, class Goal> static constexpr std::size_t edge_below(Level level) {
     constexpr std::array<Level, size> levels{LevelOf<typename Edges::value_type>::level...};

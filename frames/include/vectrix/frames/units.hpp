@@ -6,14 +6,16 @@
 // as 1 in a product of vectors. The result is the named vector quantity of that dimension (unit_of_vector
 // below).
 
-#include <boost/units/base_units/angle/arcsecond.hpp>
-#include <boost/units/base_units/angle/revolution.hpp>
+#include <boost/units/base_unit.hpp>
+#include <boost/units/base_units/angle/radian.hpp>
+#include <boost/units/conversion.hpp>
 #include <boost/units/make_scaled_unit.hpp>
 #include <boost/units/physical_dimensions.hpp>
 #include <boost/units/quantity.hpp>
-#include <boost/units/systems/angle/degrees.hpp>
 #include <boost/units/systems/si.hpp>
 #include <concepts>
+#include <numbers>
+#include <string>
 #include <type_traits>
 
 namespace vectrix {
@@ -28,7 +30,21 @@ using Radian = bu::si::plane_angle;
 
 template <class BoostUnit> struct UnitTag { using boost_unit = BoostUnit; };
 
+// Boost's own degree is off by 6.6e-14 of itself: it writes pi with twelve digits. The number orders the base
+// units of one system.
+struct Degree : bu::base_unit<Degree, bu::plane_angle_dimension, 3600> {
+  static std::string name() { return "degree"; }
+  static std::string symbol() { return "deg"; }
+};
+
 }  // namespace detail
+}  // namespace vectrix
+
+BOOST_UNITS_DEFINE_CONVERSION_FACTOR(vectrix::detail::Degree, boost::units::angle::radian_base_unit, double,
+                                     std::numbers::pi / 180);
+BOOST_UNITS_DEFAULT_CONVERSION(vectrix::detail::Degree, boost::units::angle::radian_base_unit);
+
+namespace vectrix {
 
 namespace si {
 
@@ -165,9 +181,13 @@ using minute_unit =
 using hour_unit =
     boost::units::make_scaled_unit<time::boost_unit,
                                    boost::units::scale<60, boost::units::static_rational<2>>>::type;
-using degree_unit = boost::units::degree::plane_angle;
-using arcsecond_unit = boost::units::angle::arcsecond_base_unit::unit_type;
-using revolution_unit = boost::units::angle::revolution_base_unit::unit_type;
+using degree_unit = detail::Degree::unit_type;
+using arcsecond_unit =
+    boost::units::make_scaled_unit<degree_unit,
+                                   boost::units::scale<60, boost::units::static_rational<-2>>>::type;
+using revolution_unit =
+    boost::units::make_scaled_unit<degree_unit,
+                                   boost::units::scale<360, boost::units::static_rational<1>>>::type;
 using revolution_per_minute_unit = detail::Per<revolution_unit, minute_unit>;
 using degree_per_second_unit = detail::Per<degree_unit, time::boost_unit>;
 

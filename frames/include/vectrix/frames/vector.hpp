@@ -19,6 +19,12 @@ inline constexpr Trusted trusted{};
 
 template <class S> using Column = Eigen::Matrix<S, 3, 1>;
 
+/// A function whose result, a T, is built where it is to stay: a T taken by reference would be copied.
+template <class Make, class T>
+concept Makes = requires(const Make& make) {
+  { make() } -> std::same_as<T>;
+};
+
 }  // namespace detail
 
 /// r^a: the coordinates of a vector in the frame F, in the unit U.
@@ -32,6 +38,8 @@ template <Frame F, VectorUnit U, class S = double> class Vector {
 
   template <class Derived>
   Vector(detail::Trusted, const Eigen::MatrixBase<Derived>& coordinates) : coordinates_(coordinates) {}
+  template <detail::Makes<detail::Column<S>> Make>
+  Vector(detail::Trusted, const Make& make) : coordinates_(make()) {}
 
   /// The bare numbers, in the coherent SI unit: the way out of the typed world.
   const detail::Column<S>& coordinates() const { return coordinates_; }
@@ -46,10 +54,15 @@ template <Frame F, VectorUnit U, class S = double> class Vector {
 
 namespace detail {
 
+template <Frame F, class S>
+[[noreturn, gnu::cold, gnu::noinline]] void refuse_coordinates(const Column<S>& coordinates) {
+  throw BadInput("vector(in<" + frame_name<F>() + ">): the coordinates (" + text(coordinates.x()) + ", " +
+                 text(coordinates.y()) + ", " + text(coordinates.z()) + ") are not finite");
+}
+
 template <Frame F, VectorUnit U, class S> Vector<F, U, S> checked_vector(const Column<S>& coordinates) {
   if (!coordinates.allFinite()) {
-    throw BadInput("vector(in<" + frame_name<F>() + ">): the coordinates (" + text(coordinates.x()) + ", " +
-                   text(coordinates.y()) + ", " + text(coordinates.z()) + ") are not finite");
+    refuse_coordinates<F, S>(coordinates);
   }
   return {trusted, coordinates};
 }
@@ -66,9 +79,9 @@ template <Frame F, class BoostUnit, class S>
 
 template <class F, class BoostUnit, class S, class UnitGiven = unit_tag<BoostUnit>>
   requires(!VectorUnit<UnitGiven>)
-void vector(In<F>, const AnyQuantity<BoostUnit, S>&, const AnyQuantity<BoostUnit, S>&,
-            const AnyQuantity<BoostUnit, S>&) =
-    delete;  // no vector has this unit: convert<U>() it to SI first
+void vector(In<F>,  // no vector has this unit: convert<U>() it to SI first
+            const AnyQuantity<BoostUnit, S>&, const AnyQuantity<BoostUnit, S>&,
+            const AnyQuantity<BoostUnit, S>&) = delete;
 
 /// Claims that the three bare numbers are coordinates in F, in the coherent SI unit U:
 /// vector<si::length>(in<F>, m). Throws BadInput when one is not finite.
@@ -108,20 +121,20 @@ template <class F, class U, class S> Vector<F, U, S> operator-(const Vector<F, U
 
 template <class LeftFrame, class RightFrame, class U, class S>
   requires(!std::same_as<LeftFrame, RightFrame>)
-void operator+(const Vector<LeftFrame, U, S>&,
-               const Vector<RightFrame, U, S>&) = delete;  // r_a + s_a: one frame
+void operator+(const Vector<LeftFrame, U, S>&,  // r_a + s_a: one frame
+               const Vector<RightFrame, U, S>&) = delete;
 template <class LeftFrame, class RightFrame, class U, class S>
   requires(!std::same_as<LeftFrame, RightFrame>)
-void operator-(const Vector<LeftFrame, U, S>&,
-               const Vector<RightFrame, U, S>&) = delete;  // r_a - s_a: one frame
+void operator-(const Vector<LeftFrame, U, S>&,  // r_a - s_a: one frame
+               const Vector<RightFrame, U, S>&) = delete;
 template <class LeftFrame, class RightFrame, class LeftUnit, class RightUnit, class S>
   requires(!std::same_as<LeftUnit, RightUnit>)
-void operator+(const Vector<LeftFrame, LeftUnit, S>&,
-               const Vector<RightFrame, RightUnit, S>&) = delete;  // one unit
+void operator+(const Vector<LeftFrame, LeftUnit, S>&,  // r_a + s_a: one unit
+               const Vector<RightFrame, RightUnit, S>&) = delete;
 template <class LeftFrame, class RightFrame, class LeftUnit, class RightUnit, class S>
   requires(!std::same_as<LeftUnit, RightUnit>)
-void operator-(const Vector<LeftFrame, LeftUnit, S>&,
-               const Vector<RightFrame, RightUnit, S>&) = delete;  // one unit
+void operator-(const Vector<LeftFrame, LeftUnit, S>&,  // r_a - s_a: one unit
+               const Vector<RightFrame, RightUnit, S>&) = delete;
 
 template <class F, class U, class S>
 Vector<F, U, S> operator*(const std::type_identity_t<S>& k, const Vector<F, U, S>& r) {
@@ -159,7 +172,8 @@ Quantity<unit_product<U, V>, S> dot(const Vector<F, U, S>& r, const Vector<F, V,
 }
 template <class LeftFrame, class RightFrame, class U, class V, class S>
   requires(!std::same_as<LeftFrame, RightFrame>)
-void dot(const Vector<LeftFrame, U, S>&, const Vector<RightFrame, V, S>&) = delete;  // r_a . s_a: one frame
+void dot(const Vector<LeftFrame, U, S>&,  // r_a . s_a: one frame
+         const Vector<RightFrame, V, S>&) = delete;
 
 /// r x s, the radian counting as 1: r x F is a torque, w x r a velocity, w x H a torque.
 template <class F, class U, class V, class S>
@@ -168,16 +182,23 @@ Vector<F, unit_of_vector_product<U, V>, S> cross(const Vector<F, U, S>& r, const
 }
 template <class LeftFrame, class RightFrame, class U, class V, class S>
   requires(!std::same_as<LeftFrame, RightFrame>)
-void cross(const Vector<LeftFrame, U, S>&, const Vector<RightFrame, V, S>&) = delete;  // r_a x s_a: one frame
+void cross(const Vector<LeftFrame, U, S>&,  // r_a x s_a: one frame
+           const Vector<RightFrame, V, S>&) = delete;
 
 /// |r|, in the unit of r.
 template <class F, class U, class S> Quantity<U, S> norm(const Vector<F, U, S>& r) {
   return Quantity<U, S>::from_value(r.coordinates().norm());
 }
 
-/// r / |r|, safe from overflow and underflow. Throws BadInput for the zero vector, which has no direction.
+/// r / |r|, safe from overflow and underflow. Throws BadInput for the zero vector, which has no direction,
+/// and for one whose coordinates overflowed.
 template <class F, class U, class S> Vector<F, si::dimensionless, S> direction(const Vector<F, U, S>& r) {
   const S largest = r.coordinates().cwiseAbs().maxCoeff();
+  if (!r.coordinates().allFinite()) {
+    throw BadInput("direction(vector in " + frame_name<F>() + "): the coordinates (" +
+                   detail::text(r.coordinates().x()) + ", " + detail::text(r.coordinates().y()) + ", " +
+                   detail::text(r.coordinates().z()) + ") are not finite");
+  }
   if (!(largest > S(0))) {
     throw BadInput("direction(vector in " + frame_name<F>() + "): |r| is " + detail::text(largest) +
                    "; a zero vector has no direction");

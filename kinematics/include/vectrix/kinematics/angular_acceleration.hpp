@@ -16,6 +16,9 @@ template <Frame A, Frame B, Frame C, class S> class AngularAcceleration<A, B, In
  public:
   explicit AngularAcceleration(detail::Trusted, const Vector<C, si::angular_acceleration, S>& vector)
       : vector_(vector) {}
+  template <class Derived>
+  explicit AngularAcceleration(detail::Trusted, const Eigen::MatrixBase<Derived>& coordinates)
+      : vector_(detail::trusted, coordinates) {}
 
   const Vector<C, si::angular_acceleration, S>& vector() const { return vector_; }
   const detail::Column<S>& coordinates() const { return vector_.coordinates(); }
@@ -40,8 +43,8 @@ AngularAcceleration<A, B, In<C>, S> unaccelerated(Of<B>, RelativeTo<A>, In<C>) {
   return AngularAcceleration<A, B, In<C>, S>{detail::trusted, zero<si::angular_acceleration, C, S>(in<C>)};
 }
 
-/// alpha_ad^c = alpha_ab^c + alpha_bd^c + w_ab^c x w_bd^c      (Kane and Levinson's addition theorem, with
-/// its cross term) All four expressed in c.
+/// alpha_ad^c = alpha_ab^c + alpha_bd^c + w_ab^c x w_bd^c
+/// All four expressed in c. The cross term is there because b turns while d turns on it.
 template <class A, class B, class D, class C, class S>
 AngularAcceleration<A, D, In<C>, S> chain(const AngularAcceleration<A, B, In<C>, S>& alpha_ab_c,
                                           const AngularAcceleration<B, D, In<C>, S>& alpha_bd_c,
@@ -53,8 +56,8 @@ AngularAcceleration<A, D, In<C>, S> chain(const AngularAcceleration<A, B, In<C>,
 
 template <class LeftRelativeTo, class LeftOf, class LeftIn, class RightRelativeTo, class RightOf,
           class RightIn, class S>
-void operator+(
-    const AngularAcceleration<LeftRelativeTo, LeftOf, LeftIn, S>&,  // chain() needs the rates as well
+void operator+(  // chain() needs the rates as well
+    const AngularAcceleration<LeftRelativeTo, LeftOf, LeftIn, S>&,
     const AngularAcceleration<RightRelativeTo, RightOf, RightIn, S>&) = delete;
 
 // alpha_ba^c = -alpha_ab^c

@@ -55,8 +55,8 @@ operator+(const AngularVelocity<B, D, In<C>, S>& w_bd_c, const AngularVelocity<A
 }
 template <class LeftRelativeTo, class LeftOf, class RightRelativeTo, class RightOf, class C, class S>
   requires(!std::same_as<LeftOf, RightRelativeTo> && !std::same_as<LeftRelativeTo, RightOf>)
-void operator+(
-    const AngularVelocity<LeftRelativeTo, LeftOf, In<C>, S>&,  // w_ab + w_bd: the inner frames cancel
+void operator+(  // w_ab + w_bd: the inner frames cancel
+    const AngularVelocity<LeftRelativeTo, LeftOf, In<C>, S>&,
     const AngularVelocity<RightRelativeTo, RightOf, In<C>, S>&) = delete;
 template <class A, class B, class C, class D, class LeftIn, class RightIn, class S>
   requires(!std::same_as<LeftIn, RightIn>)

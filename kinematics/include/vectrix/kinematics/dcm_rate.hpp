@@ -12,6 +12,13 @@ template <Frame A, Frame B, class S = double> class DcmRate {
  public:
   template <class Derived>
   DcmRate(detail::Trusted, const Eigen::MatrixBase<Derived>& matrix) : matrix_(matrix) {}
+  template <class First, class Second, class Third>
+  DcmRate(detail::Trusted, const Eigen::MatrixBase<First>& first_column,
+          const Eigen::MatrixBase<Second>& second_column, const Eigen::MatrixBase<Third>& third_column) {
+    matrix_.col(0) = first_column;
+    matrix_.col(1) = second_column;
+    matrix_.col(2) = third_column;
+  }
 
   const detail::Square<S>& matrix() const { return matrix_; }
 
@@ -24,25 +31,20 @@ template <Frame A, Frame B, class S = double> class DcmRate {
 /// Any finite input is valid.
 template <class A, class B, class S>
 DcmRate<A, B, S> rate(const Dcm<A, B, S>& R_a_from_b, const AngularVelocity<A, B, In<B>, S>& w_ab_b) {
-  // Row by row: row [w]x = row x w.
-  const auto& m = R_a_from_b.matrix();
-  const auto& w = w_ab_b.coordinates();
-  detail::Square<S> rate;
-  rate.col(0) = m.col(1) * w.z() - m.col(2) * w.y();
-  rate.col(1) = m.col(2) * w.x() - m.col(0) * w.z();
-  rate.col(2) = m.col(0) * w.y() - m.col(1) * w.x();
-  return {detail::trusted, rate};
+  // The columns of R [w]x, without the zeros of [w]x.
+  const auto& R = R_a_from_b.matrix();
+  const S x = w_ab_b.coordinates().x();
+  const S y = w_ab_b.coordinates().y();
+  const S z = w_ab_b.coordinates().z();
+  return {detail::trusted, R.col(1) * z - R.col(2) * y, R.col(2) * x - R.col(0) * z,
+          R.col(0) * y - R.col(1) * x};
 }
 template <class A, class B, class S>
   requires(!std::same_as<A, B>)
 DcmRate<A, B, S> rate(const Dcm<A, B, S>& R_a_from_b, const AngularVelocity<A, B, In<A>, S>& w_ab_a) {
-  const auto& m = R_a_from_b.matrix();
+  const auto& R = R_a_from_b.matrix();
   const auto& w = w_ab_a.coordinates();
-  detail::Square<S> rate;
-  rate.row(0) = m.row(2) * w.y() - m.row(1) * w.z();
-  rate.row(1) = m.row(0) * w.z() - m.row(2) * w.x();
-  rate.row(2) = m.row(1) * w.x() - m.row(0) * w.y();
-  return {detail::trusted, rate};
+  return {detail::trusted, w.cross(R.col(0)), w.cross(R.col(1)), w.cross(R.col(2))};
 }
 template <class DcmTo, class DcmFrom, class RateRelativeTo, class RateOf, class RateIn, class S>
   requires(!(std::same_as<DcmTo, RateRelativeTo> && std::same_as<DcmFrom, RateOf> &&
@@ -90,7 +92,8 @@ void operator*(const Dcm<DcmTo, DcmFrom, S>&,  // a rate is not a rotation: it d
 /// The time derivative of q_b^a, four numbers, 1/s; not a rotation.
 template <Frame A, Frame B, class S = double> class QuaternionRate {
  public:
-  QuaternionRate(detail::Trusted, const Eigen::Quaternion<S>& value) : value_(value) {}
+  template <detail::Makes<Eigen::Quaternion<S>> Make>
+  QuaternionRate(detail::Trusted, const Make& make) : value_(make()) {}
 
   const Eigen::Quaternion<S>& eigen() const { return value_; }
   std::array<S, 4> scalar_first() const { return {value_.w(), value_.x(), value_.y(), value_.z()}; }
@@ -104,20 +107,22 @@ template <class A, class B, class S>
 QuaternionRate<A, B, S> rate(const Quaternion<A, B, S>& q_a_from_b,
                              const AngularVelocity<A, B, In<B>, S>& w_ab_b) {
   const detail::Column<S> h = w_ab_b.coordinates() / S(2);
-  return {detail::trusted, q_a_from_b.eigen() * Eigen::Quaternion<S>(S(0), h.x(), h.y(), h.z())};
+  return {detail::trusted,
+          [&] { return q_a_from_b.eigen() * Eigen::Quaternion<S>(S(0), h.x(), h.y(), h.z()); }};
 }
 template <class A, class B, class S>
   requires(!std::same_as<A, B>)
 QuaternionRate<A, B, S> rate(const Quaternion<A, B, S>& q_a_from_b,
                              const AngularVelocity<A, B, In<A>, S>& w_ab_a) {
   const detail::Column<S> h = w_ab_a.coordinates() / S(2);
-  return {detail::trusted, Eigen::Quaternion<S>(S(0), h.x(), h.y(), h.z()) * q_a_from_b.eigen()};
+  return {detail::trusted,
+          [&] { return Eigen::Quaternion<S>(S(0), h.x(), h.y(), h.z()) * q_a_from_b.eigen(); }};
 }
 template <class QuaternionTo, class QuaternionFrom, class RateRelativeTo, class RateOf, class RateIn, class S>
   requires(!(std::same_as<QuaternionTo, RateRelativeTo> && std::same_as<QuaternionFrom, RateOf> &&
              (std::same_as<RateIn, RateOf> || std::same_as<RateIn, RateRelativeTo>)))
-void rate(const Quaternion<QuaternionTo, QuaternionFrom,
-                           S>&,  // rate(q_a_from_b, w_ab_b) or rate(q_a_from_b, w_ab_a)
-          const AngularVelocity<RateRelativeTo, RateOf, In<RateIn>, S>&) = delete;
+void rate(  // rate(q_a_from_b, w_ab_b) or rate(q_a_from_b, w_ab_a)
+    const Quaternion<QuaternionTo, QuaternionFrom, S>&,
+    const AngularVelocity<RateRelativeTo, RateOf, In<RateIn>, S>&) = delete;
 
 }  // namespace vectrix

@@ -44,9 +44,8 @@ template <class ToObserver, class FromObserver, class DerivativeIn, class U, cla
   requires(!(std::same_as<ToObserver, RateRelativeTo> && std::same_as<FromObserver, RateOf> &&
              std::same_as<DerivativeIn, VectorIn> && std::same_as<DerivativeIn, RateIn> &&
              std::same_as<U, V>))
-void transport(
-    ObservedFrom<ToObserver>,  // transport(observed_from<A>, rdot_b, r, w_ab), all expressed in one frame
-    const Derivative<FromObserver, DerivativeIn, U, S>&, const Vector<VectorIn, V, S>&,
-    const AngularVelocity<RateRelativeTo, RateOf, In<RateIn>, S>&) = delete;
+void transport(  // transport(observed_from<A>, rdot_b, r, w_ab), all expressed in one frame
+    ObservedFrom<ToObserver>, const Derivative<FromObserver, DerivativeIn, U, S>&,
+    const Vector<VectorIn, V, S>&, const AngularVelocity<RateRelativeTo, RateOf, In<RateIn>, S>&) = delete;
 
 }  // namespace vectrix

@@ -1,11 +1,18 @@
 #pragma once
 
 #include <cmath>
-#include <limits>
 #include <vectrix/kinematics/quaternion.hpp>
 #include <vectrix/kinematics/rotation_vector.hpp>
 
 namespace vectrix {
+namespace detail {
+
+template <class B, class A, class S> [[noreturn, gnu::cold, gnu::noinline]] void refuse_exp(const S& square) {
+  throw BadInput("exp(rotation vector of " + frame_name<B>() + " relative to " + frame_name<A>() +
+                 "): |theta|^2 is " + text(square));
+}
+
+}  // namespace detail
 
 /// The quaternion of a rotation vector, q_b^a = (cos |theta|/2, sin(|theta|/2) theta/|theta|), maps b to a.
 /// Accurate to rounding for every angle; below |theta| = 1e-2 a series in |theta|^2 takes over, so that
@@ -17,9 +24,8 @@ Quaternion<A, B, S> exp_quaternion(const RotationVector<A, B, S>& theta_ab) {
   using std::sqrt;
   const detail::Column<S>& theta = theta_ab.coordinates();
   const S square = theta.squaredNorm();
-  if (!(square <= S(std::numeric_limits<double>::max()))) {
-    throw BadInput("exp(rotation vector of " + frame_name<B>() + " relative to " + frame_name<A>() +
-                   "): |theta|^2 is " + detail::text(square));
+  if (!(square - square == S(0))) {
+    detail::refuse_exp<B, A>(square);
   }
   S scalar;
   S factor;  // sin(|theta|/2) / |theta|
@@ -33,8 +39,9 @@ Quaternion<A, B, S> exp_quaternion(const RotationVector<A, B, S>& theta_ab) {
     scalar = cos(angle / S(2));
     factor = sin(angle / S(2)) / angle;
   }
-  const detail::Column<S> axis = factor * theta;
-  return {detail::trusted, Eigen::Quaternion<S>(scalar, axis.x(), axis.y(), axis.z())};
+  return {detail::trusted, [&] {
+            return Eigen::Quaternion<S>(scalar, factor * theta.x(), factor * theta.y(), factor * theta.z());
+          }};
 }
 
 /// exp: R_b^a = I + sin|t| [n]x + (1 - cos|t|) ([n]x)^2 for theta_ab = |t| n; turning a by theta_ab gives b.

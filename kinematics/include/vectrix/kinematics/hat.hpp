@@ -1,6 +1,5 @@
 #pragma once
 
-#include <limits>
 #include <vectrix/frames/dcm.hpp>
 
 namespace vectrix {
@@ -23,7 +22,7 @@ auto hat(const Eigen::MatrixBase<Derived>& x) {
 template <class Derived> auto vee(const Eigen::MatrixBase<Derived>& matrix) {
   using S = typename Derived::Scalar;
   // Far above the rounding of a product of rotations, far below any wrong matrix.
-  constexpr double skew_tolerance = 1e-9;
+  const double skew_tolerance = detail::door_tolerance<S>(1e-9);
   const detail::Square<S> m = matrix;
   if (!m.allFinite()) {
     throw BadInput("vee(matrix): an entry is not finite");

@@ -93,6 +93,28 @@ template <class A, class B, class S> AcceleratingDcm<B, A, S> inverse(const Acce
   return {inverse(ab.moving()), -(ab.rotation() * ab.angular_acceleration())};
 }
 
+// One step of a frame graph's walk from a to b, over an edge that says how b moves relative to a, or a
+// relative to b.
+//     w_xb^b = R_a^b w_xa^a + w_ab^b,    w_xb^b = R_a^b (w_xa^a - w_ba^a)
+template <class A, class B, class S>
+AngularVelocity<A, B, In<B>, S> rate_along(const MovingDcm<A, B, S>& ab) {
+  return ab.angular_velocity();
+}
+template <class X, class A, class B, class S>
+AngularVelocity<X, B, In<B>, S> rate_along(const MovingDcm<A, B, S>& ab,
+                                           const AngularVelocity<X, A, In<A>, S>& w_xa_a) {
+  return inverse(ab.rotation()) * w_xa_a + ab.angular_velocity();
+}
+template <class A, class B, class S>
+AngularVelocity<A, B, In<B>, S> rate_against(const MovingDcm<B, A, S>& ba) {
+  return ba.rotation() * -ba.angular_velocity();
+}
+template <class X, class A, class B, class S>
+AngularVelocity<X, B, In<B>, S> rate_against(const MovingDcm<B, A, S>& ba,
+                                             const AngularVelocity<X, A, In<A>, S>& w_xa_a) {
+  return ba.rotation() * (w_xa_a + -ba.angular_velocity());
+}
+
 // What a frame graph asks of the values on its edges.
 template <class A, class B, class S> struct LevelOf<MovingDcm<A, B, S>> {
   using first = A;

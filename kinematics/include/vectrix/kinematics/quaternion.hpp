@@ -22,6 +22,8 @@ template <Frame ToFrame, Frame FromFrame, class S = double> class Quaternion {
   using from = FromFrame;
 
   Quaternion(detail::Trusted, const Eigen::Quaternion<S>& value) : value_(value) {}
+  template <detail::Makes<Eigen::Quaternion<S>> Make>
+  Quaternion(detail::Trusted, const Make& make) : value_(make()) {}
 
   /// The bare quaternion; Eigen stores the scalar last and constructs with the scalar first.
   const Eigen::Quaternion<S>& eigen() const { return value_; }
@@ -55,9 +57,10 @@ template <class B, class A, class S>
 Quaternion<B, A, S> unit_quaternion(const Eigen::Quaternion<S>& q, const char* door) {
   const S norm = checked_norm<B, A>(q, door);
   const S error = norm > S(1) ? norm - S(1) : S(1) - norm;
-  if (!(error <= S(unit_norm_tolerance))) {
+  const double tolerance = door_tolerance<S>(unit_norm_tolerance);
+  if (!(error <= S(tolerance))) {
     throw BadInput(quaternion_door<B, A>(door) + "the norm differs from 1 by " + text(error) +
-                   ", tolerance " + text(unit_norm_tolerance) + "; nearest_" + door + "() projects");
+                   ", tolerance " + text(tolerance) + "; nearest_" + door + "() projects");
   }
   return {trusted, q};
 }
@@ -97,7 +100,7 @@ NearestQuaternion<B, A, S> nearest_quaternion_scalar_last(To<B>, From<A>, S x, S
 // q_a^c = q_b^c q_a^b
 template <class C, class B, class A, class S>
 Quaternion<C, A, S> operator*(const Quaternion<C, B, S>& q_c_from_b, const Quaternion<B, A, S>& q_b_from_a) {
-  return {detail::trusted, q_c_from_b.eigen() * q_b_from_a.eigen()};
+  return {detail::trusted, [&] { return q_c_from_b.eigen() * q_b_from_a.eigen(); }};
 }
 template <class LeftTo, class LeftFrom, class RightTo, class RightFrom, class S>
   requires(!std::same_as<LeftFrom, RightTo>)
@@ -107,13 +110,12 @@ void operator*(const Quaternion<LeftTo, LeftFrom, S>&,  // q_c_from_b * q_b_from
 // r^b = q r^a q*
 template <class B, class A, class U, class S>
 Vector<B, U, S> operator*(const Quaternion<B, A, S>& q_b_from_a, const Vector<A, U, S>& r_a) {
-  return {detail::trusted, q_b_from_a.eigen()._transformVector(r_a.coordinates())};
+  return {detail::trusted, [&] { return q_b_from_a.eigen()._transformVector(r_a.coordinates()); }};
 }
 template <class QuaternionTo, class QuaternionFrom, class VectorIn, class U, class S>
   requires(!std::same_as<QuaternionFrom, VectorIn>)
-void operator*(
-    const Quaternion<QuaternionTo, QuaternionFrom, S>&,  // q_b_from_a * r_a: r must be expressed in a
-    const Vector<VectorIn, U, S>&) = delete;
+void operator*(  // q_b_from_a * r_a: r must be expressed in a
+    const Quaternion<QuaternionTo, QuaternionFrom, S>&, const Vector<VectorIn, U, S>&) = delete;
 
 template <class B, class A, class S> Quaternion<A, B, S> inverse(const Quaternion<B, A, S>& q_b_from_a) {
   return {detail::trusted, q_b_from_a.eigen().conjugate()};

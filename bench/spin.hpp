@@ -1,0 +1,17 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cmath>
+
+namespace bench {
+
+/// The function on the edges of the graphs, the same for both forms: the passive turn about z.
+inline Eigen::Matrix3d spin(double angle) {
+  const double c = std::cos(angle);
+  const double s = std::sin(angle);
+  Eigen::Matrix3d R;
+  R << c, s, 0.0, -s, c, 0.0, 0.0, 0.0, 1.0;
+  return R;
+}
+
+}  // namespace bench

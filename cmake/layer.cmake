@@ -1,0 +1,47 @@
+# What every layer's CMakeLists.txt says in one line each: its headers, its tests, its refused programs.
+include(refused)
+
+# Warnings for our own sources; -Werror at top level.
+function(vectrix_warnings target)
+  target_compile_options(${target} PRIVATE ${VECTRIX_WARNINGS})
+endfunction()
+set(VECTRIX_WARNINGS -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion
+                     $<$<BOOL:${VECTRIX_WERROR}>:-Werror>)
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  list(APPEND VECTRIX_WARNINGS -Wno-restrict)  # g++ 12 sees overlaps in std::string's operator+ that are none
+endif()
+
+# The include folder of <layer> on <target>, in the source tree and installed.
+function(vectrix_headers target layer scope)
+  target_compile_features(${target} ${scope} cxx_std_20)
+  target_include_directories(${target} ${scope} $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/${layer}/include>
+                                                $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+  set_target_properties(${target} PROPERTIES EXPORT_NAME ${layer})
+  add_library(vectrix::${layer} ALIAS ${target})
+  if(VECTRIX_INSTALL)
+    install(DIRECTORY ${PROJECT_SOURCE_DIR}/${layer}/include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT ${layer}
+            FILES_MATCHING PATTERN "*.hpp")
+    install(TARGETS ${target} EXPORT vectrix-${layer} DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT ${layer})
+  endif()
+endfunction()
+
+# tests/*.cpp of the current folder: one program vectrix_<layer>_tests; tests/refused/*.cpp: one test each.
+function(vectrix_tests layer)
+  file(GLOB sources CONFIGURE_DEPENDS tests/*.cpp)
+  if(VECTRIX_BUILD_TESTS AND sources)
+    add_executable(vectrix_${layer}_tests ${sources})
+    target_link_libraries(vectrix_${layer}_tests PRIVATE ${ARGN} GTest::gtest_main rapidcheck rapidcheck_gtest)
+    target_include_directories(vectrix_${layer}_tests PRIVATE tests)
+    target_compile_features(vectrix_${layer}_tests PRIVATE cxx_std_20)
+    target_compile_definitions(vectrix_${layer}_tests PRIVATE VECTRIX_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+    vectrix_warnings(vectrix_${layer}_tests)
+    gtest_discover_tests(vectrix_${layer}_tests TEST_PREFIX ${layer}. DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 300)
+  endif()
+  file(GLOB programs CONFIGURE_DEPENDS tests/refused/*.cpp)
+  if(VECTRIX_HYGIENE_TESTS AND programs)
+    vectrix_refused_layer(${layer})
+    foreach(program IN LISTS programs)
+      vectrix_refused(${layer} ${program})
+    endforeach()
+  endif()
+endfunction()

@@ -1,0 +1,14 @@
+# find_package(vectrix COMPONENTS frames kinematics dynamics): one export set per layer, so that what is not installed
+# is not found.
+include(CMakePackageConfigHelpers)
+set(package ${CMAKE_INSTALL_LIBDIR}/cmake/vectrix)
+foreach(layer frames kinematics dynamics)
+  if(TARGET vectrix_${layer})
+    install(EXPORT vectrix-${layer} NAMESPACE vectrix:: DESTINATION ${package} COMPONENT ${layer})
+  endif()
+endforeach()
+configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/vectrix-config.cmake.in
+                              ${PROJECT_BINARY_DIR}/vectrix-config.cmake INSTALL_DESTINATION ${package})
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/vectrix-config-version.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/vectrix-config.cmake ${PROJECT_BINARY_DIR}/vectrix-config-version.cmake
+        DESTINATION ${package} COMPONENT frames)

@@ -1,0 +1,47 @@
+# The direction of dependence, read from the #include lines: cmake -D ROOT=<source folder> -P check_includes.cmake
+#     frames <- kinematics <- dynamics <- examples, validation
+# SUNDIALS and ERFA are known in dynamics/src alone, Simbody in validation/**/simbody_* alone.
+cmake_minimum_required(VERSION 3.25)
+set(kinematics "vectrix/kinematics")
+set(dynamics "vectrix/dynamics")
+set(solvers "sundials/|cvode/|arkode/|nvector/|sunmatrix/|sunlinsol/|sunnonlinsol/|erfa")
+set(simbody "Simbody|SimTK|simbody/|simmath/|SimTKcommon/")
+set(violations 0)
+
+# No include in the files found by <pattern>… may match <forbidden>.
+function(forbid forbidden)
+  list(TRANSFORM ARGN PREPEND ${ROOT}/)
+  file(GLOB_RECURSE files LIST_DIRECTORIES OFF RELATIVE ${ROOT} ${ARGN})
+  list(FILTER files INCLUDE REGEX "[.](cpp|hpp)$")
+  list(FILTER files EXCLUDE REGEX "^validation/(tests/)?simbody_[^/]*$")
+  foreach(file IN LISTS files)
+    file(STRINGS ${ROOT}/${file} lines REGEX "^[ \t]*#[ \t]*include[ \t]*[<\"](${forbidden})")
+    foreach(line IN LISTS lines)
+      message(NOTICE "${file}: ${line}")
+      math(EXPR violations "${violations} + 1")
+    endforeach()
+  endforeach()
+  set(violations ${violations} PARENT_SCOPE)
+endfunction()
+
+forbid("${kinematics}|${dynamics}" frames/*)
+forbid("${dynamics}" kinematics/*)
+forbid("${solvers}" frames/* kinematics/* dynamics/include/* dynamics/tests/* examples/* validation/*)
+forbid("${simbody}" frames/* kinematics/* dynamics/* examples/* validation/* bench/*)
+
+# Public headers do not use a name of the engines either (an enumerator such as cvode_adams is ours).
+file(GLOB_RECURSE headers RELATIVE ${ROOT} ${ROOT}/frames/include/*.hpp ${ROOT}/kinematics/include/*.hpp
+     ${ROOT}/dynamics/include/*.hpp)
+set(engine_names "CVode|CV_|ARK[oS]|ARK_|ERKStep|SUN[A-Z]|sun[a-z]+type|sundials|N_V|realtype|era[A-Z]|SimTK")
+foreach(header IN LISTS headers)
+  file(READ ${ROOT}/${header} text)
+  string(REGEX REPLACE "//[^\n]*" "" text "${text}")
+  if(text MATCHES "[^A-Za-z0-9_](${engine_names})[A-Za-z_]*")
+    message(NOTICE "${header}: names '${CMAKE_MATCH_0}' in a public header")
+    math(EXPR violations "${violations} + 1")
+  endif()
+endforeach()
+
+if(violations GREATER 0)
+  message(FATAL_ERROR "${violations} against the direction of dependence")
+endif()

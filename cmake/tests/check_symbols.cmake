@@ -1,0 +1,12 @@
+# The shared library keeps its solvers to itself: cmake -D NM=… -D LIBRARY=… -P check_symbols.cmake
+cmake_minimum_required(VERSION 3.25)
+execute_process(COMMAND ${NM} -D --defined-only --format=posix ${LIBRARY} OUTPUT_VARIABLE symbols COMMAND_ERROR_IS_FATAL ANY)
+if(NOT symbols MATCHES "7vectrix")
+  message(FATAL_ERROR "${LIBRARY} exports nothing of vectrix")
+endif()
+string(REGEX MATCHALL "(^|\n)(CV|cv|ARK|ark|ERK|erk|MRI|mri|SUN|sun|N_V|era)[A-Za-z0-9_]*" leaked "${symbols}")
+if(leaked)
+  list(JOIN leaked " " leaked)
+  string(REPLACE "\n" "" leaked "${leaked}")
+  message(FATAL_ERROR "${LIBRARY} exports symbols of its solvers: ${leaked}")
+endif()

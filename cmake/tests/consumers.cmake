@@ -1,0 +1,37 @@
+# A stranger's program (consumer/), configured, built and run by each way of getting the library: the installed package,
+# FetchContent, add_subdirectory. SUNDIALS and ERFA are hidden where they must not be needed.
+set(work ${CMAKE_CURRENT_BINARY_DIR}/consumers)
+set(hidden -D CMAKE_DISABLE_FIND_PACKAGE_SUNDIALS=ON -D CMAKE_DISABLE_FIND_PACKAGE_PkgConfig=ON)
+set(dynamics_too)
+if(TARGET vectrix_dynamics)
+  set(dynamics_too dynamics)
+endif()
+
+function(consumer name way components)
+  list(JOIN components "," components)
+  add_test(NAME package.${name}
+           COMMAND ${CMAKE_CTEST_COMMAND} --build-and-test ${CMAKE_CURRENT_SOURCE_DIR}/consumer ${work}/${name}
+                   --build-generator ${CMAKE_GENERATOR} --build-options
+                   -D CMAKE_CXX_COMPILER=${CMAKE_CXX_COMPILER} -D CMAKE_BUILD_TYPE=Debug -D WAY=${way}
+                   -D COMPONENTS=${components} -D SOURCE=${PROJECT_SOURCE_DIR} -D CMAKE_PREFIX_PATH=${work}/prefix ${ARGN}
+                   --test-command ${CMAKE_CTEST_COMMAND} --output-on-failure --no-tests=error)
+  set_tests_properties(package.${name} PROPERTIES PROCESSORS 2 COST 100)
+  if(way STREQUAL "package")
+    set_tests_properties(package.${name} PROPERTIES FIXTURES_REQUIRED installed)
+  endif()
+endfunction()
+
+add_test(NAME package.install COMMAND ${CMAKE_COMMAND} --install ${PROJECT_BINARY_DIR} --prefix ${work}/prefix)
+set_tests_properties(package.install PROPERTIES FIXTURES_SETUP installed)
+
+consumer(installed package "frames;kinematics;${dynamics_too}" ${hidden})
+consumer(fetched fetch "frames;kinematics;${dynamics_too}")
+consumer(subdirectory subdirectory "frames;kinematics;${dynamics_too}")
+consumer(installed_headers package "frames;kinematics" ${hidden})
+consumer(subdirectory_headers subdirectory "frames;kinematics" ${hidden})
+
+# Asked for explicitly, dynamics without its solvers is a clear error; an unknown component is not found.
+consumer(dynamics_without_solvers subdirectory "frames;kinematics;dynamics" ${hidden} -D VECTRIX_DYNAMICS=ON)
+set_tests_properties(package.dynamics_without_solvers PROPERTIES PASS_REGULAR_EXPRESSION "needs SUNDIALS 6.4 and ERFA")
+consumer(unknown_component package "frames;thermodynamics" ${hidden})
+set_tests_properties(package.unknown_component PROPERTIES PASS_REGULAR_EXPRESSION "thermodynamics is not installed")

@@ -1,0 +1,10 @@
+// mistake: refused, but not for the reason it gives
+// expect: Metres
+// expect: Gyroscope
+struct Metres {};
+
+#ifdef REPAIRED
+Metres length;
+#else
+int length = Metres{};
+#endif

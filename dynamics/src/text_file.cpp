@@ -1,0 +1,35 @@
+#include "text_file.hpp"
+
+#include <charconv>
+#include <fstream>
+#include <system_error>
+
+namespace vectrix::detail {
+
+std::optional<TextFile> read_lines(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  if (!in) return std::nullopt;
+  TextFile result;
+  for (std::string line; std::getline(in, line);) {
+    result.whole = !in.eof();
+    if (!line.empty() && line.back() == '\r') line.pop_back();
+    result.lines.push_back(line);
+  }
+  return in.bad() ? std::nullopt : std::optional{result};
+}
+
+std::string_view trimmed(std::string_view text) {
+  const auto first = text.find_first_not_of(" \t");
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
+}
+
+std::optional<double> parse_number(std::string_view text) {
+  if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+}  // namespace vectrix::detail

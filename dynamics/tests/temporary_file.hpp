@@ -1,0 +1,47 @@
+#pragma once
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+namespace vectrix {
+
+/// A file with the given content, there as long as the object lives.
+class TemporaryFile {
+ public:
+  explicit TemporaryFile(const std::string& content) {
+    const auto* const test = ::testing::UnitTest::GetInstance()->current_test_info();
+    path_ = std::filesystem::temp_directory_path() / (std::string{"vectrix_"} + test->test_suite_name() +
+                                                      "_" + test->name() + "_" + std::to_string(::getpid()));
+    std::ofstream(path_, std::ios::binary) << content;
+  }
+  TemporaryFile(const TemporaryFile&) = delete;
+  TemporaryFile& operator=(const TemporaryFile&) = delete;
+  ~TemporaryFile() { std::filesystem::remove(path_); }
+
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+/// The text of the BadInput that the call throws, with `name` written for the file's path.
+template <class Function>
+std::string complaint(Function function, const std::filesystem::path& file = {},
+                      const std::string& name = "FILE") {
+  try {
+    function();
+  } catch (const std::exception& error) {
+    std::string text = error.what();
+    if (const auto at = text.find(file.string()); !file.empty() && at != std::string::npos) {
+      text.replace(at, file.string().size(), name);
+    }
+    return text;
+  }
+  return "nothing was thrown";
+}
+
+}  // namespace vectrix

@@ -1,0 +1,33 @@
+// The mistake of the README, and its repair.
+//
+//     r^b = R_i^b r^i          R_b_from_i * r_i
+//
+// A star tracker gives R_i_from_b, the matrix from the body to the inertial frame; a line of sight is known
+// in the inertial frame and wanted in the body. With bare matrices, R * r compiles, runs, and points the
+// antenna somewhere else. Here the product does not compile until the matrix is turned round. Compile with
+// -DMISTAKE to see the compiler say so.
+
+#include <cstdio>
+#include <vectrix/frames.hpp>
+
+using namespace vectrix;
+
+struct Gcrf : inertial_frame {};
+struct Body : moving_frame {};
+
+int main() {
+  const Dcm<Gcrf, Body> R_i_from_b = turned_z(to<Gcrf>, from<Body>, convert<si::angle>(30.0 * si::degree));
+  const auto r_i = vector(in<Gcrf>, 1000.0 * si::metre, 0.0 * si::metre, 0.0 * si::metre);
+
+#ifdef MISTAKE
+  const auto r_b = R_i_from_b * r_i;
+#else
+  const Vector<Body, si::length> r_b = inverse(R_i_from_b) * r_i;
+#endif
+
+  const Eigen::Vector3d transposed = R_i_from_b.matrix() * r_i.coordinates();
+  std::printf("typed:            r_b = (%8.3f, %8.3f, %8.3f) m\n", r_b.x().value(), r_b.y().value(),
+              r_b.z().value());
+  std::printf("bare, transposed: r_b = (%8.3f, %8.3f, %8.3f) m, off by %.1f m\n", transposed.x(),
+              transposed.y(), transposed.z(), (transposed - r_b.coordinates()).norm());
+}

@@ -1,0 +1,100 @@
+#pragma once
+
+#include <rapidcheck.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <string>
+#include <vector>
+#include <vectrix/frames/frame.hpp>
+
+/// What the tests of rotations share: frames, attitudes of every regime, and the text of an error.
+namespace vectrix_test {
+
+struct Gcrf : vectrix::inertial_frame {};
+struct Itrf : vectrix::moving_frame {};
+struct Ground : vectrix::moving_frame {};
+struct Body : vectrix::moving_frame {};
+struct Camera : vectrix::moving_frame {};
+template <int I> struct Wheel : vectrix::moving_frame {};
+
+/// The spacing of doubles at 1.
+inline constexpr double epsilon = std::numeric_limits<double>::epsilon();
+/// Two or three products of rotations, whose entries are at most 1: each adds three roundings.
+inline constexpr double rounding = 16 * epsilon;
+/// Far above rounding: what a transposed or reversed product of generic rotations exceeds.
+inline constexpr double visible = 1e-2;
+
+/// Half turns about axes and diagonals, nearly half turns, small turns, and each with the other sign.
+inline std::vector<Eigen::Quaterniond> hard_attitudes() {
+  std::vector<Eigen::Quaterniond> list{Eigen::Quaterniond::Identity()};
+  for (int x = -1; x <= 1; ++x) {
+    for (int y = -1; y <= 1; ++y) {
+      for (int z = -1; z <= 1; ++z) {
+        if (x == 0 && y == 0 && z == 0) continue;
+        const Eigen::Vector3d n = Eigen::Vector3d(x, y, z).normalized();
+        list.emplace_back(0.0, n.x(), n.y(), n.z());
+        for (const double distance : {1e-15, 1e-12, 1e-8, 1e-4}) {
+          list.emplace_back(Eigen::AngleAxisd(std::numbers::pi - distance, n));
+          list.emplace_back(Eigen::AngleAxisd(distance, n));
+        }
+        list.emplace_back(Eigen::AngleAxisd(std::numbers::pi / 2, n));
+        list.emplace_back(Eigen::AngleAxisd(2 * std::numbers::pi / 3, n));
+      }
+    }
+  }
+  const std::size_t count = list.size();
+  for (std::size_t i = 0; i < count; ++i) list.emplace_back(-list[i].coeffs());
+  return list;
+}
+
+/// Uniform in [-1, 1], in steps of a millionth.
+inline rc::Gen<double> coordinate() {
+  return rc::gen::map(rc::gen::inRange(-1'000'000, 1'000'001), [](int n) { return n / 1e6; });
+}
+
+inline rc::Gen<Eigen::Vector3d> triple() {
+  return rc::gen::map(rc::gen::tuple(coordinate(), coordinate(), coordinate()), [](const auto& t) {
+    return Eigen::Vector3d(std::get<0>(t), std::get<1>(t), std::get<2>(t));
+  });
+}
+
+/// Unit quaternions of the regimes: identity and hard list, angles near 1e-8, generic.
+inline rc::Gen<Eigen::Quaterniond> attitude() {
+  const auto scaled = [](const Eigen::Vector3d& v, double scale) {
+    return Eigen::Quaterniond(1.0, scale * v.x(), scale * v.y(), scale * v.z()).normalized();
+  };
+  return rc::gen::oneOf(rc::gen::elementOf(hard_attitudes()),
+                        rc::gen::map(triple(), [=](const auto& v) { return scaled(v, 1e-8); }),
+                        rc::gen::map(triple(), [=](const auto& v) { return scaled(v, 1.0); }),
+                        rc::gen::map(triple(), [=](const auto& v) { return scaled(v, 30.0); }));
+}
+
+/// Eigen's matrix of that quaternion, the oracle for a rotation.
+inline rc::Gen<Eigen::Matrix3d> rotation_matrix() {
+  return rc::gen::map(attitude(), [](const auto& q) { return q.toRotationMatrix(); });
+}
+
+/// The largest difference of two entries.
+template <class Left, class Right>
+double distance(const Eigen::MatrixBase<Left>& left, const Eigen::MatrixBase<Right>& right) {
+  return (left - right).cwiseAbs().maxCoeff();
+}
+
+/// The text of the Error that `action` throws; empty when it throws none.
+template <class Error, class Action> std::string message(Action action) {
+  try {
+    action();
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return {};
+}
+
+inline bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+}  // namespace vectrix_test

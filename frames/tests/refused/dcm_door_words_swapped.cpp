@@ -1,0 +1,17 @@
+// mistake: to and from exchanged at the door
+// expect: From<Gcrf>
+// expect: To<Body>
+#include <vectrix/frames.hpp>
+
+struct Gcrf : vectrix::inertial_frame {};
+struct Body : vectrix::moving_frame {};
+
+using namespace vectrix;
+
+auto attitude(const Eigen::Matrix3d& matrix) {
+#ifdef REPAIRED
+  return dcm(to<Body>, from<Gcrf>, matrix);
+#else
+  return dcm(from<Gcrf>, to<Body>, matrix);
+#endif
+}

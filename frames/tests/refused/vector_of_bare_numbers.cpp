@@ -1,0 +1,16 @@
+// mistake: three numbers without a unit
+// expect: vector
+// expect: double
+#include <vectrix/frames.hpp>
+
+struct Body : vectrix::moving_frame {};
+
+using namespace vectrix;
+
+auto position() {
+#ifdef REPAIRED
+  return vector(in<Body>, 1.0 * si::metre, 2.0 * si::metre, 3.0 * si::metre);
+#else
+  return vector(in<Body>, 1.0, 2.0, 3.0);
+#endif
+}

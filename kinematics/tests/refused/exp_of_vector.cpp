@@ -1,0 +1,17 @@
+// mistake: the exponential of a vector, which does not know its two frames
+// expect: exp
+// expect: Vector<Body, (vectrix::)?si::angle
+#include <vectrix/kinematics.hpp>
+
+struct Gcrf : vectrix::inertial_frame {};
+struct Body : vectrix::moving_frame {};
+
+using namespace vectrix;
+
+auto attitude(const Vector<Body, si::angle>& theta_body) {
+#ifdef REPAIRED
+  return exp(rotation_vector(of<Body>, relative_to<Gcrf>, theta_body));
+#else
+  return exp(theta_body);
+#endif
+}

@@ -1,0 +1,18 @@
+// mistake: a moving rotation and one whose motion is not known multiplied
+// expect: MovingDcm<Gcrf, Body
+// expect: Dcm<Body, Camera
+#include <vectrix/kinematics.hpp>
+
+struct Gcrf : vectrix::inertial_frame {};
+struct Body : vectrix::moving_frame {};
+struct Camera : vectrix::moving_frame {};
+
+using namespace vectrix;
+
+auto motion(const MovingDcm<Gcrf, Body>& gcrf_from_body, const Dcm<Body, Camera>& R_body_from_camera) {
+#ifdef REPAIRED
+  return gcrf_from_body * moving_dcm(R_body_from_camera, at_rest(of<Camera>, relative_to<Body>, in<Camera>));
+#else
+  return gcrf_from_body * R_body_from_camera;
+#endif
+}

@@ -1,0 +1,22 @@
+// mistake: a quaternion driven by the rate of another pair of frames
+// expect: QuaternionFrom = Body
+// expect: RateOf = Camera
+#include <vectrix/kinematics.hpp>
+
+struct Gcrf : vectrix::inertial_frame {};
+struct Body : vectrix::moving_frame {};
+struct Camera : vectrix::moving_frame {};
+
+using namespace vectrix;
+
+auto rate_of_attitude(const Quaternion<Gcrf, Body>& q_gcrf_from_body,
+                      const AngularVelocity<Gcrf, Camera, In<Body>>& w_gcrf_camera,
+                      const AngularVelocity<Gcrf, Body, In<Body>>& w_gcrf_body) {
+#ifdef REPAIRED
+  static_cast<void>(w_gcrf_camera);
+  return rate(q_gcrf_from_body, w_gcrf_body);
+#else
+  static_cast<void>(w_gcrf_body);
+  return rate(q_gcrf_from_body, w_gcrf_camera);
+#endif
+}
