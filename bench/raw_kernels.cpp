@@ -4,6 +4,7 @@
 
 namespace raw {
 
+using bench::Motion;
 using bench::spin;
 
 
@@ -60,22 +61,23 @@ Matrix3d function_graph(const SpinPath& path, const double& t) {
 
 // Vectors only, no product of matrices. An edge against the walk: w_ac^c = R_b^c (w_ab^b - w_cb^b).
 Vector3d moving_graph(const SpinPath& path, const double& t) {
-  const auto& w = path.w;
-  const Vector3d w_ab_b = w[0];
-  const Vector3d w_ac_c = spin(path.rate[1] * t) * (w_ab_b - w[1]);
-  const Vector3d w_ad_d = spin(path.rate[2] * t).transpose() * w_ac_c + w[2];
-  const Vector3d w_ae_e = spin(path.rate[3] * t) * (w_ad_d - w[3]);
-  return spin(path.rate[4] * t).transpose() * w_ae_e + w[4];
+  const auto edge = [&](std::size_t i) { return bench::moving_spin(path.rate[i] * t, path.w[i]); };
+  const Motion ab = edge(0), cb = edge(1), cd = edge(2), ed = edge(3), ef = edge(4);
+  const Vector3d w_ac_c = cb.R * (ab.w - cb.w);
+  const Vector3d w_ad_d = cd.R.transpose() * w_ac_c + cd.w;
+  const Vector3d w_ae_e = ed.R * (w_ad_d - ed.w);
+  return ef.R.transpose() * w_ae_e + ef.w;
 }
 
 // From the far end, so that the result is in A without a product of matrices either.
 Vector3d moving_graph_reexpressed(const SpinPath& path, const double& t) {
-  const auto& w = path.w;
-  const Vector3d w_df_e = spin(path.rate[4] * t) * w[4] - w[3];
-  const Vector3d w_df_d = spin(path.rate[3] * t).transpose() * w_df_e;
-  const Vector3d w_bf_c = spin(path.rate[2] * t) * (w_df_d + w[2]) - w[1];
-  const Vector3d w_bf_b = spin(path.rate[1] * t).transpose() * w_bf_c;
-  return spin(path.rate[0] * t) * (w_bf_b + w[0]);
+  const auto edge = [&](std::size_t i) { return bench::moving_spin(path.rate[i] * t, path.w[i]); };
+  const Motion ab = edge(0), cb = edge(1), cd = edge(2), ed = edge(3), ef = edge(4);
+  const Vector3d w_df_e = ef.R * ef.w - ed.w;
+  const Vector3d w_df_d = ed.R.transpose() * w_df_e;
+  const Vector3d w_bf_c = cd.R * (w_df_d + cd.w) - cb.w;
+  const Vector3d w_bf_b = cb.R.transpose() * w_bf_c;
+  return ab.R * (w_bf_b + ab.w);
 }
 
 void body_rate(const Attitude& attitude, const Inertia& J_b, std::span<const double> y,

@@ -14,4 +14,11 @@ inline Eigen::Matrix3d spin(double angle) {
   return R;
 }
 
+/// The same with its angular velocity, which is constant.
+struct Motion {
+  Eigen::Matrix3d R;
+  Eigen::Vector3d w;
+};
+inline Motion moving_spin(double angle, const Eigen::Vector3d& w) { return {spin(angle), w}; }
+
 }  // namespace bench

@@ -1,33 +1,31 @@
-// Where was Sentinel-1A looking? Twenty-five seconds of a real radar pass, from the files that came with the
-// image.
+// Where was Sentinel-1A looking? Twenty-five seconds of a real radar pass, from the image's own files.
 //
 // Six frames in one graph:
 //
 //     Itrf --- Gcrf --- QuaternionAxes --- Body --- Antenna
 //                \--- Orbit
 //
-//     R_itrf^gcrf and its rate    Earth orientation, observed by the IERS
-//     R_orbit^gcrf                position and velocity: z to nadir, y along -(r x v) with inertial v, x = y
-//     x z R_axes^gcrf and its rate    quaternions, between two of them the turn at constant rate R_axes^body
-//     [0 -1 0; -1 0 0; 0 0 -1] R_body^antenna              the antenna's x axis, the boresight, is the body's
-//     z axis
+//     R_itrf^gcrf, w    Earth orientation, observed by the IERS
+//     R_orbit^gcrf      z to nadir, y along -(r x v) with inertial v, x = y x z
+//     R_axes^gcrf, w    the quaternions; between two of them the turn at constant rate
+//     R_axes^body       [0 -1 0; -1 0 0; 0 0 -1]
+//     R_body^antenna    the boresight, x of the antenna, is z of the body
 //
 // Every question is a path through it; the graph multiplies the matrices and adds the rates on the way:
 //
-//     R_itrf^body  = R_axes^body R_gcrf^axes R_itrf^gcrf            the inner frames cancel
-//     w_gb^b       = R_axes^body w_ga^a                             g Gcrf, b Body, rigid on a QuaternionAxes
-//     v^gcrf       = R_itrf^gcrf (v^itrf + w_gi^i x r^itrf)         i Itrf
-//     R_orbit^body = R1(roll) R2(pitch) R3(yaw), R_i passive        Orbit turned by yaw, then pitch, then
-//     roll r^itrf + s R_antenna^itrf e_x, s > 0                          meets the ellipsoid WGS-84
+//     R_itrf^body  = R_axes^body R_gcrf^axes R_itrf^gcrf           the inner frames cancel
+//     w_gb^b       = R_axes^body w_ga^a                            g Gcrf, b Body, rigid on the axes a
+//     v^gcrf       = R_itrf^gcrf (v^itrf + w_gi^i x r^itrf)        i Itrf
+//     R_orbit^body = R1(roll) R2(pitch) R3(yaw), passive           by yaw, then pitch, then roll
+//     r^itrf + s R_antenna^itrf e_x, s > 0                         meets the ellipsoid WGS-84
 //
 // The producer documents neither the axes of the quaternions nor their inertial frame. R_axes^body was found
-// by trying all permutations of axes. The frame is the mean equator and equinox of J2000, 0.023 arcsec (6e-6
-// deg) from Gcrf.
+// by trying all permutations of axes; the frame is the mean equator and equinox of J2000, which is Gcrf to
+// 0.023 arcsec (6e-6 deg).
 //
-// What must come out, and what each wrong convention would spoil: x lies along the velocity relative to the
-// Earth to about 1 mdeg, which is zero-Doppler steering, hence the yaw from an orbit frame of inertial
-// velocity; the radar looks 30 deg to the right; the rate of the quaternions is that of the gyros, an
-// independent instrument, to 2 urad/s.
+// What must come out: x lies along the velocity relative to the Earth to about 1 mdeg. That is zero-Doppler
+// steering, and the yaw from an orbit frame of inertial velocity is its price. The radar looks 30 deg to the
+// right. The rate of the quaternions is that of the gyros, an independent instrument, to 2 urad/s.
 //
 //     sentinel1_pass [data directory] [table to write, .csv]
 

@@ -9,7 +9,7 @@
 namespace vectrix::ode {
 
 /// Hermite polynomial around the interval [left, left + 1] of nodes, both in one segment, in Newton's form:
-///     p(t) = sum_k f[z_0 … z_k] (t - z_0) … (t - z_{k-1}),   every node twice among the z, nearest first.
+///     p(t) = sum_k f[z_0 … z_k] (t - z_0) … (t - z_{k-1}),   each node twice, nearest first.
 class Interpolant {
  public:
   Interpolant(const Record& record, std::size_t left);

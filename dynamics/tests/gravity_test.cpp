@@ -10,7 +10,9 @@ using Eigen::Vector3d;
 
 const auto mu_earth = Quantity<si::gravitational_parameter>::from_value(3.986004418e14);
 
-template <class F> Vector<F, si::length> position(In<F>, const Vector3d& r) { return vector<si::length>(in<F>, r); }
+template <class F> Vector<F, si::length> position(In<F>, const Vector3d& r) {
+  return vector<si::length>(in<F>, r);
+}
 
 TEST(PointMassGravity, attracts_by_the_inverse_square) {
   const auto a = point_mass_gravity(mu_earth, position(in<Gcrf>, {3e6, 4e6, 12e6}));  // |r| is 13e6 m
@@ -24,11 +26,12 @@ TEST(PointMassGravity, the_centre_is_refused) {
                    "point_mass_gravity(r in " + frame_name<Gcrf>() + "): |r| is 0 m");
 }
 
-/// Eight masses at +-r: their moments of third order vanish, so that the torque is off by (size / distance)^2.
+/// Eight masses at +-r: their moments of third order vanish, so that the torque is off by (size /
+/// distance)^2.
 struct Dumbbells {
   std::array<double, 4> masses = {1.0, 2.5, 0.7, 4.0};
-  std::array<Vector3d, 4> places = {Vector3d(1.0, 0.2, -0.3), Vector3d(-0.4, 0.9, 0.1), Vector3d(0.3, 0.5, 0.8),
-                                    Vector3d(0.1, -0.3, 0.2)};
+  std::array<Vector3d, 4> places = {Vector3d(1.0, 0.2, -0.3), Vector3d(-0.4, 0.9, 0.1),
+                                    Vector3d(0.3, 0.5, 0.8), Vector3d(0.1, -0.3, 0.2)};
 
   Inertia<Body> inertia() const {
     Matrix3d J = Matrix3d::Zero();
@@ -57,7 +60,8 @@ TEST(GravityGradient, is_the_sum_over_the_masses_to_second_order_in_size) {
   const Dumbbells body;
   const double mu = 5.0;
   const auto mu_q = Quantity<si::gravitational_parameter>::from_value(mu);
-  for (const Vector3d& towards : {Vector3d(1.0, 2.0, 3.0), Vector3d(-2.0, 0.1, 1.0), Vector3d(0.0, 1.0, -1.0)}) {
+  for (const Vector3d& towards :
+       {Vector3d(1.0, 2.0, 3.0), Vector3d(-2.0, 0.1, 1.0), Vector3d(0.0, 1.0, -1.0)}) {
     const auto relative_error = [&](double distance) {
       const Vector3d r = distance * towards.normalized();
       const auto torque_b = gravity_gradient_torque(mu_q, body.inertia(), position(in<Body>, r));
@@ -80,8 +84,9 @@ TEST(GravityGradient, vanishes_along_a_principal_axis_and_does_not_tell_up_from_
 }
 
 TEST(GravityGradient, the_centre_is_refused) {
-  expect_bad_input([] { gravity_gradient_torque(mu_earth, tensor(3.0, 4.0, 5.0), zero<si::length>(in<Body>)); },
-                   "gravity_gradient_torque(r in " + frame_name<Body>() + "): |r| is 0 m");
+  expect_bad_input(
+      [] { gravity_gradient_torque(mu_earth, tensor(3.0, 4.0, 5.0), zero<si::length>(in<Body>)); },
+      "gravity_gradient_torque(r in " + frame_name<Body>() + "): |r| is 0 m");
 }
 
 }  // namespace

@@ -22,7 +22,8 @@ struct PointMass {
 std::vector<PointMass> random_body(std::mt19937_64& random) {
   std::uniform_real_distribution<double> number(-1.0, 1.0);
   std::vector<PointMass> body;
-  for (int i = 0; i < 8; ++i) body.push_back({1.5 + number(random), {number(random), number(random), number(random)}});
+  for (int i = 0; i < 8; ++i)
+    body.push_back({1.5 + number(random), {number(random), number(random), number(random)}});
   return body;
 }
 
@@ -44,6 +45,20 @@ Inertia<Body> products(double xx, double yy, double zz, double xy, double xz, do
                                            yz * unit);
 }
 
+struct Wheel : moving_frame {};
+
+template <class J, class W>
+concept Multiplies = requires(const J& j, const W& w) {
+  j* w;
+};
+
+// J_b w_ab^b: the rate of the same body, in its own axes.
+static_assert(Multiplies<Inertia<Body>, BodyRate>);
+static_assert(!Multiplies<Inertia<Wheel>, BodyRate>);
+static_assert(!Multiplies<Inertia<Body>, AngularVelocity<Gcrf, Body, In<Gcrf>>>);
+static_assert(!Multiplies<Inertia<Body>, AngularVelocity<Gcrf, Wheel, In<Body>>>);
+static_assert(!Multiplies<Inertia<Body>, Vector<Body, si::angular_velocity>>);
+
 TEST(Inertia, the_doors_differ_by_the_sign_of_the_off_diagonal_numbers) {
   Matrix3d entries;
   entries << 3.0, 0.1, 0.2, 0.1, 4.0, -0.3, 0.2, -0.3, 5.0;
@@ -57,10 +72,11 @@ TEST(Inertia, is_the_sum_over_the_masses) {
     const auto body = random_body(random);
     Matrix3d sum = Matrix3d::Zero();  // of m r_i r_j: second moments
     for (const auto& [m, r] : body) sum += m * r * r.transpose();
-    const auto J = products(sum(1, 1) + sum(2, 2), sum(2, 2) + sum(0, 0), sum(0, 0) + sum(1, 1), sum(0, 1), sum(0, 2),
-                            sum(1, 2));
+    const auto J = products(sum(1, 1) + sum(2, 2), sum(2, 2) + sum(0, 0), sum(0, 0) + sum(1, 1), sum(0, 1),
+                            sum(0, 2), sum(1, 2));
     EXPECT_LT((J.matrix() - inertia_of(body).matrix()).norm(), rounding);
-    EXPECT_LT((J.inverse_matrix() * J.matrix() - Matrix3d::Identity()).norm(), 1e3 * rounding);  // its condition
+    EXPECT_LT((J.inverse_matrix() * J.matrix() - Matrix3d::Identity()).norm(),
+              1e3 * rounding);  // its condition
   }
 }
 
@@ -98,25 +114,30 @@ TEST(Inertia, results_have_the_units_of_mechanics_and_the_scalar_of_the_operands
 
 TEST(Inertia, what_no_body_has_is_refused) {
   const double nan = std::nan("");
-  expect_bad_input([&] { tensor(3.0, 4.0, 5.0, 0.0, nan); },
-                   "inertia_from_tensor(in<" + frame_name<Body>() + ">): entry (1, 3) of the tensor is nan kg m^2");
-  expect_bad_input([&] { products(3.0, 4.0, HUGE_VAL, 0.0, 0.0, 0.0); },
-                   "inertia_from_moments_and_products(in<" + frame_name<Body>() + ">): entry (3, 3) of the tensor is inf");
-  expect_bad_input([] { tensor(-3.0, 4.0, 5.0); }, "principal moments (-3, 4, 5) kg m^2 are not all positive");
+  expect_bad_input(
+      [&] { tensor(3.0, 4.0, 5.0, 0.0, nan); },
+      "inertia_from_tensor(in<" + frame_name<Body>() + ">): entry (1, 3) of the tensor is nan kg m^2");
+  expect_bad_input(
+      [&] { products(3.0, 4.0, HUGE_VAL, 0.0, 0.0, 0.0); },
+      "inertia_from_moments_and_products(in<" + frame_name<Body>() + ">): entry (3, 3) of the tensor is inf");
+  expect_bad_input([] { tensor(-3.0, 4.0, 5.0); },
+                   "principal moments (-3, 4, 5) kg m^2 are not all positive");
   expect_bad_input([] { tensor(0.0, 4.0, 4.0); }, "principal moments (0, 4, 4) kg m^2 are not all positive");
   expect_bad_input([] { tensor(0.0, 0.0, 0.0); }, "are not all positive");
   expect_bad_input([] { tensor(2.0, 2.0, 2.0, 3.0); }, "are not all positive");  // moments -1, 2, 5
   expect_bad_input([] { tensor(1.0, 2.0, 4.0); },
                    "the largest principal moment of (1, 2, 4) kg m^2 exceeds the sum of the others by 1");
-  expect_bad_input([] { tensor(3.0, 3.0, 3.0, 1.8); },  // moments 1.2, 3, 4.8: the diagonal alone is a sphere's
-                   "exceeds the sum of the others by 0.");
+  expect_bad_input(
+      [] { tensor(3.0, 3.0, 3.0, 1.8); },  // moments 1.2, 3, 4.8: the diagonal alone is a sphere's
+      "exceeds the sum of the others by 0.");
 }
 
 TEST(Inertia, a_flat_plate_is_a_body_and_a_line_is_none_however_they_lie) {
   EXPECT_NO_THROW(tensor(1.0, 2.0, 3.0));  // a plate in the xy plane, 1 + 2 = 3
   std::mt19937_64 random(3);
   for (int i = 0; i < 200; ++i) {
-    const Matrix3d R = Eigen::AngleAxisd(pi * random_vector(random).x(), random_vector(random).normalized()).matrix();
+    const Matrix3d R =
+        Eigen::AngleAxisd(pi * random_vector(random).x(), random_vector(random).normalized()).matrix();
     const auto turned = [&](double x, double y, double z) {
       const Matrix3d J = R * Vector3d(x, y, z).asDiagonal() * R.transpose();
       return tensor(J(0, 0), J(1, 1), J(2, 2), J(0, 1), J(0, 2), J(1, 2));
@@ -158,7 +179,8 @@ TEST(Euler, a_spin_about_a_principal_axis_stays) {
   }
 }
 
-/// wdot = ((b - c) wy wz / a, (c - a) wz wx / b, (a - b) wx wy / c) + (taux/a, tauy/b, tauz/c) for J = diag(a, b, c).
+/// wdot = ((b - c) wy wz / a, (c - a) wz wx / b, (a - b) wx wy / c) + (taux/a, tauy/b, tauz/c) for J =
+/// diag(a, b, c).
 TEST(Euler, the_gyroscopic_term_has_its_sign) {
   const Vector3d alpha =
       euler(tensor(3.0, 4.0, 5.0), rate_body({2.0, 7.0, 11.0}), torque_body(30.0, 40.0, 50.0)).coordinates();

@@ -1,5 +1,6 @@
 #include <functional>
 #include <limits>
+#include <utility>
 
 #include <vectrix/frames/errors.hpp>
 
@@ -91,6 +92,19 @@ TEST(OdeDoors, refuse_with_the_field_and_the_number) {
     }
   }
 }
+
+template <class S>
+concept GivesViews = requires(S&& solution) {
+  std::forward<S>(solution).node(0);
+}
+|| requires(S&& solution) {
+  std::forward<S>(solution).output(0);
+}
+|| requires(S&& solution) {
+  std::forward<S>(solution).output_times();
+};
+static_assert(GivesViews<const Solution&>);
+static_assert(!GivesViews<Solution>);
 
 template <class Call> std::string refusal(Call call) {
   try {

@@ -14,14 +14,18 @@ using ode::Method;
 
 constexpr double pi = std::numbers::pi;
 
-/// What the errors of the steps add up to at the default tolerances (1e-12), over the some tens of radians of the
-/// motions below: about five times what is measured. BDF (order 5) and Adams take the most steps.
+/// What the errors of the steps add up to at the default tolerances (1e-12), over the some tens of radians of
+/// the motions below: about five times what is measured. BDF (order 5) and Adams take the most steps.
 double accuracy(Method method) {
   switch (method) {
-    case Method::cvode_adams: return 5e-9;
-    case Method::cvode_bdf: return 5e-8;
-    case Method::arkode_dormand_prince_5: return 1e-10;
-    case Method::arkode_fehlberg_8: return 1e-10;
+    case Method::cvode_adams:
+      return 5e-9;
+    case Method::cvode_bdf:
+      return 5e-8;
+    case Method::arkode_dormand_prince_5:
+      return 1e-10;
+    case Method::arkode_fehlberg_8:
+      return 1e-10;
   }
   return 0.0;
 }
@@ -40,16 +44,19 @@ class Propagate : public testing::TestWithParam<std::tuple<Method, AttitudeState
 std::string name(const testing::TestParamInfo<Propagate::ParamType>& info) {
   const char* methods[] = {"adams", "bdf", "dormand_prince_5", "fehlberg_8"};
   const bool quaternion = std::get<1>(info.param) == AttitudeState::quaternion;
-  return std::string{methods[static_cast<int>(std::get<0>(info.param))]} + (quaternion ? "_quaternion" : "_dcm");
+  return std::string{methods[static_cast<int>(std::get<0>(info.param))]} +
+         (quaternion ? "_quaternion" : "_dcm");
 }
 
 INSTANTIATE_TEST_SUITE_P(Methods, Propagate,
                          testing::Combine(testing::Values(Method::cvode_adams, Method::cvode_bdf,
-                                                          Method::arkode_dormand_prince_5, Method::arkode_fehlberg_8),
+                                                          Method::arkode_dormand_prince_5,
+                                                          Method::arkode_fehlberg_8),
                                           testing::Values(AttitudeState::quaternion, AttitudeState::dcm)),
                          name);
 
-template <class Exact> double largest_node_error(const Trajectory<Gcrf, Body>& trajectory, const Exact& exact) {
+template <class Exact>
+double largest_node_error(const Trajectory<Gcrf, Body>& trajectory, const Exact& exact) {
   double largest = 0.0;
   for (std::size_t i = 0; i < trajectory.node_count(); ++i) {
     const BodyState found = trajectory.node(i);
@@ -92,14 +99,16 @@ TEST_P(Propagate, kepler_ellipse_in_the_same_state) {
     const double t = i * end / 50.0;
     const BodyState found = trajectory.at(seconds(t));
     EXPECT_LT((found.orbit->r_i.coordinates() - tilt * ellipse(t).first).norm(), orbit_accuracy(3.0) * a);
-    EXPECT_LT((found.orbit->v_i.coordinates() - tilt * ellipse(t).second).norm(), orbit_accuracy(3.0) * n * a);
+    EXPECT_LT((found.orbit->v_i.coordinates() - tilt * ellipse(t).second).norm(),
+              orbit_accuracy(3.0) * n * a);
     EXPECT_LT(error(found, body.exact(t)), accuracy());
   }
 }
 
 /// Spin about the principal axis z: w' = torque(t) / Jzz. `exact` gives (angle, rate).
 template <class Exact>
-void expect_spin(const BodyScenario& scenario, const BodyPropagation& how, const Exact& exact, double tolerance) {
+void expect_spin(const BodyScenario& scenario, const BodyPropagation& how, const Exact& exact,
+                 double tolerance) {
   const auto trajectory = propagate(scenario, how);
   const double start = trajectory.start().value();
   const double end = trajectory.end().value();
@@ -107,7 +116,8 @@ void expect_spin(const BodyScenario& scenario, const BodyPropagation& how, const
     const double t = i == 200 ? end : start + i * (end - start) / 200.0;
     const auto [angle, rate] = exact(t);
     const Quaterniond q(Eigen::AngleAxisd(angle, Vector3d::UnitZ()));
-    ASSERT_LT(error(trajectory.at(seconds(t)), state_at(t, q, {0.0, 0.0, rate})), tolerance) << "at t = " << t;
+    ASSERT_LT(error(trajectory.at(seconds(t)), state_at(t, q, {0.0, 0.0, rate})), tolerance)
+        << "at t = " << t;
   }
 }
 
@@ -123,8 +133,8 @@ TEST_P(Propagate, pulses_about_a_principal_axis) {
     double from, until, torque;
   };
   // One begins with the propagation, two overlap, two touch, one lasts beyond the end, one is over before.
-  const std::vector<Pulse> pulses = {{10.0, 12.5, 0.5}, {11.3, 14.1, -0.8}, {14.1, 14.2, 3.0},
-                                     {27.0, 1e9, 0.2},  {1.0, 9.0, 100.0}};
+  const std::vector<Pulse> pulses = {
+      {10.0, 12.5, 0.5}, {11.3, 14.1, -0.8}, {14.1, 14.2, 3.0}, {27.0, 1e9, 0.2}, {1.0, 9.0, 100.0}};
   BodyScenario scenario = spinning(start, w0);
   for (const Pulse& p : pulses) {
     scenario.pulses.push_back({seconds(p.from), seconds(p.until), torque_body(0.0, 0.0, p.torque)});
@@ -150,15 +160,19 @@ TEST_P(Propagate, a_torque_that_jumps_at_listed_times) {
       BodyScenario scenario = spinning(0.0, 0.0);
       scenario.torques = {{[=](const BodyState& state) {
                              const double t = state.time.value();
-                             const auto before = [&](double jump) { return right_continuous ? t < jump : t <= jump; };
+                             const auto before = [&](double jump) {
+                               return right_continuous ? t < jump : t <= jump;
+                             };
                              return torque_body(0.0, 0.0, before(7.3) ? 1.0 : before(next) ? -0.5 : 0.3 * t);
                            },
                            {seconds(next), seconds(7.3)}}};
       const auto exact = [&](double t) {
-        const double first = std::min(t, 7.3), second = std::clamp(t, 7.3, next) - 7.3, third = std::max(t, next) - next;
+        const double first = std::min(t, 7.3), second = std::clamp(t, 7.3, next) - 7.3,
+                     third = std::max(t, next) - next;
         const double w1 = first / Jzz, w2 = w1 - 0.5 * second / Jzz;
         const double rate = w2 + 0.3 * (next * third + 0.5 * third * third) / Jzz;
-        const double angle = 0.5 * first * first / Jzz + w1 * second - 0.25 * second * second / Jzz + w2 * third +
+        const double angle = 0.5 * first * first / Jzz + w1 * second - 0.25 * second * second / Jzz +
+                             w2 * third +
                              0.3 * (0.5 * next * third * third + third * third * third / 6.0) / Jzz;
         return std::pair{angle, rate};
       };
@@ -179,7 +193,8 @@ TEST_P(Propagate, a_short_burst_of_torque_is_seen_with_a_maximum_step) {
   const auto exact = [&](double t) {
     const double x = (t - centre) / width;
     const double integral = 0.5 * std::sqrt(pi) * width * (1.0 + std::erf(x));
-    return std::pair{((t - centre) * integral + 0.5 * width * width * std::exp(-x * x)) / Jzz, integral / Jzz};
+    return std::pair{((t - centre) * integral + 0.5 * width * width * std::exp(-x * x)) / Jzz,
+                     integral / Jzz};
   };
   expect_spin(scenario, how, exact, accuracy());
 }
@@ -244,12 +259,14 @@ TEST_P(Propagate, a_torque_free_motion_runs_backwards_after_its_rate_is_reversed
   std::mt19937_64 random(5);
   std::uniform_real_distribution<double> number(-1.0, 1.0);
   for (int i = 0; i < 3; ++i) {
-    const Quaterniond q = Quaterniond(number(random), number(random), number(random), number(random)).normalized();
+    const Quaterniond q =
+        Quaterniond(number(random), number(random), number(random), number(random)).normalized();
     const Vector3d w(number(random), number(random), number(random));
     const BodyScenario there{tensor(3.0, 4.0, 6.0, 0.3, -0.5, 0.4), state_at(0.0, q, w)};
     const auto forwards = propagate(there, until(20.0));
     const BodyState turn = forwards.at(forwards.end());
-    const BodyScenario back{there.inertia, state_at(20.0, turn.q_i_from_b.eigen(), -turn.w_ib_b.coordinates())};
+    const BodyScenario back{there.inertia,
+                            state_at(20.0, turn.q_i_from_b.eigen(), -turn.w_ib_b.coordinates())};
     const auto backwards = propagate(back, until(40.0));
     for (const double t : {5.0, 13.0, 20.0}) {
       const BodyState earlier = forwards.at(seconds(20.0 - t));

@@ -17,7 +17,9 @@ using BodyScenario = Scenario<Gcrf, Body>;
 using BodyPropagation = Propagation<Gcrf, Body>;
 using BodyRate = AngularVelocity<Gcrf, Body, In<Body>>;
 
-inline Quantity<si::time> seconds(double t) { return t * si::second; }
+inline Quantity<si::time> seconds(double t) {
+  return t * si::second;
+}
 
 inline Inertia<Body> tensor(double xx, double yy, double zz, double xy = 0.0, double xz = 0.0,
                             double yz = 0.0) {

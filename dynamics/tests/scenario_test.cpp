@@ -12,7 +12,9 @@ using Eigen::Vector3d;
 const double nan = std::numeric_limits<double>::quiet_NaN();
 const double infinity = std::numeric_limits<double>::infinity();
 
-BodyScenario body() { return AxisymmetricBody{}.scenario(); }
+BodyScenario body() {
+  return AxisymmetricBody{}.scenario();
+}
 
 OrbitState<Gcrf> orbit() {
   return {vector<si::length>(in<Gcrf>, Vector3d(7e6, 0.0, 0.0)),
@@ -77,13 +79,15 @@ TEST(ScenarioTorque, is_the_sum_of_all) {
   const Vector<Body, si::length> r_b = inverse(scenario.initial.R_i_from_b()) * orbit().r_i;
   const Vector3d gradient = gravity_gradient_torque(mu(), scenario.inertia, r_b).coordinates();
   EXPECT_GT(gradient.norm(), 0.0);
-  EXPECT_LT((torque(scenario, scenario.initial).coordinates() - gradient - Vector3d(321.0, 0.0, 0.0)).norm(), 1e-12);
+  EXPECT_LT((torque(scenario, scenario.initial).coordinates() - gradient - Vector3d(321.0, 0.0, 0.0)).norm(),
+            1e-12);
 }
 
 TEST(ScenarioTorque, a_gradient_without_orbit_is_refused) {
   BodyScenario scenario = body();
   scenario.gravity_gradient = true;
-  expect_bad_input([&] { torque(scenario, scenario.initial); }, "the gravity-gradient torque needs mu and an orbit");
+  expect_bad_input([&] { torque(scenario, scenario.initial); },
+                   "the gravity-gradient torque needs mu and an orbit");
 }
 
 TEST(ScenarioMomentum, is_turned_into_the_inertial_frame) {
@@ -159,12 +163,20 @@ TEST(RefusedPropagation, tolerances_that_are_not_positive) {
 TEST(RefusedPropagation, times_that_make_no_sense) {
   expect_refused_propagation([](auto& how) { how.end = seconds(nan); }, "end must be finite, got nan");
   expect_refused_propagation([](auto& how) { how.end = seconds(infinity); }, "end must be finite, got inf");
-  expect_refused_propagation([](auto& how) { how.end = seconds(-1.0); }, "end = -1 must be later than start = 0");
-  expect_refused_propagation([](auto& how) { how.end = seconds(0.0); }, "end = 0 must be later than start = 0");
-  expect_refused_propagation([](auto& how) { how.output_times = {seconds(0.5), seconds(0.5)}; },
-                             "output times must increase strictly, but number 1 = 0.5 follows 0.5");
-  expect_refused_propagation([](auto& how) { how.output_times = {seconds(0.5), seconds(1.5)}; },
-                             "output time 1.5 is outside [0, 1]");
+  expect_refused_propagation([](auto& how) { how.end = seconds(-1.0); },
+                             "end = -1 must be later than start = 0");
+  expect_refused_propagation([](auto& how) { how.end = seconds(0.0); },
+                             "end = 0 must be later than start = 0");
+  expect_refused_propagation(
+      [](auto& how) {
+        how.output_times = {seconds(0.5), seconds(0.5)};
+      },
+      "output times must increase strictly, but number 1 = 0.5 follows 0.5");
+  expect_refused_propagation(
+      [](auto& how) {
+        how.output_times = {seconds(0.5), seconds(1.5)};
+      },
+      "output time 1.5 is outside [0, 1]");
   expect_refused_propagation([](auto& how) { how.maximum_step = seconds(0.0); },
                              "maximum_step must be greater than 0, got 0");
   expect_refused_propagation([](auto& how) { how.max_steps = 0; }, "max_steps must be greater than 0");

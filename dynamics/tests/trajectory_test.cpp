@@ -17,16 +17,19 @@ constexpr double accuracy = 1e-9;  // of a Fehlberg 7(8) run of some tens of rad
 
 const AxisymmetricBody body;
 
-BodyPropagation until(double end) { return {.end = seconds(end)}; }
+BodyPropagation until(double end) {
+  return {.end = seconds(end)};
+}
 
-// Nothing of a trajectory can be changed: what it gives is a copy or const.
+// Nothing of a trajectory can be changed: what it gives is a copy.
 static_assert(!std::is_default_constructible_v<BodyTrajectory>);
 static_assert(std::is_copy_constructible_v<BodyTrajectory>);
-static_assert(std::same_as<decltype(std::declval<BodyTrajectory&>().statistics()), const ode::Statistics&>);
+static_assert(std::same_as<decltype(std::declval<BodyTrajectory&>().statistics()), ode::Statistics>);
 static_assert(std::same_as<decltype(std::declval<BodyTrajectory&>().node(0)), BodyState>);
 static_assert(std::same_as<decltype(std::declval<BodyTrajectory&>().at(seconds(0.0))), BodyState>);
 static_assert(std::same_as<decltype(std::declval<BodyTrajectory&>().outputs()), std::vector<BodyState>>);
-static_assert(std::same_as<decltype(std::declval<BodyTrajectory&>().events()), std::vector<Event<Gcrf, Body>>>);
+static_assert(
+    std::same_as<decltype(std::declval<BodyTrajectory&>().events()), std::vector<Event<Gcrf, Body>>>);
 static_assert(std::same_as<decltype(std::declval<const PropagationFailure<Gcrf, Body>&>().trajectory()),
                            const BodyTrajectory&>);
 
@@ -88,7 +91,8 @@ BodyScenario turntable() {
   return {tensor(3.0, 4.0, 5.0), state_at(0.0, Quaterniond::Identity(), {0.0, 0.0, 0.5})};
 }
 
-Root<Gcrf, Body> meridian(const std::string& name, ode::Direction direction = ode::Direction::any, bool stop = false) {
+Root<Gcrf, Body> meridian(const std::string& name, ode::Direction direction = ode::Direction::any,
+                          bool stop = false) {
   return {name, [](const BodyState& state) { return state.R_i_from_b().matrix()(1, 0); }, direction, stop};
 }
 
@@ -221,8 +225,9 @@ TEST(Failure, at_the_very_start_leaves_a_trajectory_without_nodes) {
 TEST(Failure, of_a_torque_that_is_not_finite) {
   for (const double bad : {std::numeric_limits<double>::infinity(), std::nan("")}) {
     BodyScenario scenario = body.scenario();
-    scenario.torques = {
-        {[bad](const BodyState& state) { return (state.time.value() > 5.0 ? bad : 0.0) * torque_body(1.0, 1.0, 1.0); }}};
+    scenario.torques = {{[bad](const BodyState& state) {
+      return (state.time.value() > 5.0 ? bad : 0.0) * torque_body(1.0, 1.0, 1.0);
+    }}};
     const auto found = failure(scenario, until(10.0));
     EXPECT_GT(found.time(), 5.0);
     expect_trajectory_until(found.trajectory(), 5.0);
@@ -232,7 +237,8 @@ TEST(Failure, of_a_torque_that_is_not_finite) {
 
 TEST(Failure, of_a_root_that_throws_or_is_not_finite) {
   BodyPropagation how = until(10.0);
-  how.roots = {{"eclipse", [](const BodyState& state) { return state.time.value() > 5.0 ? std::nan("") : 1.0; }}};
+  how.roots = {
+      {"eclipse", [](const BodyState& state) { return state.time.value() > 5.0 ? std::nan("") : 1.0; }}};
   const auto not_finite = failure(body.scenario(), how);
   expect_said(not_finite, "(eclipse) is nan");
 
@@ -282,8 +288,8 @@ TEST(ConservationReport, of_a_torque_free_body_in_orbit_is_small) {
 TEST(ConservationReport, says_what_a_loose_tolerance_costs) {
   const auto report = [](double tolerance) {
     BodyPropagation how = until(100.0);
-    how.tolerances = {tolerance, tolerance, tolerance * (si::radian / si::second), tolerance * 1e7 * si::metre,
-                      tolerance * 1e4 * (si::metre / si::second)};
+    how.tolerances = {tolerance, tolerance, tolerance * (si::radian / si::second),
+                      tolerance * 1e7 * si::metre, tolerance * 1e4 * (si::metre / si::second)};
     return conservation(in_orbit(), propagate(in_orbit(), how));
   };
   const Conservation tight = report(1e-12);
@@ -303,7 +309,8 @@ TEST(ConservationReport, finds_a_change) {
   const double w = std::hypot(0.3, 0.2);  // turns in the xy plane: 2T swings by 0.6 wy^2
   const double start = 2.0 * 0.09 + 2.6 * 0.04 + 3.0 * 0.25;
   const double largest = 0.6 * std::max(w * w - 0.04, 0.04);
-  EXPECT_NEAR(conservation(claimed, trajectory).rotational_energy.value(), largest / start, 0.01 * largest / start);
+  EXPECT_NEAR(conservation(claimed, trajectory).rotational_energy.value(), largest / start,
+              0.01 * largest / start);
   EXPECT_GT(conservation(claimed, trajectory).angular_momentum.value(), 0.01);
 }
 

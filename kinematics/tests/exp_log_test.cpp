@@ -45,7 +45,12 @@ std::vector<Eigen::Vector3d> rotation_vectors() {
   const Eigen::Vector3d axes[] = {{1, 0, 0}, {0, 1, 0},   {0, 0, 1},  {1, 1, 0},  {0, -1, 1},
                                   {1, 1, 1}, {-1, 2, -3}, {-1, 0, 0}, {0, 0, -1}, {1e-9, 1, 0}};
   for (const double angle : angles) {
-    for (const auto& axis : axes) list.emplace_back(angle * axis.normalized());
+    for (const auto& axis : axes) {
+      Eigen::Vector3d theta = angle * axis.normalized();
+      // Rounding may have made it longer than a half turn, and the other way is then the shorter.
+      while (theta.cast<long double>().norm() > std::numbers::pi_v<long double>) theta *= 1 - epsilon;
+      list.push_back(theta);
+    }
   }
   return list;
 }

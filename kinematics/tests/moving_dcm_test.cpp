@@ -1,6 +1,9 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
+#include <iterator>
+
 #include "motions.hpp"
 
 using namespace vectrix;
@@ -101,6 +104,34 @@ RC_GTEST_PROP(FrameGraph, RatesAndAccelerationsAreThoseOfTheDifferentiatedPath, 
   const auto w_2g = snapshot.angular_velocity(of<Gcrf>, relative_to<Wheel<2>>, in<Body>);
   const auto by_hand = snapshot.rotation(to<Wheel<1>>, from<Body>) * (w_2g + w_gb + w_bc);
   RC_ASSERT(distance(by_hand.coordinates(), w_off.coordinates()) <= motion_tolerance);
+}
+
+// Wherever the paths to b and to c part, also of a snapshot without a name, which keeps nothing.
+RC_GTEST_PROP(FrameGraph, MotionsAreExpressedInAnyFrameEachEdgeEvaluatedOnce, ()) {
+  const Motions m;
+  int evaluations[3] = {};
+  const auto graph = frame_graph(
+      edge(Counting<AcceleratingDcm<Gcrf, Body>>{Motion(m.gcrf_from_body).accelerating(), &evaluations[0]}),
+      edge(Counting<AcceleratingDcm<Camera, Body>>{Motion(m.camera_from_body).accelerating(),
+                                                   &evaluations[1]}),
+      edge(Counting<AcceleratingDcm<Camera, Wheel<1>>>{Motion(m.camera_from_wheel).accelerating(),
+                                                       &evaluations[2]}));
+  const auto t = 0.0 * si::second;
+  const Motion<Gcrf, Wheel<1>> whole(m.gcrf_from_body * inverse(m.camera_from_body) * m.camera_from_wheel);
+  const auto check = [&]<class C>(In<C> expressed) {
+    const auto R_c_from_a = graph.at(t).rotation(to<C>, from<Gcrf>).matrix();
+    std::fill(std::begin(evaluations), std::end(evaluations), 0);
+    const auto w = graph.at(t).angular_velocity(of<Wheel<1>>, relative_to<Gcrf>, expressed);
+    RC_ASSERT(distance(w.coordinates(), R_c_from_a * whole.w_a()) <= motion_tolerance);
+    RC_ASSERT(evaluations[0] == 1 && evaluations[1] == 1 && evaluations[2] == 1);
+    const auto alpha = graph.at(t).angular_acceleration(of<Wheel<1>>, relative_to<Gcrf>, expressed);
+    RC_ASSERT(distance(alpha.coordinates(), R_c_from_a * whole.alpha_a()) <= motion_tolerance);
+    RC_ASSERT(evaluations[0] == 2 && evaluations[1] == 2 && evaluations[2] == 2);
+  };
+  check(in<Gcrf>);
+  check(in<Body>);
+  check(in<Camera>);
+  check(in<Wheel<1>>);
 }
 
 TEST(FrameGraph, ARigidEdgeIsAtRest) {

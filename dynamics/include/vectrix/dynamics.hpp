@@ -7,6 +7,7 @@
 #include <vectrix/dynamics/epoch.hpp>
 #include <vectrix/dynamics/euler.hpp>
 #include <vectrix/dynamics/gravity.hpp>
+#include <vectrix/dynamics/hermite.hpp>
 #include <vectrix/dynamics/inertia.hpp>
 #include <vectrix/dynamics/ode.hpp>
 #include <vectrix/dynamics/propagate.hpp>

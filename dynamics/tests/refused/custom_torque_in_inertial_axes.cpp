@@ -1,20 +1,21 @@
 // mistake: a torque function that answers in inertial axes
 // expect: Vector<Body, (vectrix::)?si::torque
-// expect: CustomTorque
+// expect: Vector<Eci, (vectrix::)?si::torque
 #include <vectrix/dynamics.hpp>
 
+struct Eci : vectrix::inertial_frame {};
 struct Body : vectrix::moving_frame {};
 
 using namespace vectrix;
 
-auto solar_pressure(const Vector<Gcrf, si::torque>& torque_gcrf) {
-  CustomTorque<Gcrf, Body> pressure;
+auto solar_pressure(const Vector<Eci, si::torque>& torque_eci) {
+  CustomTorque<Eci, Body> pressure;
 #ifdef REPAIRED
-  pressure.torque_b = [=](const State<Gcrf, Body>& state) -> Vector<Body, si::torque> {
-    return inverse(state.R_i_from_b()) * torque_gcrf;
+  pressure.torque_b = [=](const State<Eci, Body>& state) -> Vector<Body, si::torque> {
+    return inverse(state.R_i_from_b()) * torque_eci;
   };
 #else
-  pressure.torque_b = [=](const State<Gcrf, Body>&) -> Vector<Gcrf, si::torque> { return torque_gcrf; };
+  pressure.torque_b = [=](const State<Eci, Body>&) -> Vector<Eci, si::torque> { return torque_eci; };
 #endif
   return pressure;
 }

@@ -2,11 +2,12 @@
 // expect: UnitGiven = (vectrix::)?si::energy
 #include <vectrix/dynamics.hpp>
 
+struct Eci : vectrix::inertial_frame {};
 struct Body : vectrix::moving_frame {};
 
 using namespace vectrix;
 
-auto acceleration(const Inertia<Body>& J_body, const AngularVelocity<Gcrf, Body, In<Body>>& w_body) {
+auto acceleration(const Inertia<Body>& J_body, const AngularVelocity<Eci, Body, In<Body>>& w_body) {
 #ifdef REPAIRED
   const auto unit = si::newton_metre;
 #else

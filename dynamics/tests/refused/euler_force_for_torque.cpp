@@ -2,11 +2,12 @@
 // expect: TorqueUnit = (vectrix::)?si::force
 #include <vectrix/dynamics.hpp>
 
+struct Eci : vectrix::inertial_frame {};
 struct Body : vectrix::moving_frame {};
 
 using namespace vectrix;
 
-auto acceleration(const Inertia<Body>& J_body, const AngularVelocity<Gcrf, Body, In<Body>>& w_body,
+auto acceleration(const Inertia<Body>& J_body, const AngularVelocity<Eci, Body, In<Body>>& w_body,
                   const Vector<Body, si::length>& r_body, const Vector<Body, si::force>& F_body) {
 #ifdef REPAIRED
   return euler(J_body, w_body, cross(r_body, F_body));

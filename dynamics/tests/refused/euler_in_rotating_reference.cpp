@@ -1,15 +1,17 @@
 // mistake: Euler's equation relative to the rotating Earth
-// expect: RotatingReference = Itrf
+// expect: RotatingReference = Ecef
 #include <vectrix/dynamics.hpp>
 
+struct Eci : vectrix::inertial_frame {};
+struct Ecef : vectrix::moving_frame {};
 struct Body : vectrix::moving_frame {};
 
 using namespace vectrix;
 
 #ifdef REPAIRED
-using Reference = Gcrf;
+using Reference = Eci;
 #else
-using Reference = Itrf;
+using Reference = Ecef;
 #endif
 
 auto acceleration(const Inertia<Body>& J_body, const AngularVelocity<Reference, Body, In<Body>>& w_body,

@@ -1,6 +1,6 @@
 // mistake: moments of inertia without a unit
 // expect: inertia_from_tensor
-// expect: boost::units::quantity
+// expect: [Qq]uantity
 // expect: double
 #include <vectrix/dynamics.hpp>
 
@@ -14,5 +14,6 @@ auto satellite() {
 #else
   const double unit = 1.0;
 #endif
-  return inertia_from_tensor(in<Body>, 3.0 * unit, 4.0 * unit, 5.0 * unit, 0.1 * unit, 0.2 * unit, 0.3 * unit);
+  return inertia_from_tensor(in<Body>, 3.0 * unit, 4.0 * unit, 5.0 * unit, 0.1 * unit, 0.2 * unit,
+                             0.3 * unit);
 }

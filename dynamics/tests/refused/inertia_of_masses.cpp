@@ -13,6 +13,6 @@ auto satellite() {
 #else
   const auto unit = si::kilogram;
 #endif
-  return inertia_from_moments_and_products(in<Body>, 3.0 * unit, 4.0 * unit, 5.0 * unit, 0.1 * unit, 0.2 * unit,
-                                           0.3 * unit);
+  return inertia_from_moments_and_products(in<Body>, 3.0 * unit, 4.0 * unit, 5.0 * unit, 0.1 * unit,
+                                           0.2 * unit, 0.3 * unit);
 }

@@ -4,15 +4,16 @@
 // expect: Body
 #include <vectrix/dynamics.hpp>
 
+struct Eci : vectrix::inertial_frame {};
 struct Body : vectrix::moving_frame {};
 struct Wheel : vectrix::moving_frame {};
 
 using namespace vectrix;
 
 #ifdef REPAIRED
-auto flight(const Scenario<Gcrf, Body>& scenario, const Propagation<Gcrf, Body>& how) {
+auto flight(const Scenario<Eci, Body>& scenario, const Propagation<Eci, Body>& how) {
 #else
-auto flight(const Scenario<Gcrf, Body>& scenario, const Propagation<Gcrf, Wheel>& how) {
+auto flight(const Scenario<Eci, Body>& scenario, const Propagation<Eci, Wheel>& how) {
 #endif
   return propagate(scenario, how);
 }

@@ -3,12 +3,13 @@
 // expect: time
 #include <vectrix/dynamics.hpp>
 
+struct Eci : vectrix::inertial_frame {};
 struct Body : vectrix::moving_frame {};
 
 using namespace vectrix;
 
 auto quarter_hour() {
-  Propagation<Gcrf, Body> how;
+  Propagation<Eci, Body> how;
 #ifdef REPAIRED
   how.end = convert<si::time>(15.0 * si::minute);
 #else

@@ -1,17 +1,18 @@
 // mistake: a pulse constant in the body's axes, given in inertial ones
-// expect: Vector<Gcrf, (vectrix::)?si::torque
-// expect: Vector<Body, (vectrix::)?si::torque
+// expect: Vector<Eci
+// expect: Vector<Body
 #include <vectrix/dynamics.hpp>
 
+struct Eci : vectrix::inertial_frame {};
 struct Body : vectrix::moving_frame {};
 
 using namespace vectrix;
 
-auto thruster(const Vector<Gcrf, si::torque>& torque_gcrf, const Dcm<Body, Gcrf>& R_body_from_gcrf) {
+auto thruster(const Vector<Eci, si::torque>& torque_eci, const Dcm<Body, Eci>& R_body_from_eci) {
 #ifdef REPAIRED
-  return PulseTorque<Body>{0.0 * si::second, 1.0 * si::second, R_body_from_gcrf * torque_gcrf};
+  return PulseTorque<Body>{0.0 * si::second, 1.0 * si::second, R_body_from_eci * torque_eci};
 #else
-  static_cast<void>(R_body_from_gcrf);
-  return PulseTorque<Body>{0.0 * si::second, 1.0 * si::second, torque_gcrf};
+  static_cast<void>(R_body_from_eci);
+  return PulseTorque<Body>{0.0 * si::second, 1.0 * si::second, torque_eci};
 #endif
 }

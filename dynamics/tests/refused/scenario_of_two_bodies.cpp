@@ -1,20 +1,19 @@
-// mistake: the inertia of one body with the initial state of another
-// expect: State<Gcrf, Wheel>
-// expect: State<Gcrf, Body>
+// mistake: the scenario of one body with the initial state of another
+// expect: State<.*, Wheel>
+// expect: State<.*, Body>
 #include <vectrix/dynamics.hpp>
 
+struct Eci : vectrix::inertial_frame {};
 struct Body : vectrix::moving_frame {};
 struct Wheel : vectrix::moving_frame {};
 
 using namespace vectrix;
 
-auto flight(const Inertia<Body>& J_body, const State<Gcrf, Body>& body, const State<Gcrf, Wheel>& wheel) {
 #ifdef REPAIRED
-  static_cast<void>(wheel);
-  const Scenario<Gcrf, Body> scenario{.inertia = J_body, .initial = body};
+auto start(Scenario<Eci, Body> scenario, const State<Eci, Body>& state) {
 #else
-  static_cast<void>(body);
-  const Scenario<Gcrf, Body> scenario{.inertia = J_body, .initial = wheel};
+auto start(Scenario<Eci, Body> scenario, const State<.*, Wheel>& state) {
 #endif
+  scenario.initial = state;
   return scenario;
 }

@@ -1,14 +1,20 @@
 // mistake: a state relative to the rotating Earth
 // expect: InertialFrame
-// expect: Itrf
+// expect: Ecef
 #include <vectrix/dynamics.hpp>
 
+struct Eci : vectrix::inertial_frame {};
+struct Ecef : vectrix::moving_frame {};
 struct Body : vectrix::moving_frame {};
 
 using namespace vectrix;
 
 #ifdef REPAIRED
-double start(const State<Gcrf, Body>& state) { return state.time.value(); }
+double start(const State<Eci, Body>& state) {
+  return state.time.value();
+}
 #else
-double start(const State<Itrf, Body>& state) { return state.time.value(); }
+double start(const State<Ecef, Body>& state) {
+  return state.time.value();
+}
 #endif

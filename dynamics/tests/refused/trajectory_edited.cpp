@@ -1,13 +1,14 @@
 // mistake: a trajectory edited after the run
 // expect: steps
-// expect: (read-only object|const-qualified type)
+// expect: (temporary as lvalue|rvalue as lvalue|not assignable)
 #include <vectrix/dynamics.hpp>
 
+struct Eci : vectrix::inertial_frame {};
 struct Body : vectrix::moving_frame {};
 
 using namespace vectrix;
 
-auto cheaper(Trajectory<Gcrf, Body>& trajectory) {
+auto cheaper(Trajectory<Eci, Body>& trajectory) {
 #ifdef REPAIRED
   ode::Statistics statistics = trajectory.statistics();
   statistics.steps = 1;

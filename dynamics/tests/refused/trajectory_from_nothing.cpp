@@ -1,18 +1,19 @@
 // mistake: a trajectory that no propagation made
-// expect: Trajectory<Gcrf, Body>
+// expect: Trajectory<Eci, Body>
 #include <vectrix/dynamics.hpp>
 
+struct Eci : vectrix::inertial_frame {};
 struct Body : vectrix::moving_frame {};
 
 using namespace vectrix;
 
-auto flight(const Scenario<Gcrf, Body>& scenario, const Propagation<Gcrf, Body>& how) {
+auto flight(const Scenario<Eci, Body>& scenario, const Propagation<Eci, Body>& how) {
 #ifdef REPAIRED
-  const Trajectory<Gcrf, Body> trajectory = propagate(scenario, how);
+  const Trajectory<Eci, Body> trajectory = propagate(scenario, how);
 #else
   static_cast<void>(scenario);
   static_cast<void>(how);
-  const Trajectory<Gcrf, Body> trajectory;
+  const Trajectory<Eci, Body> trajectory;
 #endif
   return trajectory;
 }

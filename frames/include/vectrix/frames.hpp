@@ -7,5 +7,6 @@
 #include <vectrix/frames/frame.hpp>
 #include <vectrix/frames/graph.hpp>
 #include <vectrix/frames/level.hpp>
+#include <vectrix/frames/operators.hpp>
 #include <vectrix/frames/units.hpp>
 #include <vectrix/frames/vector.hpp>

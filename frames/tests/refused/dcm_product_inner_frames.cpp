@@ -1,6 +1,6 @@
 // mistake: two rotations whose inner frames do not cancel
-// expect: LeftFrom = Body
-// expect: RightTo = Gcrf
+// expect: Left = (vectrix::)?Dcm<Camera, Body
+// expect: Right = (vectrix::)?Dcm<Gcrf, Body
 // expect: the inner frames cancel
 #include <vectrix/frames.hpp>
 

@@ -1,6 +1,7 @@
 // mistake: the frame of one wheel taken for that of another
-// expect: LeftFrom = Wheel<2>
-// expect: RightTo = Wheel<1>
+// expect: Left = (vectrix::)?Dcm<Body, Wheel<2>
+// expect: Right = (vectrix::)?Dcm<Wheel<1>, Body
+// expect: the inner frames cancel
 #include <vectrix/frames.hpp>
 
 struct Body : vectrix::moving_frame {};

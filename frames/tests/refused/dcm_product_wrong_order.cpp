@@ -1,6 +1,7 @@
 // mistake: the two rotations of a chain in the wrong order
-// expect: LeftFrom = Gcrf
-// expect: RightTo = Camera
+// expect: Left = (vectrix::)?Dcm<Body, Gcrf
+// expect: Right = (vectrix::)?Dcm<Camera, Body
+// expect: the inner frames cancel
 #include <vectrix/frames.hpp>
 
 struct Gcrf : vectrix::inertial_frame {};

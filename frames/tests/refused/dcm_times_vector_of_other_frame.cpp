@@ -1,7 +1,7 @@
 // mistake: a rotation applied to a vector that is not expressed in its inner frame
-// expect: DcmFrom = Gcrf
-// expect: VectorIn = Body
-// expect: r must be expressed in a
+// expect: Left = (vectrix::)?Dcm<Body, Gcrf
+// expect: Right = (vectrix::)?Vector<Body
+// expect: the inner frames cancel
 #include <vectrix/frames.hpp>
 
 struct Gcrf : vectrix::inertial_frame {};

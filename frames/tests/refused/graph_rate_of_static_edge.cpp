@@ -1,6 +1,5 @@
 // mistake: a rate asked across an edge whose motion is not known
-// expect: EdgeWithoutRate = (vectrix::)?Link<Body, Camera>
-// expect: an edge on the path has no rate
+// expect: Lacking = (vectrix::)?RateOn<(vectrix::)?Link<Body, Camera>
 #include <vectrix/frames.hpp>
 
 struct Gcrf : vectrix::inertial_frame {};

@@ -1,6 +1,6 @@
 // mistake: a query from a to b assigned to the rotation from b to a
-// expect: Dcm<Gcrf, Camera
-// expect: Dcm<Camera, Gcrf
+// expect: Dcm<Gcrf, ?Camera
+// expect: Dcm<Camera, ?Gcrf
 #include <vectrix/frames.hpp>
 
 struct Gcrf : vectrix::inertial_frame {};

@@ -1,5 +1,5 @@
 // mistake: a snapshot that outlives its graph
-// expect: FrameGraph
+// expect: Gcrf
 // expect: give the graph a name first
 #include <vectrix/frames.hpp>
 

@@ -1,6 +1,5 @@
 // mistake: a frame that the graph does not have
-// expect: UnknownFrame = Ground
-// expect: the graph has no such frame
+// expect: Lacking = (vectrix::)?UnknownFrame<Ground>
 #include <vectrix/frames.hpp>
 
 struct Gcrf : vectrix::inertial_frame {};

@@ -1,15 +1,16 @@
 // mistake: an energy given for a torque
 // expect: quantity
+// expect: Quantity<si::torque>|plane_angle_base_dimension
 #include <vectrix/frames.hpp>
 
 using namespace vectrix;
 
-auto torque() {
+void apply(Quantity<si::torque> given);
+
+void use() {
 #ifdef REPAIRED
-  const Quantity<si::torque> tau = 2.0 * si::newton_metre;
-  return tau;
+  apply(2.0 * si::newton_metre);
 #else
-  const Quantity<si::torque> tau = 2.0 * si::joule;
-  return tau;
+  apply(2.0 * si::joule);
 #endif
 }

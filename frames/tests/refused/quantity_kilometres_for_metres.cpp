@@ -1,15 +1,16 @@
 // mistake: kilometres given for metres
 // expect: quantity
+// expect: Quantity<si::length>|scale<10
 #include <vectrix/frames.hpp>
 
 using namespace vectrix;
 
-auto altitude() {
+void apply(Quantity<si::length> given);
+
+void use() {
 #ifdef REPAIRED
-  const Quantity<si::length> h = convert<si::length>(400.0 * si::kilometre);
-  return h;
+  apply(convert<si::length>(400.0 * si::kilometre));
 #else
-  const Quantity<si::length> h = 400.0 * si::kilometre;
-  return h;
+  apply(400.0 * si::kilometre);
 #endif
 }

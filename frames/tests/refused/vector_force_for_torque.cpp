@@ -1,6 +1,6 @@
 // mistake: the cross product r x F returned as a force
-// expect: Vector<Body, (vectrix::)?si::torque
-// expect: Vector<Body, (vectrix::)?si::force
+// expect: si::torque
+// expect: si::force
 #include <vectrix/frames.hpp>
 
 struct Body : vectrix::moving_frame {};

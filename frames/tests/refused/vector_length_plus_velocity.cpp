@@ -1,7 +1,7 @@
 // mistake: a displacement and a velocity added
-// expect: LeftUnit = (vectrix::)?si::length
-// expect: RightUnit = (vectrix::)?si::velocity
-// expect: one unit
+// expect: Left = (vectrix::)?Vector<Gcrf, (vectrix::)?si::length
+// expect: Right = (vectrix::)?Vector<Gcrf, (vectrix::)?si::velocity
+// expect: one frame and one unit
 #include <vectrix/frames.hpp>
 
 struct Gcrf : vectrix::inertial_frame {};

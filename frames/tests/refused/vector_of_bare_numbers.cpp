@@ -1,6 +1,7 @@
 // mistake: three numbers without a unit
-// expect: vector
-// expect: double
+// expect: F = Body
+// expect: X = double
+// expect: one SI vector unit
 #include <vectrix/frames.hpp>
 
 struct Body : vectrix::moving_frame {};

@@ -1,6 +1,6 @@
 // mistake: an energy given for a torque: no vector is an energy
 // expect: UnitGiven = (vectrix::)?si::energy
-// expect: no vector has this unit
+// expect: one SI vector unit
 #include <vectrix/frames.hpp>
 
 struct Body : vectrix::moving_frame {};

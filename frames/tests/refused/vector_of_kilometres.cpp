@@ -1,6 +1,6 @@
 // mistake: kilometres given for metres
 // expect: F = Gcrf
-// expect: no vector has this unit: convert<U>
+// expect: one SI vector unit for all: convert<U>
 #include <vectrix/frames.hpp>
 
 struct Gcrf : vectrix::inertial_frame {};

@@ -1,5 +1,7 @@
 // mistake: three coordinates with different units
-// expect: BoostUnit
+// expect: F = Body
+// expect: UnitGiven = (vectrix::)?si::length
+// expect: one SI vector unit
 #include <vectrix/frames.hpp>
 
 struct Body : vectrix::moving_frame {};

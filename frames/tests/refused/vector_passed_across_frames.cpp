@@ -1,6 +1,6 @@
 // mistake: a vector of one frame passed to a function that takes another
-// expect: Vector<Body, (vectrix::)?si::torque
-// expect: Vector<Wheel<2>, (vectrix::)?si::torque
+// expect: Vector<Wheel<2>
+// expect: Vector<Body
 #include <vectrix/frames.hpp>
 
 struct Body : vectrix::moving_frame {};

@@ -1,7 +1,7 @@
 // mistake: a sum of two vectors expressed in different frames
-// expect: LeftFrame = Gcrf
-// expect: RightFrame = Body
-// expect: one frame
+// expect: Left = (vectrix::)?Vector<Gcrf
+// expect: Right = (vectrix::)?Vector<Body
+// expect: one frame and one unit
 #include <vectrix/frames.hpp>
 
 struct Gcrf : vectrix::inertial_frame {};

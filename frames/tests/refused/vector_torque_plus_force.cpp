@@ -1,7 +1,7 @@
 // mistake: a torque and a force added
-// expect: LeftUnit = (vectrix::)?si::torque
-// expect: RightUnit = (vectrix::)?si::force
-// expect: one unit
+// expect: Left = (vectrix::)?Vector<Body, (vectrix::)?si::torque
+// expect: Right = (vectrix::)?Vector<Body, (vectrix::)?si::force
+// expect: one frame and one unit
 #include <vectrix/frames.hpp>
 
 struct Body : vectrix::moving_frame {};

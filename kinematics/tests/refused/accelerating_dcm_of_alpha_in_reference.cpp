@@ -1,6 +1,5 @@
 // mistake: an acceleration expressed in a where accelerating_dcm() takes it in b
-// expect: AngularAcceleration<Gcrf, Body, (vectrix::)?In<Gcrf>
-// expect: accelerating_dcm
+// expect: 'Body' (vs.|and) 'Gcrf'
 #include <vectrix/kinematics.hpp>
 
 struct Gcrf : vectrix::inertial_frame {};

@@ -1,6 +1,6 @@
 // mistake: two accelerating rotations whose inner frames do not cancel
-// expect: LeftFrom = Body
-// expect: RightTo = Camera
+// expect: Left = (vectrix::)?AcceleratingDcm<Gcrf, Body
+// expect: Right = (vectrix::)?AcceleratingDcm<Camera, Body
 // expect: the inner frames cancel
 #include <vectrix/kinematics.hpp>
 

@@ -1,6 +1,5 @@
 // mistake: the two rates of a chain of accelerations exchanged: the transport term would change its sign
-// expect: chain
-// expect: AngularVelocity<Body, Camera
+// expect: 'Gcrf' (vs.|and) 'Body'
 #include <vectrix/kinematics.hpp>
 
 struct Gcrf : vectrix::inertial_frame {};

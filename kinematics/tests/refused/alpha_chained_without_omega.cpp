@@ -1,7 +1,6 @@
 // mistake: accelerations added without the rates: the transport term would be lost
-// expect: LeftOf = Body
-// expect: RightOf = Camera
-// expect: needs the rates as well
+// expect: Left = (vectrix::)?AngularAcceleration<Gcrf, Body, (vectrix::)?In<Body>
+// expect: Right = (vectrix::)?AngularAcceleration<Body, Camera, (vectrix::)?In<Body>
 #include <vectrix/kinematics.hpp>
 
 struct Gcrf : vectrix::inertial_frame {};

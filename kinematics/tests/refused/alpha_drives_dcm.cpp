@@ -1,6 +1,6 @@
 // mistake: an angular acceleration given for an angular velocity
-// expect: Dcm<Gcrf, Body
-// expect: AngularAcceleration<Gcrf, Body
+// expect: Rotation = (vectrix::)?Dcm<Gcrf, Body
+// expect: Rate = (vectrix::)?AngularAcceleration<Gcrf, Body, (vectrix::)?In<Body>
 #include <vectrix/kinematics.hpp>
 
 struct Gcrf : vectrix::inertial_frame {};

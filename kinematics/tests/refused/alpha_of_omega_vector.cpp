@@ -1,6 +1,6 @@
 // mistake: a vector in rad/s given for an angular acceleration
 // expect: UnitGiven = (vectrix::)?si::angular_velocity
-// expect: rad/s\\^2
+// expect: needs rad/s
 #include <vectrix/kinematics.hpp>
 
 struct Gcrf : vectrix::inertial_frame {};

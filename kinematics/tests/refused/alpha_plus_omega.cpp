@@ -1,6 +1,6 @@
 // mistake: an angular acceleration and an angular velocity added
-// expect: AngularAcceleration<Gcrf, Body
-// expect: AngularVelocity<Body, Camera
+// expect: Left = (vectrix::)?AngularAcceleration<Gcrf, Body, (vectrix::)?In<Body>
+// expect: Right = (vectrix::)?AngularVelocity<Body, Camera, (vectrix::)?In<Body>
 #include <vectrix/kinematics.hpp>
 
 struct Gcrf : vectrix::inertial_frame {};

@@ -1,7 +1,7 @@
 // mistake: an acceleration re-expressed by a rotation from a frame in which it is not expressed
-// expect: DcmFrom = Body
-// expect: AccelerationIn = Gcrf
-// expect: alpha must be expressed in c
+// expect: Left = (vectrix::)?Dcm<Gcrf, Body
+// expect: Right = (vectrix::)?AngularAcceleration<Gcrf, Body, (vectrix::)?In<Gcrf>
+// expect: the inner frames cancel
 #include <vectrix/kinematics.hpp>
 
 struct Gcrf : vectrix::inertial_frame {};

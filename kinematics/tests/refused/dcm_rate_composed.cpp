@@ -1,7 +1,6 @@
 // mistake: the derivative of a rotation composed as a rotation
-// expect: DcmTo = Gcrf
-// expect: RateFrom = Camera
-// expect: a rate is not a rotation
+// expect: Left = (vectrix::)?Dcm<Gcrf, Body
+// expect: Right = (vectrix::)?DcmRate<Body, Camera
 #include <vectrix/kinematics.hpp>
 
 struct Gcrf : vectrix::inertial_frame {};

@@ -1,7 +1,6 @@
 // mistake: a rotation composed after the derivative of another
-// expect: RateTo = Gcrf
-// expect: DcmFrom = Camera
-// expect: a rate is not a rotation
+// expect: Left = (vectrix::)?DcmRate<Gcrf, Body
+// expect: Right = (vectrix::)?Dcm<Body, Camera
 #include <vectrix/kinematics.hpp>
 
 struct Gcrf : vectrix::inertial_frame {};

@@ -1,7 +1,6 @@
 // mistake: the derivative of a rotation applied to a vector that is not expressed in its inner frame
-// expect: RateFrom = Body
-// expect: VectorIn = Gcrf
-// expect: r must be expressed in b
+// expect: Left = (vectrix::)?DcmRate<Gcrf, Body
+// expect: Right = (vectrix::)?Vector<Gcrf
 #include <vectrix/kinematics.hpp>
 
 struct Gcrf : vectrix::inertial_frame {};

@@ -10,8 +10,8 @@ using namespace vectrix;
 
 auto attitude(const Vector<Body, si::angle>& theta_body) {
 #ifdef REPAIRED
-  return exp(rotation_vector(of<Body>, relative_to<Gcrf>, theta_body));
+  return vectrix::exp(rotation_vector(of<Body>, relative_to<Gcrf>, theta_body));
 #else
-  return exp(theta_body);
+  return vectrix::exp(theta_body);
 #endif
 }

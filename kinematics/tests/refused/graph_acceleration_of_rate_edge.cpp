@@ -1,6 +1,5 @@
 // mistake: an acceleration asked across an edge that knows its rate only
-// expect: EdgeWithoutAcceleration = (vectrix::)?Link<Gcrf, Body>
-// expect: an edge has no acceleration
+// expect: Lacking = (vectrix::)?AccelerationOn<(vectrix::)?Link<Gcrf, Body>
 #include <vectrix/kinematics.hpp>
 
 struct Gcrf : vectrix::inertial_frame {};

@@ -1,6 +1,5 @@
 // mistake: a rate asked across a chain in which one edge has none
-// expect: EdgeWithoutRate = (vectrix::)?Link<Body, Camera>
-// expect: an edge on the path has no rate
+// expect: Lacking = (vectrix::)?RateOn<(vectrix::)?Link<Body, Camera>
 #include <vectrix/kinematics.hpp>
 
 struct Gcrf : vectrix::inertial_frame {};

@@ -1,6 +1,5 @@
 // mistake: a rate asked in a frame that the graph does not have
-// expect: UnknownFrame = Ground
-// expect: the graph has no such frame
+// expect: Lacking = (vectrix::)?UnknownFrame<Ground>
 #include <vectrix/kinematics.hpp>
 
 struct Gcrf : vectrix::inertial_frame {};

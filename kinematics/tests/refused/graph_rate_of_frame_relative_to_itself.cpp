@@ -1,6 +1,5 @@
 // mistake: the rate of a frame relative to itself
-// expect: Body
-// expect: itself
+// expect: Lacking = (vectrix::)?OtherFrameThan<Body>
 #include <vectrix/kinematics.hpp>
 
 struct Gcrf : vectrix::inertial_frame {};

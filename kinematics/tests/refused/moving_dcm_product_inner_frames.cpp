@@ -1,6 +1,6 @@
 // mistake: two moving rotations whose inner frames do not cancel
-// expect: LeftFrom = Body
-// expect: RightTo = Camera
+// expect: Left = (vectrix::)?MovingDcm<Gcrf, Body
+// expect: Right = (vectrix::)?MovingDcm<Camera, Body
 // expect: the inner frames cancel
 #include <vectrix/kinematics.hpp>
 

@@ -1,6 +1,6 @@
 // mistake: a moving rotation and one whose motion is not known multiplied
-// expect: MovingDcm<Gcrf, Body
-// expect: Dcm<Body, Camera
+// expect: Left = (vectrix::)?MovingDcm<Gcrf, Body
+// expect: Right = (vectrix::)?Dcm<Body, Camera
 #include <vectrix/kinematics.hpp>
 
 struct Gcrf : vectrix::inertial_frame {};

@@ -1,7 +1,7 @@
 // mistake: two rates expressed in different frames added
-// expect: LeftIn = Body
-// expect: RightIn = Camera
-// expect: expressed in one frame
+// expect: Left = (vectrix::)?AngularVelocity<Gcrf, Body, (vectrix::)?In<Body>
+// expect: Right = (vectrix::)?AngularVelocity<Body, Camera, (vectrix::)?In<Camera>
+// expect: one frame and one unit
 #include <vectrix/kinematics.hpp>
 
 struct Gcrf : vectrix::inertial_frame {};

@@ -1,7 +1,6 @@
 // mistake: two rates that do not chain
-// expect: LeftOf = Body
-// expect: RightRelativeTo = Gcrf
-// expect: the inner frames cancel
+// expect: Left = (vectrix::)?AngularVelocity<Gcrf, Body, (vectrix::)?In<Body>
+// expect: Right = (vectrix::)?AngularVelocity<Gcrf, Camera, (vectrix::)?In<Body>
 #include <vectrix/kinematics.hpp>
 
 struct Gcrf : vectrix::inertial_frame {};

@@ -1,6 +1,7 @@
 // mistake: the difference of two rates, where the reversal of one says which
-// expect: AngularVelocity<Gcrf, Camera
-// expect: AngularVelocity<Gcrf, Body
+// expect: Left = (vectrix::)?AngularVelocity<Gcrf, Camera, (vectrix::)?In<Body>
+// expect: Right = (vectrix::)?AngularVelocity<Gcrf, Body, (vectrix::)?In<Body>
+// expect: w_ab_c . -w_db_c
 #include <vectrix/kinematics.hpp>
 
 struct Gcrf : vectrix::inertial_frame {};

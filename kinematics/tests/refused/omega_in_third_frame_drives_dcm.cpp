@@ -1,6 +1,6 @@
 // mistake: a DCM driven by a rate expressed in a third frame
-// expect: RateOf = Body
-// expect: RateIn = Camera
+// expect: Rotation = (vectrix::)?Dcm<Gcrf, Body
+// expect: Rate = (vectrix::)?AngularVelocity<Gcrf, Body, (vectrix::)?In<Camera>
 #include <vectrix/kinematics.hpp>
 
 struct Gcrf : vectrix::inertial_frame {};

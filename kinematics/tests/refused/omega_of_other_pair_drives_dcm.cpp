@@ -1,7 +1,6 @@
 // mistake: a DCM driven by the rate of another pair of frames
-// expect: DcmFrom = Body
-// expect: RateOf = Camera
-// expect: RateIn = Camera
+// expect: Rotation = (vectrix::)?Dcm<Gcrf, Body
+// expect: Rate = (vectrix::)?AngularVelocity<Gcrf, Camera, (vectrix::)?In<Camera>
 #include <vectrix/kinematics.hpp>
 
 struct Gcrf : vectrix::inertial_frame {};

@@ -1,6 +1,6 @@
 // mistake: a quaternion driven by the rate of another pair of frames
-// expect: QuaternionFrom = Body
-// expect: RateOf = Camera
+// expect: Rotation = (vectrix::)?Quaternion<Gcrf, Body
+// expect: Rate = (vectrix::)?AngularVelocity<Gcrf, Camera, (vectrix::)?In<Body>
 #include <vectrix/kinematics.hpp>
 
 struct Gcrf : vectrix::inertial_frame {};

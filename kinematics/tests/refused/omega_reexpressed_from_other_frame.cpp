@@ -1,7 +1,7 @@
 // mistake: a rate re-expressed by a rotation from a frame in which it is not expressed
-// expect: DcmFrom = Body
-// expect: RateIn = Gcrf
-// expect: w must be expressed in c
+// expect: Left = (vectrix::)?Dcm<Gcrf, Body
+// expect: Right = (vectrix::)?AngularVelocity<Gcrf, Body, (vectrix::)?In<Gcrf>
+// expect: the inner frames cancel
 #include <vectrix/kinematics.hpp>
 
 struct Gcrf : vectrix::inertial_frame {};

@@ -1,6 +1,6 @@
 // mistake: a DCM driven by the rate of a relative to b
-// expect: RateRelativeTo = Body
-// expect: RateOf = Gcrf
+// expect: Rotation = (vectrix::)?Dcm<Gcrf, Body
+// expect: Rate = (vectrix::)?AngularVelocity<Body, Gcrf, (vectrix::)?In<Body>
 #include <vectrix/kinematics.hpp>
 
 struct Gcrf : vectrix::inertial_frame {};

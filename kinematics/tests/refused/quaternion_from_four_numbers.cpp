@@ -1,5 +1,6 @@
 // mistake: four numbers that do not say where the scalar is
 // expect: Quaternion<Body, Gcrf
+// expect: where is the scalar
 #include <vectrix/kinematics.hpp>
 
 struct Gcrf : vectrix::inertial_frame {};

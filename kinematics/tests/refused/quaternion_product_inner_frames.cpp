@@ -1,6 +1,6 @@
 // mistake: two quaternions whose inner frames do not cancel
-// expect: LeftFrom = Body
-// expect: RightTo = Gcrf
+// expect: Left = (vectrix::)?Quaternion<Camera, Body
+// expect: Right = (vectrix::)?Quaternion<Gcrf, Body
 // expect: the inner frames cancel
 #include <vectrix/kinematics.hpp>
 

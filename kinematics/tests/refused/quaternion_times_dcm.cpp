@@ -1,6 +1,6 @@
 // mistake: a quaternion and a DCM multiplied
-// expect: Quaternion<Camera, Body
-// expect: Dcm<Body, Gcrf
+// expect: Left = (vectrix::)?Quaternion<Camera, Body
+// expect: Right = (vectrix::)?Dcm<Body, Gcrf
 #include <vectrix/kinematics.hpp>
 
 struct Gcrf : vectrix::inertial_frame {};

@@ -1,7 +1,7 @@
 // mistake: a quaternion applied to a vector that is not expressed in its inner frame
-// expect: QuaternionFrom = Gcrf
-// expect: VectorIn = Body
-// expect: r must be expressed in a
+// expect: Left = (vectrix::)?Quaternion<Body, Gcrf
+// expect: Right = (vectrix::)?Vector<Body
+// expect: the inner frames cancel
 #include <vectrix/kinematics.hpp>
 
 struct Gcrf : vectrix::inertial_frame {};

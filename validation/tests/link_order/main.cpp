@@ -6,9 +6,9 @@
 
 #include "simbody_reference.hpp"
 
-// SUNDIALS (CVODE and ARKODE, inside Vectrix) and Simbody, which exports an old CVODE under the same names, in one
-// process: each must still follow an exact motion. Built twice, with the libraries in both orders. Returns the
-// number of engines that do not.
+// SUNDIALS (CVODE and ARKODE, inside Vectrix) and Simbody, which exports an old CVODE under the same names,
+// in one process: each must still follow an exact motion. Built twice, with the libraries in both orders.
+// Returns the number of engines that do not.
 namespace {
 
 using namespace vectrix;
@@ -17,11 +17,13 @@ struct Inertial : inertial_frame {};
 struct Body : moving_frame {};
 
 constexpr double end = 20.0;  // s, twelve radians of precession
-/// Some ten times the errors measured, 1e-11 to 1e-9. An engine whose symbols were exchanged does not move, or crashes.
+/// Some ten times the errors measured, 1e-11 to 1e-9. An engine whose symbols were exchanged does not move,
+/// or crashes.
 constexpr double tolerance = 1e-8;
 
-/// J = diag(a, a, c) without torque, from the identity attitude: h is fixed in space, and the body turns about it
-/// at |h| / a and about its own axis at n (1 - c/a), so that R_b^i = exp(t h / a) exp(t n (1 - c/a) e3).
+/// J = diag(a, a, c) without torque, from the identity attitude: h is fixed in space, and the body turns
+/// about it at |h| / a and about its own axis at n (1 - c/a), so that R_b^i = exp(t h / a) exp(t n (1 - c/a)
+/// e3).
 constexpr double a = 2.0;
 constexpr double c = 3.0;
 const Eigen::Vector3d w0(0.4, 0.0, 0.8);
@@ -36,10 +38,13 @@ Eigen::Matrix3d exact() {
 Eigen::Matrix3d by_vectrix(ode::Method method) {
   const auto moment = [](double value) { return value * si::kilogram_square_metre; };
   const Scenario<Inertial, Body> scenario{
-      .inertia = inertia_from_tensor(in<Body>, moment(a), moment(a), moment(c), moment(0.0), moment(0.0), moment(0.0)),
-      .initial = {0.0 * si::second, quaternion_scalar_first(to<Inertial>, from<Body>, 1.0, 0.0, 0.0, 0.0),
-                  angular_velocity(of<Body>, relative_to<Inertial>, vector<si::angular_velocity>(in<Body>, w0))}};
-  const auto trajectory = propagate(scenario, Propagation<Inertial, Body>{.end = end * si::second, .method = method});
+      .inertia = inertia_from_tensor(in<Body>, moment(a), moment(a), moment(c), moment(0.0), moment(0.0),
+                                     moment(0.0)),
+      .initial = {
+          0.0 * si::second, quaternion_scalar_first(to<Inertial>, from<Body>, 1.0, 0.0, 0.0, 0.0),
+          angular_velocity(of<Body>, relative_to<Inertial>, vector<si::angular_velocity>(in<Body>, w0))}};
+  const auto trajectory =
+      propagate(scenario, Propagation<Inertial, Body>{.end = end * si::second, .method = method});
   return trajectory.at(trajectory.end()).R_i_from_b().matrix();
 }
 
@@ -50,8 +55,8 @@ Eigen::Matrix3d by_simbody() {
                                      .w_ib_b = {w0.x(), w0.y(), w0.z()},
                                      .orbit = {},
                                      .pulses = {}};
-  const auto run =
-      validation::simbody_propagate(body, 1e-11, {0.0, end}, validation::SimbodyIntegrator::runge_kutta_merson);
+  const auto run = validation::simbody_propagate(body, 1e-11, {0.0, end},
+                                                 validation::SimbodyIntegrator::runge_kutta_merson);
   return Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(run.samples.back().R_i_from_b.data());
 }
 

@@ -23,14 +23,15 @@ inline double relative_change(double change, double scale) {
 
 }  // namespace detail
 
-/// The conservation report of a trajectory of this scenario. Throws BadInput when the trajectory has an orbit and
-/// the scenario no mu, or when the trajectory has no node.
+/// The conservation report of a trajectory of this scenario. Throws BadInput when the trajectory has an orbit
+/// and the scenario no mu, or when the trajectory has no node.
 template <class I, class B>
 Conservation conservation(const Scenario<I, B>& scenario, const Trajectory<I, B>& trajectory) {
   Conservation report{trajectory.orthonormality_drift(), {}, {}, {}, {}};
   const State<I, B> first = trajectory.node(0);
   if (first.orbit && !scenario.mu) {
-    throw BadInput("conservation(scenario of " + frame_name<B>() + "): the trajectory has an orbit, but mu is not given");
+    throw BadInput("conservation(scenario of " + frame_name<B>() +
+                   "): the trajectory has an orbit, but mu is not given");
   }
   const auto energy = [&](const State<I, B>& state) {
     return kinetic_energy(scenario.inertia, state.w_ib_b).value();

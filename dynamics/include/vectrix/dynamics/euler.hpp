@@ -9,7 +9,7 @@ namespace vectrix {
 /// It holds relative to an inertial frame only; another reference does not compile. Any finite input is
 /// valid.
 template <InertialFrame I, class B, class S>
-AngularAcceleration<I, B, In<B>, S> euler(const Inertia<B, S>& J_b,
+inline AngularAcceleration<I, B, In<B>, S> euler(const Inertia<B, S>& J_b,
                                           const AngularVelocity<I, B, In<B>, S>& w_ib_b,
                                           const Vector<B, si::torque, S>& torque_b) {
   const detail::Column<S> momentum = J_b.matrix() * w_ib_b.coordinates();

@@ -27,8 +27,8 @@ template <Frame B, class S = double> class Inertia {
 
 namespace detail {
 
-/// Relative room for rounding in J1 + J2 >= J3, which a flat plate satisfies with equality, and in J1 > 0, which the
-/// rounding of a thin rod's J1 = 0 must not pass.
+/// Relative room for rounding in J1 + J2 >= J3, which a flat plate satisfies with equality, and in J1 > 0,
+/// which the rounding of a thin rod's J1 = 0 must not pass.
 template <class S> S moment_tolerance() {
   return S(std::max(1e-12, 16.0 * static_cast<double>(Eigen::NumTraits<S>::epsilon())));
 }
@@ -97,10 +97,9 @@ Inertia<B, S> inertia_from_moments_and_products(In<B>, const Quantity<si::moment
       detail::symmetric<S>(Jxx.value(), Jyy.value(), Jzz.value(), -Pxy.value(), -Pxz.value(), -Pyz.value()));
 }
 
-/// The trusted door: no check at all. For a symmetric positive tensor that is no rigid body's, such as the effective
-/// tensor of a body with rotors, which may break J1 + J2 >= J3.
-template <Frame B, class Derived>
-auto trust_inertia(In<B>, const Eigen::MatrixBase<Derived>& tensor) {
+/// The trusted door: no check at all. For a symmetric positive tensor that is no rigid body's, such as the
+/// effective tensor of a body with rotors, which may break J1 + J2 >= J3.
+template <Frame B, class Derived> auto trust_inertia(In<B>, const Eigen::MatrixBase<Derived>& tensor) {
   return Inertia<B, typename Derived::Scalar>{detail::trusted, tensor};
 }
 

@@ -26,10 +26,10 @@ template <InertialFrame I, Frame B> struct Root {
   bool stop = false;
 };
 
-/// How a scenario is propagated, from its initial time to `end`. A torque that depends on time and is not piecewise
-/// constant needs a `maximum_step` below the time in which it changes: a step may otherwise pass over a short
-/// burst, and the error estimate of Fehlberg 7(8) does not see a rate that depends on time alone. So do roots
-/// with two zeros close together.
+/// How a scenario is propagated, from its initial time to `end`. A torque that depends on time and is not
+/// piecewise constant needs a `maximum_step` below the time in which it changes: a step may otherwise pass
+/// over a short burst, and the error estimate of Fehlberg 7(8) does not see a rate that depends on time
+/// alone. So do roots with two zeros close together.
 template <InertialFrame I, Frame B> struct Propagation {
   Quantity<si::time> end;
   ode::Method method = ode::Method::arkode_fehlberg_8;

@@ -19,8 +19,8 @@ template <Frame B> struct PulseTorque {
 };
 
 /// A torque that is any function of the state; times at which it jumps are listed, so that no step crosses
-/// them. At such a time the integrator asks the function one rounding before it, then one rounding after it: the
-/// function may give either value there.
+/// them. At such a time the integrator asks the function one rounding before it, then one rounding after it:
+/// the function may give either value there.
 template <InertialFrame I, Frame B> struct CustomTorque {
   std::function<Vector<B, si::torque>(const State<I, B>&)> torque_b;
   std::vector<Quantity<si::time>> discontinuities = {};
@@ -41,8 +41,8 @@ template <InertialFrame I, Frame B> struct Scenario {
 
 namespace detail {
 
-/// The state as the smooth piece that begins at `switched_at` sees it: at a listed jump, its time is moved by one
-/// rounding into the piece.
+/// The state as the smooth piece that begins at `switched_at` sees it: at a listed jump, its time is moved by
+/// one rounding into the piece.
 template <class I, class B>
 State<I, B> inside_piece(const CustomTorque<I, B>& custom, State<I, B> state,
                          const Quantity<si::time>& switched_at) {
@@ -69,7 +69,8 @@ Vector<B, si::torque> torque(const Scenario<I, B>& scenario, const State<I, B>& 
   }
   if (scenario.gravity_gradient) {
     if (!scenario.mu || !state.orbit) {
-      throw BadInput("torque(scenario of " + frame_name<B>() + "): the gravity-gradient torque needs mu and an orbit");
+      throw BadInput("torque(scenario of " + frame_name<B>() +
+                     "): the gravity-gradient torque needs mu and an orbit");
     }
     // r^b = R_i^b r^i
     const Vector<B, si::length> r_b = inverse(state.R_i_from_b()) * state.orbit->r_i;

@@ -66,7 +66,7 @@ template <InertialFrame I, Frame B> class Trajectory {
     return largest;
   }
 
-  const ode::Statistics& statistics() const { return solution_.statistics(); }
+  ode::Statistics statistics() const { return solution_.statistics(); }
 
  private:
   ode::Solution solution_;

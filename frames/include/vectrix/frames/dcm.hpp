@@ -28,9 +28,9 @@ template <Frame ToFrame, Frame FromFrame, class S = double> class Dcm {
   using from = FromFrame;
   using scalar = S;
 
+  Dcm() = delete;  // dcm(to<B>, from<A>, matrix), or aligned(to<B>, from<A>)
   template <class Derived> Dcm(detail::Trusted, const Eigen::MatrixBase<Derived>& matrix) : matrix_(matrix) {}
-  template <detail::Makes<detail::Square<S>> Make>
-  Dcm(detail::Trusted, const Make& make) : matrix_(make()) {}
+  template <detail::Makes<detail::Square<S>> Make> Dcm(detail::Trusted, const Make& make) : matrix_(make()) {}
 
   /// The bare nine numbers: the way out of the typed world.
   const detail::Square<S>& matrix() const { return matrix_; }
@@ -39,25 +39,19 @@ template <Frame ToFrame, Frame FromFrame, class S = double> class Dcm {
   detail::Square<S> matrix_;
 };
 
+template <class B, class A, class S> inline constexpr bool detail::is_framed<Dcm<B, A, S>> = true;
+
 // R_a^c = R_b^c R_a^b
 template <class C, class B, class A, class S>
-Dcm<C, A, S> operator*(const Dcm<C, B, S>& R_c_from_b, const Dcm<B, A, S>& R_b_from_a) {
+Dcm<C, A, S> product(const Dcm<C, B, S>& R_c_from_b, const Dcm<B, A, S>& R_b_from_a) {
   return {detail::trusted, R_c_from_b.matrix() * R_b_from_a.matrix()};
 }
-template <class LeftTo, class LeftFrom, class RightTo, class RightFrom, class S>
-  requires(!std::same_as<LeftFrom, RightTo>)
-void operator*(const Dcm<LeftTo, LeftFrom, S>&,  // R_c_from_b * R_b_from_a: the inner frames cancel
-               const Dcm<RightTo, RightFrom, S>&) = delete;
 
 // r^b = R_a^b r^a
 template <class B, class A, class U, class S>
-Vector<B, U, S> operator*(const Dcm<B, A, S>& R_b_from_a, const Vector<A, U, S>& r_a) {
+Vector<B, U, S> product(const Dcm<B, A, S>& R_b_from_a, const Vector<A, U, S>& r_a) {
   return {detail::trusted, R_b_from_a.matrix() * r_a.coordinates()};
 }
-template <class DcmTo, class DcmFrom, class VectorIn, class U, class S>
-  requires(!std::same_as<DcmFrom, VectorIn>)
-void operator*(const Dcm<DcmTo, DcmFrom, S>&,  // R_b_from_a * r_a: r must be expressed in a
-               const Vector<VectorIn, U, S>&) = delete;
 
 // R_b^a = (R_a^b)^T
 template <class B, class A, class S> Dcm<A, B, S> inverse(const Dcm<B, A, S>& R_b_from_a) {

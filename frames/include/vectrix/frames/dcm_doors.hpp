@@ -91,7 +91,7 @@ template <class S = double, Frame B, Frame A> Dcm<B, A, S> aligned(To<B>, From<A
 namespace detail {
 
 template <class B, class A, class S>
-[[noreturn, gnu::cold, gnu::noinline]] void refuse_angle(const char* door, const S& theta) {
+[[noreturn, gnu::cold, gnu::noinline]] void refuse_angle(const char* door, S theta) {
   throw BadInput(dcm_door<B, A>(door) + "the angle is " + text(theta));
 }
 
@@ -100,11 +100,11 @@ Dcm<B, A, S> turned(const char* door, const Quantity<si::angle, S>& angle) {
   using std::cos;
   using std::sin;
   const S theta = angle.value();
-  if (!(theta - theta == S(0))) {
-    refuse_angle<B, A>(door, theta);
-  }
   const S c = cos(theta);
   const S s = sin(theta);
+  if (!(c == c)) {  // the cosine of an infinity is no number
+    refuse_angle<B, A>(door, theta);
+  }
   return {trusted, [&] {
             constexpr Eigen::Index next = (axis + 1) % 3;
             constexpr Eigen::Index last = (axis + 2) % 3;

@@ -1,18 +1,21 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
 #include <tuple>
 #include <utility>
-#include <vectrix/frames/graph_path.hpp>
+#include <vectrix/frames/graph_walk.hpp>
 
 namespace vectrix {
+
+// What a graph may lack to answer a query, for messages.
+struct Nothing {};
+template <class F> struct UnknownFrame {};
+template <class To, class From> struct NoPath {};
+template <class F> struct OtherFrameThan {};
+template <class Link> struct RateOn {};
+template <class Link> struct AccelerationOn {};
+
 namespace detail {
-
-struct NotCached {};
-
-template <class Edge> struct CacheOf { using type = std::optional<typename Edge::value_type>; };
-template <class V> struct CacheOf<ConstantEdge<V>> { using type = NotCached; };
 
 /// An instant that is a quantity, under the short name of its unit: the compiler's messages stay readable.
 template <Unit U, class S> struct QuantityInstant {
@@ -26,44 +29,43 @@ struct FirstUnknown<Topology, F, Fs...>
     : std::conditional_t<Topology::template knows<F>, FirstUnknown<Topology, Fs...>, std::type_identity<F>> {
 };
 
-template <bool reversed, class Value> decltype(auto) oriented(const Value& value) {
-  if constexpr (reversed) {
-    return inverse(value);
+/// What the graph lacks to answer at `level` for B relative to A, expressed in C; Nothing when it can.
+template <class Topology, Level level, class B, class A, class C> constexpr auto lacks() {
+  if constexpr (!(Topology::template knows<B> && Topology::template knows<A> &&
+                  Topology::template knows<C>)) {
+    return std::type_identity<UnknownFrame<typename FirstUnknown<Topology, B, A, C>::type>>{};
+  } else if constexpr (!Topology::template joined<B, A>()) {
+    return std::type_identity<NoPath<B, A>>{};
+  } else if constexpr (!Topology::template joined<B, C>()) {
+    return std::type_identity<NoPath<B, C>>{};
+  } else if constexpr (level == Level::rotation) {
+    return std::type_identity<Nothing>{};
+  } else if constexpr (std::is_same_v<A, B>) {
+    return std::type_identity<OtherFrameThan<A>>{};
+  } else if constexpr (constexpr std::size_t edge = Topology::template edge_below<A, B>(level);
+                       edge == nowhere) {
+    return std::type_identity<Nothing>{};
+  } else if constexpr (level == Level::rate) {
+    return std::type_identity<RateOn<typename Topology::template LinkAt<edge>>>{};
   } else {
-    return (value);
+    return std::type_identity<AccelerationOn<typename Topology::template LinkAt<edge>>>{};
   }
-}
-
-/// The value of an edge, or its inverse, and the product of what is before it with that.
-template <bool reversed, class Value> auto times(const Value& value) {
-  return oriented<reversed>(value);
-}
-template <bool reversed, class Value, class Before> auto times(const Value& value, const Before& before) {
-  return before * oriented<reversed>(value);
 }
 
 }  // namespace detail
 
 template <class... Edges> class FrameGraph;
 
-/// A frame graph at one instant. Answers what the path between two frames knows; each edge on it is evaluated
-/// once. Holds a reference to the graph. Not for use by two threads at once: take one snapshot per thread.
+/// A frame graph at one instant. Answers what the path between two frames knows. An edge is evaluated at most once: a
+/// snapshot with a name keeps the values, one without, `graph.at(t).rotation(...)`, needs each once only. Holds a
+/// reference to the graph. Not for use by two threads at once: take one snapshot per thread.
 template <class Instant, class... Edges> class GraphSnapshot {
   using Topology = detail::Topology<Edges...>;
 
-  // Nested so that the constraints below can be named in one word each.
-  template <class... Fs> static constexpr bool all_known = (Topology::template knows<Fs> && ...);
-  template <class... Fs> using FirstUnknown = typename detail::FirstUnknown<Topology, Fs...>::type;
-  template <class A, class B> static constexpr bool joined = Topology::template joined<A, B>();
-  template <class A, class B, Level level> static constexpr bool knows_level() {
-    if constexpr (joined<A, B>) {
-      return Topology::template edge_below<A, B>(level) == detail::nowhere;
-    } else {
-      return false;
-    }
-  }
-  template <class A, class B, Level level>
-  using EdgeBelow = typename Topology::template LinkAt<Topology::template edge_below<A, B>(level)>;
+  template <Level level, class B, class A, class C>
+  using LackingFor = typename decltype(detail::lacks<Topology, level, B, A, C>())::type;
+  template <Level level, class B, class A, class C>
+  static constexpr bool answers = std::is_same_v<LackingFor<level, B, A, C>, Nothing>;
 
  public:
   GraphSnapshot(const std::tuple<Edges...>& edges, const Instant& instant)
@@ -71,142 +73,65 @@ template <class Instant, class... Edges> class GraphSnapshot {
 
   /// R_a^b between any two joined frames.
   template <class B, class A>
-    requires joined<B, A>
-  auto rotation(To<B>, From<A>) const {
-    if constexpr (std::is_same_v<A, B>) {
-      return Dcm<B, A>{detail::trusted, detail::Square<double>::Identity()};
-    } else {
-      return walk<B, A>([](const auto& value) -> decltype(auto) { return rotation_of(value); });
-    }
+    requires answers<Level::rotation, B, A, A>
+  auto rotation(To<B>, From<A>) const& {
+    return kept().template rotation<B, A>();
+  }
+  template <class B, class A>
+    requires answers<Level::rotation, B, A, A>
+  auto rotation(To<B>, From<A>) && {
+    return fresh().template rotation<B, A>();
   }
 
   /// w_ab^c, of b relative to a, expressed in c: needs the rate on every edge from a to b.
   template <class B, class A, class C>
-    requires(!std::is_same_v<A, B> && knows_level<A, B, Level::rate>() && joined<C, B>)
-  auto angular_velocity(Of<B>, RelativeTo<A>, In<C>) const {
-    // The paths from a to b and to c part at m: w_ab^m = w_am^m - w_bm^m, then from m to c. Each edge once.
-    static constexpr auto& to_b = Topology::template path_between<A, B>;
-    static constexpr std::size_t parting = Topology::template shared_steps<A, B, C>();
-    if constexpr (parting == 0) {
-      return carried<A, C, 0>(-rate<B, A, to_b.length>());
-    } else if constexpr (parting == to_b.length) {
-      return carried<A, C, parting>(rate<A, B, parting>());
-    } else {
-      return carried<A, C, parting>(rate<A, B, parting>() + -rate<B, A, to_b.length - parting>());
-    }
+    requires answers<Level::rate, B, A, C>
+  auto angular_velocity(Of<B>, RelativeTo<A>, In<C>) const& {
+    return kept().template angular_velocity<B, A, C>();
+  }
+  template <class B, class A, class C>
+    requires answers<Level::rate, B, A, C>
+  auto angular_velocity(Of<B>, RelativeTo<A>, In<C>) && {
+    return fresh().template angular_velocity<B, A, C>();
   }
 
   /// alpha_ab^c, of b relative to a, expressed in c: needs the acceleration on every edge from a to b.
   template <class B, class A, class C>
-    requires(!std::is_same_v<A, B> && knows_level<A, B, Level::acceleration>() && joined<C, B>)
-  auto angular_acceleration(Of<B>, RelativeTo<A>, In<C>) const {
-    const auto R_a_from_b = walk<A, B>([](const auto& value) -> decltype(auto) { return (value); });
-    return reexpressed<C, B>(angular_acceleration_of(R_a_from_b));
+    requires answers<Level::acceleration, B, A, C>
+  auto angular_acceleration(Of<B>, RelativeTo<A>, In<C>) const& {
+    return kept().template angular_acceleration<B, A, C>();
+  }
+  template <class B, class A, class C>
+    requires answers<Level::acceleration, B, A, C>
+  auto angular_acceleration(Of<B>, RelativeTo<A>, In<C>) && {
+    return fresh().template angular_acceleration<B, A, C>();
   }
 
-  template <class B, class A, class UnknownFrame = FirstUnknown<B, A>>
-    requires(!all_known<B, A>)
-  void rotation(To<B>, From<A>) const = delete;  // the graph has no such frame
-  template <class ToFrame, class FromFrame>
-    requires(all_known<ToFrame, FromFrame> && !joined<ToFrame, FromFrame>)
-  void rotation(To<ToFrame>, From<FromFrame>) const = delete;  // no path between the two frames
-
-  template <class B, class A, class C, class UnknownFrame = FirstUnknown<B, A, C>>
-    requires(!all_known<B, A, C>)
-  void angular_velocity(Of<B>, RelativeTo<A>, In<C>) const = delete;  // the graph has no such frame
-  template <class OfFrame, class RelativeFrame, class InFrame>
-    requires(all_known<OfFrame, RelativeFrame, InFrame> &&
-             !(joined<OfFrame, RelativeFrame> && joined<OfFrame, InFrame>))
-  void angular_velocity(Of<OfFrame>,  // no path between the frames
-                        RelativeTo<RelativeFrame>, In<InFrame>) const = delete;
-  template <class B, class A, class C, class EdgeWithoutRate = EdgeBelow<A, B, Level::rate>>
-    requires(joined<A, B>&& joined<C, B> && !knows_level<A, B, Level::rate>())
-  void angular_velocity(Of<B>, RelativeTo<A>, In<C>) const = delete;  // an edge on the path has no rate
-
-  template <class SameFrame, class C>
-  void angular_velocity(Of<SameFrame>,  // a frame does not turn relative to itself
-                        RelativeTo<SameFrame>, In<C>) const = delete;
-
-  template <class B, class A, class C, class UnknownFrame = FirstUnknown<B, A, C>>
-    requires(!all_known<B, A, C>)
-  void angular_acceleration(Of<B>, RelativeTo<A>, In<C>) const = delete;  // the graph has no such frame
-  template <class OfFrame, class RelativeFrame, class InFrame>
-    requires(all_known<OfFrame, RelativeFrame, InFrame> &&
-             !(joined<OfFrame, RelativeFrame> && joined<OfFrame, InFrame>))
-  void angular_acceleration(Of<OfFrame>,  // no path between the frames
-                            RelativeTo<RelativeFrame>, In<InFrame>) const = delete;
-  template <class B, class A, class C, class EdgeWithoutAcceleration = EdgeBelow<A, B, Level::acceleration>>
-    requires(joined<A, B>&& joined<C, B> && !knows_level<A, B, Level::acceleration>())
-  void angular_acceleration(Of<B>, RelativeTo<A>, In<C>) const = delete;  // an edge has no acceleration
-
-  template <class SameFrame, class C>
-  void angular_acceleration(Of<SameFrame>,  // a frame does not turn relative to itself
-                            RelativeTo<SameFrame>, In<C>) const = delete;
+  template <class B, class A, class Lacking = LackingFor<Level::rotation, B, A, A>>
+    requires(!answers<Level::rotation, B, A, A>)
+  void rotation(To<B>, From<A>) const = delete;  // the graph lacks something to answer: see Lacking
+  template <class B, class A, class C, class Lacking = LackingFor<Level::rate, B, A, C>>
+    requires(!answers<Level::rate, B, A, C>)
+  void angular_velocity(Of<B>,  // the graph lacks something to answer: see Lacking
+                        RelativeTo<A>, In<C>) const = delete;
+  template <class B, class A, class C, class Lacking = LackingFor<Level::acceleration, B, A, C>>
+    requires(!answers<Level::acceleration, B, A, C>)
+  void angular_acceleration(Of<B>,  // the graph lacks something to answer: see Lacking
+                            RelativeTo<A>, In<C>) const = delete;
 
  private:
-  template <std::size_t I> const auto& value() const {
-    const auto& edge = std::get<I>(edges_);
-    auto& cache = std::get<I>(cache_);
-    if constexpr (std::is_same_v<std::remove_cvref_t<decltype(cache)>, detail::NotCached>) {
-      return edge.value();
-    } else {
-      if (!cache) cache.emplace(edge(instant_));
-      return *cache;
-    }
+  auto fresh() const {
+    using Values = detail::FreshValues<Instant, Edges...>;
+    return detail::GraphWalk<Topology, Values>{Values{edges_, instant_}};
   }
-
-  // The product, from A to B, of `part` of each edge's value, turned into the direction of the walk; `before`
-  // is that of the first `step` edges.
-  template <class A, class B, std::size_t step = 0, class Part, class... Product>
-  auto walk(Part part, const Product&... before) const {
-    static constexpr auto& path = Topology::template path_between<A, B>;
-    if constexpr (step == path.length) {
-      return (before, ...);
-    } else {
-      const auto& here = part(value<path.edge[step]>());
-      return walk<A, B, step + 1>(part, detail::times<path.reversed[step]>(here, before...));
-    }
-  }
-
-  // w_am^m, of the frame m that is `end` steps from A on the way to B; `before` is that of the first `step`
-  // edges.
-  template <class A, class B, std::size_t end, std::size_t step = 0, class... Rate>
-  auto rate(const Rate&... before) const {
-    static constexpr auto& path = Topology::template path_between<A, B>;
-    if constexpr (step == end) {
-      return (before, ...);
-    } else {
-      const auto& here = moving_part(value<path.edge[step]>());
-      if constexpr (path.reversed[step]) {
-        return rate<A, B, end, step + 1>(rate_against(here, before...));
-      } else {
-        return rate<A, B, end, step + 1>(rate_along(here, before...));
-      }
-    }
-  }
-
-  // A vector given in the frame `step` steps from A on the way to C, expressed in C.
-  template <class A, class C, std::size_t step, class Rate> auto carried(const Rate& rate) const {
-    static constexpr auto& path = Topology::template path_between<A, C>;
-    if constexpr (step == path.length) {
-      return rate;
-    } else {
-      const auto& here = rotation_of(value<path.edge[step]>());
-      return carried<A, C, step + 1>(detail::oriented<!path.reversed[step]>(here) * rate);
-    }
-  }
-
-  template <class C, class B, class Rate> auto reexpressed(const Rate& rate_b) const {
-    if constexpr (std::is_same_v<C, B>) {
-      return rate_b;
-    } else {
-      return rotation(to<C>, from<B>) * rate_b;
-    }
+  auto kept() const {
+    using Values = detail::KeptValues<Instant, Edges...>;
+    return detail::GraphWalk<Topology, Values>{Values{{edges_, instant_}, kept_}};
   }
 
   const std::tuple<Edges...>& edges_;
   Instant instant_;
-  mutable std::tuple<typename detail::CacheOf<Edges>::type...> cache_;
+  mutable std::tuple<detail::Kept<Edges>...> kept_;
 };
 
 /// A tree of frames known at compile time. Its edges are fixed values or functions of the instant, joined by
@@ -229,7 +154,8 @@ template <class... Edges> class FrameGraph {
     return {edges_, {instant}};
   }
   template <class Instant>
-  void at(const Instant&) const&& = delete;  // the snapshot refers to the graph: give the graph a name first
+  GraphSnapshot<Instant, Edges...> at(  // the snapshot refers to the graph: give the graph a name first
+      const Instant&) const&& = delete;
 
  private:
   std::tuple<Edges...> edges_;

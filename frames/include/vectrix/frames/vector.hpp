@@ -6,6 +6,7 @@
 #include <string>
 #include <vectrix/frames/errors.hpp>
 #include <vectrix/frames/frame.hpp>
+#include <vectrix/frames/operators.hpp>
 #include <vectrix/frames/units.hpp>
 
 namespace vectrix {
@@ -36,6 +37,7 @@ template <Frame F, VectorUnit U, class S = double> class Vector {
   using unit = U;
   using scalar = S;
 
+  Vector() = delete;  // vector(in<F>, x, y, z), or zero<U>(in<F>)
   template <class Derived>
   Vector(detail::Trusted, const Eigen::MatrixBase<Derived>& coordinates) : coordinates_(coordinates) {}
   template <detail::Makes<detail::Column<S>> Make>
@@ -52,6 +54,8 @@ template <Frame F, VectorUnit U, class S = double> class Vector {
   detail::Column<S> coordinates_;
 };
 
+template <class F, class U, class S> inline constexpr bool detail::is_framed<Vector<F, U, S>> = true;
+
 namespace detail {
 
 template <Frame F, class S>
@@ -67,21 +71,24 @@ template <Frame F, VectorUnit U, class S> Vector<F, U, S> checked_vector(const C
   return {trusted, coordinates};
 }
 
+/// The tag of a quantity's unit, for messages; void of a bare number.
+template <class X> struct UnitOf : std::type_identity<void> {};
+template <class BoostUnit, class S>
+struct UnitOf<AnyQuantity<BoostUnit, S>> : std::type_identity<unit_tag<BoostUnit>> {};
+
 }  // namespace detail
 
 /// The vector with coordinates x, y, z in F. Throws BadInput when one is not finite.
 template <Frame F, class BoostUnit, class S>
-  requires VectorUnit<unit_tag<BoostUnit>> Vector<F, unit_tag<BoostUnit>, S> vector(
-      In<F>, const AnyQuantity<BoostUnit, S>& x, const AnyQuantity<BoostUnit, S>& y,
-      const AnyQuantity<BoostUnit, S>& z) {
-    return detail::checked_vector<F, unit_tag<BoostUnit>, S>({x.value(), y.value(), z.value()});
-  }
+  requires(VectorUnit<unit_tag<BoostUnit>> && !std::is_integral_v<S>)
+Vector<F, unit_tag<BoostUnit>, S> vector(In<F>, const AnyQuantity<BoostUnit, S>& x,
+                                         const AnyQuantity<BoostUnit, S>& y,
+                                         const AnyQuantity<BoostUnit, S>& z) {
+  return detail::checked_vector<F, unit_tag<BoostUnit>, S>({x.value(), y.value(), z.value()});
+}
 
-template <class F, class BoostUnit, class S, class UnitGiven = unit_tag<BoostUnit>>
-  requires(!VectorUnit<UnitGiven>)
-void vector(In<F>,  // no vector has this unit: convert<U>() it to SI first
-            const AnyQuantity<BoostUnit, S>&, const AnyQuantity<BoostUnit, S>&,
-            const AnyQuantity<BoostUnit, S>&) = delete;
+template <class F, class X, class Y, class Z, class UnitGiven = typename detail::UnitOf<X>::type>
+void vector(In<F>, const X&, const Y&, const Z&) = delete;  // one SI vector unit for all: convert<U>()
 
 /// Claims that the three bare numbers are coordinates in F, in the coherent SI unit U:
 /// vector<si::length>(in<F>, m). Throws BadInput when one is not finite.
@@ -107,41 +114,23 @@ template <Frame F, class S = double> Vector<F, si::dimensionless, S> unit_z(In<F
   return {detail::trusted, detail::Column<S>::UnitZ()};
 }
 
-template <class F, class U, class S>
-Vector<F, U, S> operator+(const Vector<F, U, S>& r, const Vector<F, U, S>& s) {
+template <class F, class U, class S> Vector<F, U, S> sum(const Vector<F, U, S>& r, const Vector<F, U, S>& s) {
   return {detail::trusted, r.coordinates() + s.coordinates()};
 }
 template <class F, class U, class S>
-Vector<F, U, S> operator-(const Vector<F, U, S>& r, const Vector<F, U, S>& s) {
+Vector<F, U, S> difference(const Vector<F, U, S>& r, const Vector<F, U, S>& s) {
   return {detail::trusted, r.coordinates() - s.coordinates()};
 }
-template <class F, class U, class S> Vector<F, U, S> operator-(const Vector<F, U, S>& r) {
+template <class F, class U, class S> Vector<F, U, S> negative(const Vector<F, U, S>& r) {
   return {detail::trusted, -r.coordinates()};
 }
 
-template <class LeftFrame, class RightFrame, class U, class S>
-  requires(!std::same_as<LeftFrame, RightFrame>)
-void operator+(const Vector<LeftFrame, U, S>&,  // r_a + s_a: one frame
-               const Vector<RightFrame, U, S>&) = delete;
-template <class LeftFrame, class RightFrame, class U, class S>
-  requires(!std::same_as<LeftFrame, RightFrame>)
-void operator-(const Vector<LeftFrame, U, S>&,  // r_a - s_a: one frame
-               const Vector<RightFrame, U, S>&) = delete;
-template <class LeftFrame, class RightFrame, class LeftUnit, class RightUnit, class S>
-  requires(!std::same_as<LeftUnit, RightUnit>)
-void operator+(const Vector<LeftFrame, LeftUnit, S>&,  // r_a + s_a: one unit
-               const Vector<RightFrame, RightUnit, S>&) = delete;
-template <class LeftFrame, class RightFrame, class LeftUnit, class RightUnit, class S>
-  requires(!std::same_as<LeftUnit, RightUnit>)
-void operator-(const Vector<LeftFrame, LeftUnit, S>&,  // r_a - s_a: one unit
-               const Vector<RightFrame, RightUnit, S>&) = delete;
-
 template <class F, class U, class S>
-Vector<F, U, S> operator*(const std::type_identity_t<S>& k, const Vector<F, U, S>& r) {
+Vector<F, U, S> product(const std::type_identity_t<S>& k, const Vector<F, U, S>& r) {
   return {detail::trusted, k * r.coordinates()};
 }
 template <class F, class U, class S>
-Vector<F, U, S> operator*(const Vector<F, U, S>& r, const std::type_identity_t<S>& k) {
+Vector<F, U, S> product(const Vector<F, U, S>& r, const std::type_identity_t<S>& k) {
   return {detail::trusted, r.coordinates() * k};
 }
 template <class F, class U, class S>
@@ -150,13 +139,13 @@ Vector<F, U, S> operator/(const Vector<F, U, S>& r, const std::type_identity_t<S
 }
 
 template <class F, class U, class S, class BoostUnit>
-Vector<F, unit_of_vector_product<unit_tag<BoostUnit>, U>, S> operator*(const AnyQuantity<BoostUnit, S>& k,
-                                                                       const Vector<F, U, S>& r) {
+Vector<F, unit_of_vector_product<unit_tag<BoostUnit>, U>, S> product(const AnyQuantity<BoostUnit, S>& k,
+                                                                     const Vector<F, U, S>& r) {
   return {detail::trusted, k.value() * r.coordinates()};
 }
 template <class F, class U, class S, class BoostUnit>
-Vector<F, unit_of_vector_product<U, unit_tag<BoostUnit>>, S> operator*(const Vector<F, U, S>& r,
-                                                                       const AnyQuantity<BoostUnit, S>& k) {
+Vector<F, unit_of_vector_product<U, unit_tag<BoostUnit>>, S> product(const Vector<F, U, S>& r,
+                                                                     const AnyQuantity<BoostUnit, S>& k) {
   return {detail::trusted, r.coordinates() * k.value()};
 }
 template <class F, class U, class S, class BoostUnit>

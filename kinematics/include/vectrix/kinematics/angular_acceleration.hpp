@@ -27,6 +27,9 @@ template <Frame A, Frame B, Frame C, class S> class AngularAcceleration<A, B, In
   Vector<C, si::angular_acceleration, S> vector_;
 };
 
+template <class A, class B, class C, class S>
+inline constexpr bool detail::is_framed<AngularAcceleration<A, B, C, S>> = true;
+
 /// Claims that the vector is the angular acceleration of b relative to a.
 template <Frame B, Frame A, class C, class S>
 AngularAcceleration<A, B, In<C>, S> angular_acceleration(
@@ -54,27 +57,17 @@ AngularAcceleration<A, D, In<C>, S> chain(const AngularAcceleration<A, B, In<C>,
       detail::trusted, alpha_ab_c.vector() + alpha_bd_c.vector() + cross(w_ab_c.vector(), w_bd_c.vector())};
 }
 
-template <class LeftRelativeTo, class LeftOf, class LeftIn, class RightRelativeTo, class RightOf,
-          class RightIn, class S>
-void operator+(  // chain() needs the rates as well
-    const AngularAcceleration<LeftRelativeTo, LeftOf, LeftIn, S>&,
-    const AngularAcceleration<RightRelativeTo, RightOf, RightIn, S>&) = delete;
-
 // alpha_ba^c = -alpha_ab^c
 template <class A, class B, class C, class S>
-AngularAcceleration<B, A, In<C>, S> operator-(const AngularAcceleration<A, B, In<C>, S>& alpha_ab_c) {
+AngularAcceleration<B, A, In<C>, S> negative(const AngularAcceleration<A, B, In<C>, S>& alpha_ab_c) {
   return AngularAcceleration<B, A, In<C>, S>{detail::trusted, -alpha_ab_c.vector()};
 }
 
 // alpha_ab^d = R_c^d alpha_ab^c
 template <class D, class C, class A, class B, class S>
-AngularAcceleration<A, B, In<D>, S> operator*(const Dcm<D, C, S>& R_d_from_c,
-                                              const AngularAcceleration<A, B, In<C>, S>& alpha_ab_c) {
+AngularAcceleration<A, B, In<D>, S> product(const Dcm<D, C, S>& R_d_from_c,
+                                            const AngularAcceleration<A, B, In<C>, S>& alpha_ab_c) {
   return AngularAcceleration<A, B, In<D>, S>{detail::trusted, R_d_from_c * alpha_ab_c.vector()};
 }
-template <class DcmTo, class DcmFrom, class A, class B, class AccelerationIn, class S>
-  requires(!std::same_as<DcmFrom, AccelerationIn>)
-void operator*(const Dcm<DcmTo, DcmFrom, S>&,  // R_d_from_c * alpha_ab_c: alpha must be expressed in c
-               const AngularAcceleration<A, B, In<AccelerationIn>, S>&) = delete;
 
 }  // namespace vectrix

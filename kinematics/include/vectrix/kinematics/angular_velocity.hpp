@@ -24,6 +24,9 @@ template <Frame A, Frame B, Frame C, class S> class AngularVelocity<A, B, In<C>,
   Vector<C, si::angular_velocity, S> vector_;
 };
 
+template <class A, class B, class C, class S>
+inline constexpr bool detail::is_framed<AngularVelocity<A, B, C, S>> = true;
+
 /// Claims that the vector is the angular velocity of b relative to a.
 template <Frame B, Frame A, class C, class S>
 AngularVelocity<A, B, In<C>, S> angular_velocity(Of<B>, RelativeTo<A>,
@@ -42,42 +45,29 @@ AngularVelocity<A, B, In<C>, S> at_rest(Of<B>, RelativeTo<A>, In<C>) {
 
 // w_ad^c = w_ab^c + w_bd^c
 template <class A, class B, class D, class C, class S>
-AngularVelocity<A, D, In<C>, S> operator+(const AngularVelocity<A, B, In<C>, S>& w_ab_c,
-                                          const AngularVelocity<B, D, In<C>, S>& w_bd_c) {
+AngularVelocity<A, D, In<C>, S> sum(const AngularVelocity<A, B, In<C>, S>& w_ab_c,
+                                    const AngularVelocity<B, D, In<C>, S>& w_bd_c) {
   return AngularVelocity<A, D, In<C>, S>{detail::trusted, w_ab_c.vector() + w_bd_c.vector()};
 }
 // The sum commutes: w_bd^c + w_ab^c chains as well.
 template <class A, class B, class D, class C, class S>
   requires(!std::same_as<A, D>)
-AngularVelocity<A, D, In<C>, S>
-operator+(const AngularVelocity<B, D, In<C>, S>& w_bd_c, const AngularVelocity<A, B, In<C>, S>& w_ab_c) {
+AngularVelocity<A, D, In<C>, S> sum(const AngularVelocity<B, D, In<C>, S>& w_bd_c,
+                                    const AngularVelocity<A, B, In<C>, S>& w_ab_c) {
   return AngularVelocity<A, D, In<C>, S>{detail::trusted, w_bd_c.vector() + w_ab_c.vector()};
 }
-template <class LeftRelativeTo, class LeftOf, class RightRelativeTo, class RightOf, class C, class S>
-  requires(!std::same_as<LeftOf, RightRelativeTo> && !std::same_as<LeftRelativeTo, RightOf>)
-void operator+(  // w_ab + w_bd: the inner frames cancel
-    const AngularVelocity<LeftRelativeTo, LeftOf, In<C>, S>&,
-    const AngularVelocity<RightRelativeTo, RightOf, In<C>, S>&) = delete;
-template <class A, class B, class C, class D, class LeftIn, class RightIn, class S>
-  requires(!std::same_as<LeftIn, RightIn>)
-void operator+(const AngularVelocity<A, B, In<LeftIn>, S>&,  // w_ab_c + w_bd_c: expressed in one frame
-               const AngularVelocity<C, D, In<RightIn>, S>&) = delete;
 
 // w_ba^c = -w_ab^c
 template <class A, class B, class C, class S>
-AngularVelocity<B, A, In<C>, S> operator-(const AngularVelocity<A, B, In<C>, S>& w_ab_c) {
+AngularVelocity<B, A, In<C>, S> negative(const AngularVelocity<A, B, In<C>, S>& w_ab_c) {
   return AngularVelocity<B, A, In<C>, S>{detail::trusted, -w_ab_c.vector()};
 }
 
 // w_ab^d = R_c^d w_ab^c
 template <class D, class C, class A, class B, class S>
-AngularVelocity<A, B, In<D>, S> operator*(const Dcm<D, C, S>& R_d_from_c,
-                                          const AngularVelocity<A, B, In<C>, S>& w_ab_c) {
+AngularVelocity<A, B, In<D>, S> product(const Dcm<D, C, S>& R_d_from_c,
+                                        const AngularVelocity<A, B, In<C>, S>& w_ab_c) {
   return AngularVelocity<A, B, In<D>, S>{detail::trusted, R_d_from_c * w_ab_c.vector()};
 }
-template <class DcmTo, class DcmFrom, class A, class B, class RateIn, class S>
-  requires(!std::same_as<DcmFrom, RateIn>)
-void operator*(const Dcm<DcmTo, DcmFrom, S>&,  // R_d_from_c * w_ab_c: w must be expressed in c
-               const AngularVelocity<A, B, In<RateIn>, S>&) = delete;
 
 }  // namespace vectrix

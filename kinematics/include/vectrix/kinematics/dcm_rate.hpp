@@ -26,11 +26,13 @@ template <Frame A, Frame B, class S = double> class DcmRate {
   detail::Square<S> matrix_;
 };
 
+template <class A, class B, class S> inline constexpr bool detail::is_framed<DcmRate<A, B, S>> = true;
+
 /// Body form:       d/dt R_b^a = R_b^a [w_ab^b]x
 /// Reference form:  d/dt R_b^a = [w_ab^a]x R_b^a
 /// Any finite input is valid.
 template <class A, class B, class S>
-DcmRate<A, B, S> rate(const Dcm<A, B, S>& R_a_from_b, const AngularVelocity<A, B, In<B>, S>& w_ab_b) {
+inline DcmRate<A, B, S> rate(const Dcm<A, B, S>& R_a_from_b, const AngularVelocity<A, B, In<B>, S>& w_ab_b) {
   // The columns of R [w]x, without the zeros of [w]x.
   const auto& R = R_a_from_b.matrix();
   const S x = w_ab_b.coordinates().x();
@@ -41,16 +43,14 @@ DcmRate<A, B, S> rate(const Dcm<A, B, S>& R_a_from_b, const AngularVelocity<A, B
 }
 template <class A, class B, class S>
   requires(!std::same_as<A, B>)
-DcmRate<A, B, S> rate(const Dcm<A, B, S>& R_a_from_b, const AngularVelocity<A, B, In<A>, S>& w_ab_a) {
+inline DcmRate<A, B, S> rate(const Dcm<A, B, S>& R_a_from_b, const AngularVelocity<A, B, In<A>, S>& w_ab_a) {
   const auto& R = R_a_from_b.matrix();
   const auto& w = w_ab_a.coordinates();
   return {detail::trusted, w.cross(R.col(0)), w.cross(R.col(1)), w.cross(R.col(2))};
 }
-template <class DcmTo, class DcmFrom, class RateRelativeTo, class RateOf, class RateIn, class S>
-  requires(!(std::same_as<DcmTo, RateRelativeTo> && std::same_as<DcmFrom, RateOf> &&
-             (std::same_as<RateIn, RateOf> || std::same_as<RateIn, RateRelativeTo>)))
-void rate(const Dcm<DcmTo, DcmFrom, S>&,  // rate(R_a_from_b, w_ab_b) or rate(R_a_from_b, w_ab_a)
-          const AngularVelocity<RateRelativeTo, RateOf, In<RateIn>, S>&) = delete;
+template <class Rotation, class Rate>
+  requires(detail::is_framed_pair<Rotation, Rate>)
+void rate(const Rotation&, const Rate&) = delete;  // rate(R_a_from_b, w_ab_b) or rate(R_a_from_b, w_ab_a)
 
 /// The checked door for a derivative that comes as a matrix: Rdot_b^a = R_b^a [w]x for some w.
 /// Throws BadInput when the matrix is not finite, or R^T Rdot is not skew (see vee()).
@@ -74,20 +74,10 @@ AngularVelocity<A, B, In<C>, S> angular_velocity(const Dcm<A, B, S>& R_a_from_b,
 
 // Rdot_b^a r^b, the part of d/dt (R_b^a r^b) that the turning of b makes.
 template <class A, class B, class U, class S>
-Vector<A, unit_of_vector_quotient<U, si::time>, S> operator*(const DcmRate<A, B, S>& Rdot_a_from_b,
-                                                             const Vector<B, U, S>& r_b) {
+Vector<A, unit_of_vector_quotient<U, si::time>, S> product(const DcmRate<A, B, S>& Rdot_a_from_b,
+                                                           const Vector<B, U, S>& r_b) {
   return {detail::trusted, Rdot_a_from_b.matrix() * r_b.coordinates()};
 }
-template <class RateTo, class RateFrom, class VectorIn, class U, class S>
-  requires(!std::same_as<RateFrom, VectorIn>)
-void operator*(const DcmRate<RateTo, RateFrom, S>&,  // Rdot_a_from_b * r_b: r must be expressed in b
-               const Vector<VectorIn, U, S>&) = delete;
-template <class RateTo, class RateFrom, class DcmTo, class DcmFrom, class S>
-void operator*(const DcmRate<RateTo, RateFrom, S>&,  // a rate is not a rotation: it does not compose
-               const Dcm<DcmTo, DcmFrom, S>&) = delete;
-template <class DcmTo, class DcmFrom, class RateTo, class RateFrom, class S>
-void operator*(const Dcm<DcmTo, DcmFrom, S>&,  // a rate is not a rotation: it does not compose
-               const DcmRate<RateTo, RateFrom, S>&) = delete;
 
 /// The time derivative of q_b^a, four numbers, 1/s; not a rotation.
 template <Frame A, Frame B, class S = double> class QuaternionRate {
@@ -104,7 +94,7 @@ template <Frame A, Frame B, class S = double> class QuaternionRate {
 
 /// Body form: d/dt q_b^a = 1/2 q_b^a (0, w_ab^b). Reference form: d/dt q_b^a = 1/2 (0, w_ab^a) q_b^a.
 template <class A, class B, class S>
-QuaternionRate<A, B, S> rate(const Quaternion<A, B, S>& q_a_from_b,
+inline QuaternionRate<A, B, S> rate(const Quaternion<A, B, S>& q_a_from_b,
                              const AngularVelocity<A, B, In<B>, S>& w_ab_b) {
   const detail::Column<S> h = w_ab_b.coordinates() / S(2);
   return {detail::trusted,
@@ -112,17 +102,11 @@ QuaternionRate<A, B, S> rate(const Quaternion<A, B, S>& q_a_from_b,
 }
 template <class A, class B, class S>
   requires(!std::same_as<A, B>)
-QuaternionRate<A, B, S> rate(const Quaternion<A, B, S>& q_a_from_b,
+inline QuaternionRate<A, B, S> rate(const Quaternion<A, B, S>& q_a_from_b,
                              const AngularVelocity<A, B, In<A>, S>& w_ab_a) {
   const detail::Column<S> h = w_ab_a.coordinates() / S(2);
   return {detail::trusted,
           [&] { return Eigen::Quaternion<S>(S(0), h.x(), h.y(), h.z()) * q_a_from_b.eigen(); }};
 }
-template <class QuaternionTo, class QuaternionFrom, class RateRelativeTo, class RateOf, class RateIn, class S>
-  requires(!(std::same_as<QuaternionTo, RateRelativeTo> && std::same_as<QuaternionFrom, RateOf> &&
-             (std::same_as<RateIn, RateOf> || std::same_as<RateIn, RateRelativeTo>)))
-void rate(  // rate(q_a_from_b, w_ab_b) or rate(q_a_from_b, w_ab_a)
-    const Quaternion<QuaternionTo, QuaternionFrom, S>&,
-    const AngularVelocity<RateRelativeTo, RateOf, In<RateIn>, S>&) = delete;
 
 }  // namespace vectrix

@@ -7,7 +7,7 @@
 namespace vectrix {
 namespace detail {
 
-template <class B, class A, class S> [[noreturn, gnu::cold, gnu::noinline]] void refuse_exp(const S& square) {
+template <class B, class A, class S> [[noreturn, gnu::cold, gnu::noinline]] void refuse_exp(S square) {
   throw BadInput("exp(rotation vector of " + frame_name<B>() + " relative to " + frame_name<A>() +
                  "): |theta|^2 is " + text(square));
 }
@@ -24,9 +24,6 @@ Quaternion<A, B, S> exp_quaternion(const RotationVector<A, B, S>& theta_ab) {
   using std::sqrt;
   const detail::Column<S>& theta = theta_ab.coordinates();
   const S square = theta.squaredNorm();
-  if (!(square - square == S(0))) {
-    detail::refuse_exp<B, A>(square);
-  }
   S scalar;
   S factor;  // sin(|theta|/2) / |theta|
   if (square < S(1e-4)) {
@@ -38,6 +35,9 @@ Quaternion<A, B, S> exp_quaternion(const RotationVector<A, B, S>& theta_ab) {
     const S angle = sqrt(square);
     scalar = cos(angle / S(2));
     factor = sin(angle / S(2)) / angle;
+    if (!(scalar == scalar)) {  // the cosine of an infinity is no number
+      detail::refuse_exp<B, A>(square);
+    }
   }
   return {detail::trusted, [&] {
             return Eigen::Quaternion<S>(scalar, factor * theta.x(), factor * theta.y(), factor * theta.z());

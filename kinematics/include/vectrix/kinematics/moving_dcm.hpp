@@ -21,6 +21,8 @@ template <Frame A, Frame B, class S = double> class MovingDcm {
   AngularVelocity<A, B, In<B>, S> rate_;
 };
 
+template <class A, class B, class S> inline constexpr bool detail::is_framed<MovingDcm<A, B, S>> = true;
+
 /// The rotation, rate and acceleration of b relative to a at one instant: R_b^a, w_ab^b and alpha_ab^b. The
 /// third level.
 ///     alpha_ad^d = R_b^d alpha_ab^b + alpha_bd^d + (R_b^d w_ab^b) x w_bd^d
@@ -38,6 +40,8 @@ template <Frame A, Frame B, class S = double> class AcceleratingDcm {
   MovingDcm<A, B, S> moving_;
   AngularAcceleration<A, B, In<B>, S> acceleration_;
 };
+
+template <class A, class B, class S> inline constexpr bool detail::is_framed<AcceleratingDcm<A, B, S>> = true;
 
 /// Joins a rotation and its rate; the rate may be expressed in b or in a.
 template <class A, class B, class S>
@@ -64,26 +68,18 @@ AcceleratingDcm<A, B, S> accelerating_dcm(const Dcm<A, B, S>& R_a_from_b,
 }
 
 template <class A, class B, class D, class S>
-MovingDcm<A, D, S> operator*(const MovingDcm<A, B, S>& ab, const MovingDcm<B, D, S>& bd) {
+MovingDcm<A, D, S> product(const MovingDcm<A, B, S>& ab, const MovingDcm<B, D, S>& bd) {
   return {ab.rotation() * bd.rotation(),
           inverse(bd.rotation()) * ab.angular_velocity() + bd.angular_velocity()};
 }
 template <class A, class B, class D, class S>
-AcceleratingDcm<A, D, S> operator*(const AcceleratingDcm<A, B, S>& ab, const AcceleratingDcm<B, D, S>& bd) {
+AcceleratingDcm<A, D, S> product(const AcceleratingDcm<A, B, S>& ab, const AcceleratingDcm<B, D, S>& bd) {
   const auto R_d_from_b = inverse(bd.rotation());
   const auto w_ab_d = R_d_from_b * ab.angular_velocity();
   return {{ab.rotation() * bd.rotation(), w_ab_d + bd.angular_velocity()},
           chain(R_d_from_b * ab.angular_acceleration(), bd.angular_acceleration(), w_ab_d,
                 bd.angular_velocity())};
 }
-template <class LeftTo, class LeftFrom, class RightTo, class RightFrom, class S>
-  requires(!std::same_as<LeftFrom, RightTo>)
-void operator*(const MovingDcm<LeftTo, LeftFrom, S>&,  // the inner frames cancel
-               const MovingDcm<RightTo, RightFrom, S>&) = delete;
-template <class LeftTo, class LeftFrom, class RightTo, class RightFrom, class S>
-  requires(!std::same_as<LeftFrom, RightTo>)
-void operator*(const AcceleratingDcm<LeftTo, LeftFrom, S>&,  // the inner frames cancel
-               const AcceleratingDcm<RightTo, RightFrom, S>&) = delete;
 
 // w_ba^a = -R_b^a w_ab^b, and so alpha
 template <class A, class B, class S> MovingDcm<B, A, S> inverse(const MovingDcm<A, B, S>& ab) {
@@ -93,9 +89,9 @@ template <class A, class B, class S> AcceleratingDcm<B, A, S> inverse(const Acce
   return {inverse(ab.moving()), -(ab.rotation() * ab.angular_acceleration())};
 }
 
-// One step of a frame graph's walk from a to b, over an edge that says how b moves relative to a, or a
-// relative to b.
-//     w_xb^b = R_a^b w_xa^a + w_ab^b,    w_xb^b = R_a^b (w_xa^a - w_ba^a)
+// Steps of a frame graph's walk between a and b, along an edge that says how b moves relative to a, or against
+// one that says how a moves relative to b.
+// From x over a to b:    w_xb^b = R_a^b w_xa^a + w_ab^b      w_xb^b = R_a^b (w_xa^a - w_ba^a)
 template <class A, class B, class S>
 AngularVelocity<A, B, In<B>, S> rate_along(const MovingDcm<A, B, S>& ab) {
   return ab.angular_velocity();
@@ -112,7 +108,28 @@ AngularVelocity<A, B, In<B>, S> rate_against(const MovingDcm<B, A, S>& ba) {
 template <class X, class A, class B, class S>
 AngularVelocity<X, B, In<B>, S> rate_against(const MovingDcm<B, A, S>& ba,
                                              const AngularVelocity<X, A, In<A>, S>& w_xa_a) {
-  return ba.rotation() * (w_xa_a + -ba.angular_velocity());
+  return AngularVelocity<X, B, In<B>, S>{
+      detail::trusted, ba.rotation() * (w_xa_a.vector() - ba.angular_velocity().vector())};
+}
+// From y over b back to a:    w_ay^a = R_b^a (w_ab^b + w_by^b)    w_ay^a = R_b^a w_by^b - w_ba^a
+template <class A, class B, class S>
+AngularVelocity<A, B, In<A>, S> rate_back_along(const MovingDcm<A, B, S>& ab) {
+  return ab.rotation() * ab.angular_velocity();
+}
+template <class A, class B, class Y, class S>
+AngularVelocity<A, Y, In<A>, S> rate_back_along(const MovingDcm<A, B, S>& ab,
+                                                const AngularVelocity<B, Y, In<B>, S>& w_by_b) {
+  return ab.rotation() * (ab.angular_velocity() + w_by_b);
+}
+template <class A, class B, class S>
+AngularVelocity<A, B, In<A>, S> rate_back_against(const MovingDcm<B, A, S>& ba) {
+  return -ba.angular_velocity();
+}
+template <class A, class B, class Y, class S>
+AngularVelocity<A, Y, In<A>, S> rate_back_against(const MovingDcm<B, A, S>& ba,
+                                                  const AngularVelocity<B, Y, In<B>, S>& w_by_b) {
+  return AngularVelocity<A, Y, In<A>, S>{
+      detail::trusted, inverse(ba.rotation()) * w_by_b.vector() - ba.angular_velocity().vector()};
 }
 
 // What a frame graph asks of the values on its edges.

@@ -21,6 +21,9 @@ template <Frame ToFrame, Frame FromFrame, class S = double> class Quaternion {
   using to = ToFrame;
   using from = FromFrame;
 
+  Quaternion() = delete;
+  Quaternion(S, S, S,
+             S) = delete;  // where is the scalar? quaternion_scalar_first(to<B>, from<A>, w, x, y, z)
   Quaternion(detail::Trusted, const Eigen::Quaternion<S>& value) : value_(value) {}
   template <detail::Makes<Eigen::Quaternion<S>> Make>
   Quaternion(detail::Trusted, const Make& make) : value_(make()) {}
@@ -33,6 +36,8 @@ template <Frame ToFrame, Frame FromFrame, class S = double> class Quaternion {
  private:
   Eigen::Quaternion<S> value_;
 };
+
+template <class B, class A, class S> inline constexpr bool detail::is_framed<Quaternion<B, A, S>> = true;
 
 namespace detail {
 
@@ -99,23 +104,15 @@ NearestQuaternion<B, A, S> nearest_quaternion_scalar_last(To<B>, From<A>, S x, S
 
 // q_a^c = q_b^c q_a^b
 template <class C, class B, class A, class S>
-Quaternion<C, A, S> operator*(const Quaternion<C, B, S>& q_c_from_b, const Quaternion<B, A, S>& q_b_from_a) {
+Quaternion<C, A, S> product(const Quaternion<C, B, S>& q_c_from_b, const Quaternion<B, A, S>& q_b_from_a) {
   return {detail::trusted, [&] { return q_c_from_b.eigen() * q_b_from_a.eigen(); }};
 }
-template <class LeftTo, class LeftFrom, class RightTo, class RightFrom, class S>
-  requires(!std::same_as<LeftFrom, RightTo>)
-void operator*(const Quaternion<LeftTo, LeftFrom, S>&,  // q_c_from_b * q_b_from_a: the inner frames cancel
-               const Quaternion<RightTo, RightFrom, S>&) = delete;
 
 // r^b = q r^a q*
 template <class B, class A, class U, class S>
-Vector<B, U, S> operator*(const Quaternion<B, A, S>& q_b_from_a, const Vector<A, U, S>& r_a) {
+Vector<B, U, S> product(const Quaternion<B, A, S>& q_b_from_a, const Vector<A, U, S>& r_a) {
   return {detail::trusted, [&] { return q_b_from_a.eigen()._transformVector(r_a.coordinates()); }};
 }
-template <class QuaternionTo, class QuaternionFrom, class VectorIn, class U, class S>
-  requires(!std::same_as<QuaternionFrom, VectorIn>)
-void operator*(  // q_b_from_a * r_a: r must be expressed in a
-    const Quaternion<QuaternionTo, QuaternionFrom, S>&, const Vector<VectorIn, U, S>&) = delete;
 
 template <class B, class A, class S> Quaternion<A, B, S> inverse(const Quaternion<B, A, S>& q_b_from_a) {
   return {detail::trusted, q_b_from_a.eigen().conjugate()};

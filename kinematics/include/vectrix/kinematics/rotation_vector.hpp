@@ -3,6 +3,11 @@
 #include <vectrix/frames/dcm.hpp>
 
 namespace vectrix {
+namespace detail {
+
+template <class C, class... Fs> inline constexpr bool is_one_of = (std::same_as<C, Fs> || ...);
+
+}  // namespace detail
 
 /// theta_ab, of type RotationVector<A, B>: angle times axis, rad. Turning a by it gives b; its coordinates
 /// are the same in a and in b, because the axis is. exp(theta_ab) is R_a_from_b.
@@ -26,7 +31,7 @@ template <Frame A, Frame B, class S = double> class RotationVector {
 
 /// Claims that turning a by the vector gives b; the vector may be expressed in either.
 template <Frame B, Frame A, class C, class S>
-  requires(std::same_as<C, A> || std::same_as<C, B>)
+  requires(detail::is_one_of<C, A, B>)
 RotationVector<A, B, S> rotation_vector(Of<B>, RelativeTo<A>, const Vector<C, si::angle, S>& theta) {
   return {detail::trusted, theta.coordinates()};
 }
@@ -38,7 +43,7 @@ void rotation_vector(Of<OfFrame>, RelativeTo<RelativeFrame>,  // an angle, expre
 
 // theta_ba = -theta_ab
 template <class A, class B, class S>
-RotationVector<B, A, S> operator-(const RotationVector<A, B, S>& theta_ab) {
+RotationVector<B, A, S> negative(const RotationVector<A, B, S>& theta_ab) {
   return {detail::trusted, -theta_ab.coordinates()};
 }
 

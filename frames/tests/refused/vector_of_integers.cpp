@@ -1,0 +1,16 @@
+// mistake: coordinates that are integers, as in 1 * si::metre
+// expect: F = Body
+// expect: UnitGiven = (vectrix::)?si::length
+#include <vectrix/frames.hpp>
+
+struct Body : vectrix::moving_frame {};
+
+using namespace vectrix;
+
+auto position() {
+#ifdef REPAIRED
+  return vector(in<Body>, 1.0 * si::metre, 2.0 * si::metre, 3.0 * si::metre);
+#else
+  return vector(in<Body>, 1 * si::metre, 2 * si::metre, 3 * si::metre);
+#endif
+}
