@@ -54,6 +54,7 @@
 namespace {
 
 using namespace vectrix;
+using earth::Gcrf, earth::Itrf;
 
 struct Orbit : moving_frame {};
 struct QuaternionAxes : moving_frame {};

@@ -37,7 +37,8 @@ void set_polar_motion(const JulianDate& tt, const EarthOrientationParameters& pa
 
 }  // namespace
 
-MovingDcm<Gcrf, Itrf> earth_rotation(const Epoch& epoch, const EarthOrientationParameters& parameters) {
+MovingDcm<earth::Gcrf, earth::Itrf> earth_rotation(const Epoch& epoch,
+                                                   const EarthOrientationParameters& parameters) {
   const JulianDate tt = epoch.tt_date();
   const JulianDate ut1 = ut1_date(epoch, parameters);
   double x = 0.0;
@@ -54,20 +55,21 @@ MovingDcm<Gcrf, Itrf> earth_rotation(const Epoch& epoch, const EarthOrientationP
   // The celestial intermediate pole is the z axis of the frame in front of polar motion.
   const Eigen::Vector3d pole = matrix_of(polar_motion).col(2);
   const double rate = earth_rotation_rate * (1.0 + parameters.ut1_gain.value());
-  return moving_dcm(inverse(trust_dcm(to<Itrf>, from<Gcrf>, matrix_of(itrf_from_gcrf))),
-                    angular_velocity(of<Itrf>, relative_to<Gcrf>,
-                                     vector<si::angular_velocity>(in<Itrf>, Eigen::Vector3d(rate * pole))));
+  return moving_dcm(
+      inverse(trust_dcm(to<earth::Itrf>, from<earth::Gcrf>, matrix_of(itrf_from_gcrf))),
+      angular_velocity(of<earth::Itrf>, relative_to<earth::Gcrf>,
+                       vector<si::angular_velocity>(in<earth::Itrf>, Eigen::Vector3d(rate * pole))));
 }
 
-Dcm<TrueOfDate, Gcrf> true_of_date_from_gcrf(const Epoch& epoch) {
+Dcm<earth::TrueOfDate, earth::Gcrf> true_of_date_from_gcrf(const Epoch& epoch) {
   const JulianDate tt = epoch.tt_date();
   Rows rows;
   eraPnm06a(tt.day, tt.fraction, rows);
-  return trust_dcm(to<TrueOfDate>, from<Gcrf>, Eigen::Matrix3d(matrix_of(rows)));
+  return trust_dcm(to<earth::TrueOfDate>, from<earth::Gcrf>, Eigen::Matrix3d(matrix_of(rows)));
 }
 
-Dcm<Itrf, TrueOfDate> itrf_from_true_of_date(const Epoch& epoch,
-                                             const EarthOrientationParameters& parameters) {
+Dcm<earth::Itrf, earth::TrueOfDate> itrf_from_true_of_date(const Epoch& epoch,
+                                                           const EarthOrientationParameters& parameters) {
   const JulianDate tt = epoch.tt_date();
   const JulianDate ut1 = ut1_date(epoch, parameters);
   Rows true_of_date;
@@ -75,8 +77,8 @@ Dcm<Itrf, TrueOfDate> itrf_from_true_of_date(const Epoch& epoch,
   const double sidereal_time = eraGst06(ut1.day, ut1.fraction, tt.day, tt.fraction, true_of_date);
   Rows polar_motion;
   set_polar_motion(tt, parameters, polar_motion);
-  return trust_dcm(to<Itrf>, from<Tirs>, Eigen::Matrix3d(matrix_of(polar_motion))) *
-         turned_z(to<Tirs>, from<TrueOfDate>, sidereal_time * si::radian);
+  return trust_dcm(to<earth::Itrf>, from<Tirs>, Eigen::Matrix3d(matrix_of(polar_motion))) *
+         turned_z(to<Tirs>, from<earth::TrueOfDate>, sidereal_time * si::radian);
 }
 
 EarthOrientation::EarthOrientation(std::vector<Epoch> epochs, std::vector<EarthOrientationParameters> rows)
@@ -110,7 +112,7 @@ EarthOrientationParameters EarthOrientation::parameters(const Epoch& epoch) cons
           between(&P::dY)};
 }
 
-MovingDcm<Gcrf, Itrf> EarthOrientation::at(const Epoch& epoch) const {
+MovingDcm<earth::Gcrf, earth::Itrf> EarthOrientation::at(const Epoch& epoch) const {
   return earth_rotation(epoch, parameters(epoch));
 }
 

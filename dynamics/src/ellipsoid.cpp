@@ -21,7 +21,7 @@ Eigen::Vector3d scaled(const Eigen::Vector3d& r) {
 
 }  // namespace
 
-Geodetic geodetic(const Vector<Itrf, si::length>& r_itrf) {
+Geodetic geodetic(const Vector<earth::Itrf, si::length>& r_itrf) {
   Eigen::Vector3d r = r_itrf.coordinates();
   if (r.isZero(0.0)) throw BadInput("wgs84::geodetic: the centre of the Earth has no latitude");
   double longitude = 0.0;
@@ -31,7 +31,7 @@ Geodetic geodetic(const Vector<Itrf, si::length>& r_itrf) {
   return {latitude * si::radian, longitude * si::radian, height * si::metre};
 }
 
-Vector<Itrf, si::length> position(const Geodetic& geodetic) {
+Vector<earth::Itrf, si::length> position(const Geodetic& geodetic) {
   const double latitude = geodetic.latitude.value();
   if (!(std::abs(latitude) <= ERFA_DPI / 2.0)) {
     throw BadInput("wgs84::position: the latitude " + detail::text(latitude) +
@@ -39,22 +39,22 @@ Vector<Itrf, si::length> position(const Geodetic& geodetic) {
   }
   Eigen::Vector3d r;
   eraGd2gc(ERFA_WGS84, geodetic.longitude.value(), latitude, geodetic.height.value(), r.data());
-  return vector<si::length>(in<Itrf>, r);
+  return vector<si::length>(in<earth::Itrf>, r);
 }
 
-Vector<Itrf, si::dimensionless> up(const Vector<Itrf, si::length>& r_itrf) {
+Vector<earth::Itrf, si::dimensionless> up(const Vector<earth::Itrf, si::length>& r_itrf) {
   const Geodetic g = geodetic(r_itrf);
   const double latitude = g.latitude.value();
   const double longitude = g.longitude.value();
   return vector<si::dimensionless>(
-      in<Itrf>, Eigen::Vector3d(std::cos(latitude) * std::cos(longitude),
-                                std::cos(latitude) * std::sin(longitude), std::sin(latitude)));
+      in<earth::Itrf>, Eigen::Vector3d(std::cos(latitude) * std::cos(longitude),
+                                       std::cos(latitude) * std::sin(longitude), std::sin(latitude)));
 }
 
 // On the unit sphere: u + t v, nearest to the centre at the point n = u - (u.v / v.v) v, and there
 //     t = (-u.v - sqrt(v.v (1 - n.n))) / v.v = (u.u - 1) / (-u.v + sqrt(v.v (1 - n.n)))
-std::optional<Vector<Itrf, si::length>> first_intersection(const Vector<Itrf, si::length>& r_itrf,
-                                                           const Vector<Itrf, si::dimensionless>& d_itrf) {
+std::optional<Vector<earth::Itrf, si::length>> first_intersection(
+    const Vector<earth::Itrf, si::length>& r_itrf, const Vector<earth::Itrf, si::dimensionless>& d_itrf) {
   const Eigen::Vector3d d = direction(d_itrf).coordinates();
   const Eigen::Vector3d u = scaled(r_itrf.coordinates());
   const Eigen::Vector3d v = scaled(d);
@@ -72,7 +72,7 @@ std::optional<Vector<Itrf, si::length>> first_intersection(const Vector<Itrf, si
   const double depth = 1.0 - nearest.squaredNorm();
   if (depth < 0.0) return std::nullopt;
   const double t = outside / (approach + std::sqrt(v.squaredNorm() * depth));
-  return vector<si::length>(in<Itrf>, Eigen::Vector3d(r_itrf.coordinates() + t * d));
+  return vector<si::length>(in<earth::Itrf>, Eigen::Vector3d(r_itrf.coordinates() + t * d));
 }
 
 }  // namespace vectrix::wgs84

@@ -131,7 +131,7 @@ TEST(EarthOrientation, RateIsTheDerivativeOfTheRotation) {
       const auto before = orientation.at(epoch - h * si::second).rotation();
       const auto after = orientation.at(epoch + h * si::second).rotation();
       // Itrf at two instants has one type: the increment is taken as raw numbers.
-      const auto turn = log(trust_dcm(to<Gcrf>, from<Itrf>, before.matrix().transpose() * after.matrix()));
+      const auto turn = log(trust_dcm(to<earth::Gcrf>, from<earth::Itrf>, before.matrix().transpose() * after.matrix()));
       const auto w = orientation.at(epoch).angular_velocity().coordinates();
       largest_difference = std::max(largest_difference, (turn.coordinates() / (2.0 * h) - w).norm());
     }
@@ -156,9 +156,9 @@ TEST(EarthOrientation, IsAnEdgeOfAGraph) {
   const auto orientation = EarthOrientation::read(april_2022);
   const auto graph = frame_graph(edge([&](const Epoch& t) { return orientation.at(t); }));
   const auto epoch = Epoch::from_utc("2022-04-14T10:22:11.874999");
-  EXPECT_EQ(graph.at(epoch).rotation(to<Gcrf>, from<Itrf>).matrix(),
+  EXPECT_EQ(graph.at(epoch).rotation(to<earth::Gcrf>, from<earth::Itrf>).matrix(),
             orientation.at(epoch).rotation().matrix());
-  const auto w = graph.at(epoch).angular_velocity(of<Itrf>, relative_to<Gcrf>, in<Itrf>);
+  const auto w = graph.at(epoch).angular_velocity(of<earth::Itrf>, relative_to<earth::Gcrf>, in<earth::Itrf>);
   EXPECT_EQ(w.coordinates(), orientation.at(epoch).angular_velocity().coordinates());
 }
 

@@ -22,14 +22,14 @@ constexpr double latitude_tolerance = 1e-12;  // rad: 6 micrometres; ERFA takes 
 // A ray from 1e7 m that meets the surface at an angle of 1 degree or more.
 constexpr double ray_rounding = 1e-6;  // m
 
-Vector<Itrf, si::length> r(double x, double y, double z) {
-  return vector(in<Itrf>, x * si::metre, y * si::metre, z * si::metre);
+Vector<earth::Itrf, si::length> r(double x, double y, double z) {
+  return vector(in<earth::Itrf>, x * si::metre, y * si::metre, z * si::metre);
 }
-Vector<Itrf, si::dimensionless> d(double x, double y, double z) {
-  return vector<si::dimensionless>(in<Itrf>, Eigen::Vector3d(x, y, z));
+Vector<earth::Itrf, si::dimensionless> d(double x, double y, double z) {
+  return vector<si::dimensionless>(in<earth::Itrf>, Eigen::Vector3d(x, y, z));
 }
 
-void expect_geodetic(const Vector<Itrf, si::length>& position, double latitude, double longitude,
+void expect_geodetic(const Vector<earth::Itrf, si::length>& position, double latitude, double longitude,
                      double height) {
   const Geodetic g = wgs84::geodetic(position);
   EXPECT_NEAR(g.latitude.value(), latitude, latitude_tolerance);
@@ -91,7 +91,7 @@ TEST(Ellipsoid, RaysFindThePointTheyAreAimedAt) {
     const auto point = wgs84::position(
         {std::asin(part(random)) * si::radian, pi * part(random) * si::radian, 0.0 * si::metre});
     const auto origin =
-        point + vector<si::length>(in<Itrf>, Eigen::Vector3d(1e7 * Eigen::Vector3d(part(random), part(random),
+        point + vector<si::length>(in<earth::Itrf>, Eigen::Vector3d(1e7 * Eigen::Vector3d(part(random), part(random),
                                                                                    part(random))));
     const auto ray = direction(point - origin);
     const double cosine_from_normal = -dot(ray, wgs84::up(point)).value();

@@ -9,12 +9,17 @@
 
 namespace vectrix {
 
+/// The frames of the Earth. Their own namespace leaves the short names to users.
+namespace earth {
+
 /// Geocentric Celestial Reference Frame: the axes do not turn relative to distant objects.
 struct Gcrf : inertial_frame {};
 /// International Terrestrial Reference Frame: fixed to the Earth; z to the pole, x to the prime meridian.
 struct Itrf : moving_frame {};
 /// True equator and equinox of date: z along the celestial intermediate pole, x to the equinox.
 struct TrueOfDate : moving_frame {};
+
+}  // namespace earth
 
 /// What must be observed of the Earth's orientation at an instant (IERS Conventions 2010, chapter 5).
 struct EarthOrientationParameters {
@@ -29,15 +34,15 @@ struct EarthOrientationParameters {
 ///     w_gi^i = dERA/dUT1 (1 + d(UT1-TAI)/dTAI), along the celestial intermediate pole
 /// The rate leaves out the motion of the pole: precession-nutation (below 1e-11 rad/s), polar motion (1e-13
 /// rad/s). A call takes about 0.1 ms, for the series of X and Y.
-VECTRIX_EXPORT MovingDcm<Gcrf, Itrf> earth_rotation(const Epoch& epoch,
-                                                    const EarthOrientationParameters& parameters);
+VECTRIX_EXPORT MovingDcm<earth::Gcrf, earth::Itrf> earth_rotation(
+    const Epoch& epoch, const EarthOrientationParameters& parameters);
 
 /// The classical way by the equinox: bias, precession and nutation of the same models without observed
 /// offsets (a few 1e-9 rad), then apparent sidereal time and polar motion. With dX = dY = 0 both ways agree
 /// to 1e-11.
-VECTRIX_EXPORT Dcm<TrueOfDate, Gcrf> true_of_date_from_gcrf(const Epoch& epoch);
-VECTRIX_EXPORT Dcm<Itrf, TrueOfDate> itrf_from_true_of_date(const Epoch& epoch,
-                                                            const EarthOrientationParameters& parameters);
+VECTRIX_EXPORT Dcm<earth::TrueOfDate, earth::Gcrf> true_of_date_from_gcrf(const Epoch& epoch);
+VECTRIX_EXPORT Dcm<earth::Itrf, earth::TrueOfDate> itrf_from_true_of_date(
+    const Epoch& epoch, const EarthOrientationParameters& parameters);
 
 /// The observed orientation of the Earth, a row a day, from the IERS series finals2000A:
 ///     graph edge    edge([&](const Epoch& t) { return orientation.at(t); })
@@ -58,7 +63,7 @@ class VECTRIX_EXPORT EarthOrientation {
 
   [[nodiscard]] EarthOrientationParameters parameters(const Epoch& epoch) const;
   /// R_itrf^gcrf and w_gi^i.
-  [[nodiscard]] MovingDcm<Gcrf, Itrf> at(const Epoch& epoch) const;
+  [[nodiscard]] MovingDcm<earth::Gcrf, earth::Itrf> at(const Epoch& epoch) const;
 
  private:
   EarthOrientation(std::vector<Epoch> epochs, std::vector<EarthOrientationParameters> rows);

@@ -18,19 +18,19 @@ struct Geodetic {
 namespace wgs84 {
 
 /// Throws BadInput for the centre of the Earth, which has no latitude.
-VECTRIX_EXPORT Geodetic geodetic(const Vector<Itrf, si::length>& r_itrf);
+VECTRIX_EXPORT Geodetic geodetic(const Vector<earth::Itrf, si::length>& r_itrf);
 
 /// The inverse. Throws BadInput when a number is not finite or the latitude is beyond a pole.
-VECTRIX_EXPORT Vector<Itrf, si::length> position(const Geodetic& geodetic);
+VECTRIX_EXPORT Vector<earth::Itrf, si::length> position(const Geodetic& geodetic);
 
 /// The unit normal of the ellipsoid, up at the latitude and longitude of r.
-VECTRIX_EXPORT Vector<Itrf, si::dimensionless> up(const Vector<Itrf, si::length>& r_itrf);
+VECTRIX_EXPORT Vector<earth::Itrf, si::dimensionless> up(const Vector<earth::Itrf, si::length>& r_itrf);
 
 /// Where the ray r + t d, t >= 0, first meets the ellipsoid; nothing when it misses. d is any vector but
 /// zero. An origin within about 10 micrometres of the surface is itself the answer. Throws BadInput when the
 /// origin lies inside, or d is zero.
-VECTRIX_EXPORT std::optional<Vector<Itrf, si::length>> first_intersection(
-    const Vector<Itrf, si::length>& r_itrf, const Vector<Itrf, si::dimensionless>& d_itrf);
+VECTRIX_EXPORT std::optional<Vector<earth::Itrf, si::length>> first_intersection(
+    const Vector<earth::Itrf, si::length>& r_itrf, const Vector<earth::Itrf, si::dimensionless>& d_itrf);
 
 }  // namespace wgs84
 }  // namespace vectrix

@@ -10,8 +10,8 @@ namespace vectrix {
 /// valid.
 template <InertialFrame I, class B, class S>
 inline AngularAcceleration<I, B, In<B>, S> euler(const Inertia<B, S>& J_b,
-                                          const AngularVelocity<I, B, In<B>, S>& w_ib_b,
-                                          const Vector<B, si::torque, S>& torque_b) {
+                                                 const AngularVelocity<I, B, In<B>, S>& w_ib_b,
+                                                 const Vector<B, si::torque, S>& torque_b) {
   const detail::Column<S> momentum = J_b.matrix() * w_ib_b.coordinates();
   const detail::Column<S> net = torque_b.coordinates() - w_ib_b.coordinates().cross(momentum);
   return AngularAcceleration<I, B, In<B>, S>{detail::trusted, J_b.inverse_matrix() * net};

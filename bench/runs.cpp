@@ -1,0 +1,283 @@
+/// Whole runs of a torque-free body: against Simbody at equal accuracy, and the library's methods among themselves.
+/// Prints sections of docs/performance.md.
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <map>
+#include <optional>
+#include <vectrix/dynamics.hpp>
+
+#include "raw_kernels.hpp"
+#include "simbody_rate.hpp"
+#include "simbody_reference.hpp"
+#include "typed_kernels.hpp"
+
+namespace bench {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using Body = B;
+using Inertial = A;
+
+// Moments (1, 2, 3) kg m^2, 100 s at about 1.1 rad/s, near no principal axis.
+const Eigen::Vector3d moments(1.0, 2.0, 3.0);
+const Eigen::Vector3d start_rate(0.7, 0.6, 0.6);
+const std::vector<double> sample_times{20.0, 40.0, 60.0, 80.0, 100.0};
+
+using Attitudes = std::vector<Eigen::Matrix3d>;  // R_i_from_b at the sample times
+
+/// Euler's equation and the quaternion's by the classical Runge-Kutta rule in long double: shares nothing with the
+/// library or with Simbody. Its own error is found by halving the step.
+Attitudes reference(int steps_per_second) {
+  using Real = long double;
+  using State = Eigen::Matrix<Real, 7, 1>;  // w x y z of q_i_from_b, then w_ib_b
+  const Eigen::Matrix<Real, 3, 1> J = moments.cast<Real>();
+  const auto rate = [&](const State& y) -> State {
+    const Real p = y(4), q = y(5), r = y(6);
+    State d;
+    d << (-y(1) * p - y(2) * q - y(3) * r) / 2, (y(0) * p + y(2) * r - y(3) * q) / 2,
+        (y(0) * q + y(3) * p - y(1) * r) / 2, (y(0) * r + y(1) * q - y(2) * p) / 2,
+        (J.y() - J.z()) * q * r / J.x(), (J.z() - J.x()) * r * p / J.y(), (J.x() - J.y()) * p * q / J.z();
+    return d;
+  };
+  State y;
+  y << 1, 0, 0, 0, start_rate.cast<Real>();
+  const Real h = Real(1) / steps_per_second;
+  Attitudes attitudes;
+  double t = 0.0;
+  for (const double sample : sample_times) {
+    for (; t < sample; t += 1.0) {
+      for (int i = 0; i < steps_per_second; ++i) {
+        const State k1 = rate(y);
+        const State k2 = rate(y + h / 2 * k1);
+        const State k3 = rate(y + h / 2 * k2);
+        const State k4 = rate(y + h * k3);
+        y += h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
+      }
+    }
+    const Eigen::Matrix<Real, 4, 1> q = y.head<4>().normalized();
+    attitudes.push_back(Eigen::Quaternion<Real>(q(0), q(1), q(2), q(3)).toRotationMatrix().cast<double>());
+  }
+  return attitudes;
+}
+
+/// The largest angle between two lists of attitudes, rad.
+double difference(const Attitudes& left, const Attitudes& right) {
+  double largest = 0.0;
+  for (std::size_t i = 0; i < right.size(); ++i) {
+    // |L - R| (Frobenius) is 2 sqrt(2) sin(angle / 2).
+    const double chord = std::min(1.0, (left.at(i) - right[i]).norm() / std::sqrt(8.0));
+    largest = std::max(largest, 2.0 * std::asin(chord));
+  }
+  return largest;
+}
+
+struct Run {
+  double tolerance, error;
+  std::size_t evaluations;
+  double milliseconds = 0.0;
+};
+
+template <class Function> double milliseconds(const Function& function, int times) {
+  std::vector<double> durations;
+  for (int i = 0; i < times; ++i) {
+    const auto start = Clock::now();
+    function();
+    durations.push_back(std::chrono::duration<double, std::milli>(Clock::now() - start).count());
+  }
+  std::nth_element(durations.begin(), durations.begin() + times / 2, durations.end());
+  return durations[static_cast<std::size_t>(times / 2)];
+}
+
+/// Runs with tolerances from 1e-3 down, half a decade a step, until the tightest target is met or the method gives up.
+template <class Engine> std::vector<Run> sweep(const Engine& engine, const Attitudes& exact, double tightest) {
+  constexpr double least_tolerance = 1e-15;
+  std::vector<Run> runs;
+  for (double tolerance = 1e-3; tolerance > least_tolerance; tolerance /= std::sqrt(10.0)) {
+    Attitudes attitudes;
+    try {
+      const std::size_t evaluations = engine(tolerance, attitudes);
+      runs.push_back({tolerance, difference(attitudes, exact), evaluations});
+    } catch (const std::exception&) {
+      break;  // more steps than allowed, or a tolerance below rounding
+    }
+    if (runs.back().error <= tightest) break;
+  }
+  return runs;
+}
+
+/// The cheapest run that meets the target, timed.
+template <class Engine>
+std::optional<Run> cheapest(const Engine& engine, const std::vector<Run>& runs, double target, int times) {
+  std::optional<Run> best;
+  for (const Run& run : runs) {
+    if (run.error <= target && (!best || run.evaluations < best->evaluations)) best = run;
+  }
+  if (best) {
+    best->milliseconds = milliseconds(
+        [&] {
+          Attitudes unused;
+          engine(best->tolerance, unused);
+        },
+        times);
+  }
+  return best;
+}
+
+auto vectrix_engine(ode::Method method, AttitudeState attitude) {
+  return [=](double tolerance, Attitudes& attitudes) {
+    const auto kg_m2 = [](double value) { return Quantity<si::moment_of_inertia>::from_value(value); };
+    const Scenario<Inertial, Body> scenario{
+        .inertia = inertia_from_tensor(in<Body>, kg_m2(moments.x()), kg_m2(moments.y()), kg_m2(moments.z()),
+                                       kg_m2(0.0), kg_m2(0.0), kg_m2(0.0)),
+        .initial = {.time = 0.0 * si::second,
+                    .q_i_from_b = quaternion_scalar_first(to<Inertial>, from<Body>, 1.0, 0.0, 0.0, 0.0),
+                    .w_ib_b = angular_velocity(of<Body>, relative_to<Inertial>,
+                                               vector<si::angular_velocity>(in<Body>, start_rate))}};
+    Propagation<Inertial, Body> how{.end = sample_times.back() * si::second};
+    how.method = method;
+    how.attitude = attitude;
+    how.tolerances.relative = tolerance;
+    how.tolerances.attitude = tolerance;
+    how.tolerances.rate = Quantity<si::angular_velocity>::from_value(tolerance);
+    how.max_steps = 200'000;
+    for (const double t : sample_times) how.output_times.push_back(t * si::second);
+    const auto trajectory = propagate(scenario, how);
+    for (const auto& state : trajectory.outputs()) attitudes.push_back(state.R_i_from_b().matrix());
+    return trajectory.statistics().rhs_evaluations;
+  };
+}
+
+auto simbody_engine(validation::SimbodyIntegrator integrator) {
+  return [=](double tolerance, Attitudes& attitudes) {
+    const validation::SimbodyBody body{.mass_kg = 1.0,
+                                       .inertia_tensor_b = {moments.x(), 0, 0, 0, moments.y(), 0, 0, 0, moments.z()},
+                                       .R_i_from_b = {1, 0, 0, 0, 1, 0, 0, 0, 1},
+                                       .w_ib_b = {start_rate.x(), start_rate.y(), start_rate.z()},
+                                       .orbit = std::nullopt,
+                                       .pulses = {}};
+    std::vector<double> times{0.0};
+    times.insert(times.end(), sample_times.begin(), sample_times.end());
+    const auto run = validation::simbody_propagate(body, tolerance, times, integrator);
+    for (std::size_t i = 1; i < run.samples.size(); ++i)
+      attitudes.push_back(Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(
+          run.samples[i].R_i_from_b.data()));
+    return static_cast<std::size_t>(run.rhs_evaluations);
+  };
+}
+
+void right_hand_sides() {
+  const std::array<double, 7> y{1.0, 0.0, 0.0, 0.0, start_rate.x(), start_rate.y(), start_rate.z()};
+  const raw::Inertia raw_J{moments.asDiagonal(), moments.cwiseInverse().asDiagonal()};
+  const Scenario<Inertial, Body> scenario{
+      .inertia = trust_inertia(in<Body>, raw_J.tensor),
+      .initial = {.time = 0.0 * si::second,
+                  .q_i_from_b = quaternion_scalar_first(to<Inertial>, from<Body>, 1.0, 0.0, 0.0, 0.0),
+                  .w_ib_b = angular_velocity(of<Body>, relative_to<Inertial>,
+                                             vector<si::angular_velocity>(in<Body>, start_rate))}};
+  const detail::StateLayout<Inertial, Body> layout(AttitudeState::quaternion, false);
+  const raw::Attitude attitude = raw::Attitude::quaternion;
+  SimbodyRate simbody;
+  std::array<double, 7> ydot;
+  constexpr int calls = 20'000;
+  constexpr int rounds = 51;
+  const auto nanoseconds = [&](const auto& call) {
+    const auto start = Clock::now();
+    for (int i = 0; i < calls; ++i) {
+      call();
+      asm volatile("" : : "r"(ydot.data()) : "memory");
+    }
+    return std::chrono::duration<double, std::nano>(Clock::now() - start).count() / calls;
+  };
+  std::array<std::vector<double>, 3> ns;
+  for (int round = 0; round < rounds; ++round) {  // interleaved: what slows the machine slows all three
+    ns[0].push_back(nanoseconds([&] { typed::body_rate(layout, scenario, y, ydot); }));
+    ns[1].push_back(nanoseconds([&] { raw::body_rate(attitude, raw_J, y, ydot); }));
+    ns[2].push_back(nanoseconds([&] { simbody.evaluate({y[0], y[1], y[2], y[3]}, {y[4], y[5], y[6]}); }));
+  }
+  std::printf("| right-hand side | ns a call | times ours |\n| --- | --- | --- |\n");
+  const std::array names{"`StateLayout::derivative`", "raw Eigen", "Simbody, `realize(Acceleration)`"};
+  for (auto& list : ns) std::nth_element(list.begin(), list.begin() + rounds / 2, list.end());
+  for (std::size_t i = 0; i < 3; ++i)
+    std::printf("| %s | %.1f | %.2f |\n", names[i], ns[i][rounds / 2], ns[i][rounds / 2] / ns[0][rounds / 2]);
+}
+
+void row(const char* target, const char* name, const std::optional<Run>& run, double ours) {
+  if (!run) {
+    std::printf("| %s | %s | not reached | | | | |\n", target, name);
+    return;
+  }
+  std::printf("| %s | %s | %.0e | %.1e | %zu | %.2f | %.1f |\n", target, name, run->tolerance, run->error,
+              run->evaluations, run->milliseconds, run->milliseconds / ours);
+}
+
+void against_simbody(const Attitudes& exact) {
+  std::printf("| error | engine | tolerance | error reached, rad | evaluations | ms | times ours |\n"
+              "| --- | --- | --- | --- | --- | --- | --- |\n");
+  const auto ours = vectrix_engine(ode::Method::arkode_fehlberg_8, AttitudeState::quaternion);
+  const auto merson = simbody_engine(validation::SimbodyIntegrator::runge_kutta_merson);
+  const auto feldberg = simbody_engine(validation::SimbodyIntegrator::runge_kutta_feldberg);
+  const auto our_runs = sweep(ours, exact, 1e-9);
+  const auto merson_runs = sweep(merson, exact, 1e-9);
+  const auto feldberg_runs = sweep(feldberg, exact, 1e-9);
+  for (const auto& [target, label] : {std::pair{1e-6, "1e-6 rad"}, std::pair{1e-9, "1e-9 rad"}}) {
+    const auto best = cheapest(ours, our_runs, target, 21);
+    row(label, "Vectrix, default", best, best->milliseconds);
+    row(label, "Simbody, Merson", cheapest(merson, merson_runs, target, 3), best->milliseconds);
+    row(label, "Simbody, Feldberg", cheapest(feldberg, feldberg_runs, target, 3), best->milliseconds);
+  }
+}
+
+void work_precision(const Attitudes& exact) {
+  const std::array methods{std::pair{"cvode_adams", ode::Method::cvode_adams},
+                           std::pair{"cvode_bdf", ode::Method::cvode_bdf},
+                           std::pair{"arkode_dormand_prince_5", ode::Method::arkode_dormand_prince_5},
+                           std::pair{"arkode_fehlberg_8", ode::Method::arkode_fehlberg_8}};
+  const std::array targets{1e-6, 1e-9, 1e-12};
+  std::printf("| method | attitude | 1e-6 rad | 1e-9 rad | 1e-12 rad |\n| --- | --- | --- | --- | --- |\n");
+  std::array<std::pair<double, std::string>, 3> fastest;
+  fastest.fill({std::numeric_limits<double>::infinity(), ""});
+  for (const auto& [method_name, method] : methods) {
+    for (const auto attitude : {AttitudeState::quaternion, AttitudeState::dcm}) {
+      const char* attitude_name = attitude == AttitudeState::quaternion ? "quaternion" : "DCM";
+      const auto engine = vectrix_engine(method, attitude);
+      const auto runs = sweep(engine, exact, targets.back());
+      std::printf("| %s | %s |", method_name, attitude_name);
+      for (std::size_t i = 0; i < targets.size(); ++i) {
+        const auto run = cheapest(engine, runs, targets[i], 21);
+        if (!run) {
+          std::printf(" not reached |");
+          continue;
+        }
+        std::printf(" %zu, %.2f ms |", run->evaluations, run->milliseconds);
+        const std::string name = std::string{method_name} + ", " + attitude_name;
+        fastest[i] = std::min(fastest[i], std::pair{run->milliseconds, name});
+      }
+      std::printf("\n");
+    }
+  }
+  std::printf("\nFastest to 1e-6, 1e-9 and 1e-12 rad: %s; %s; %s. The default is arkode_fehlberg_8, quaternion.\n",
+              fastest[0].second.c_str(), fastest[1].second.c_str(), fastest[2].second.c_str());
+}
+
+}  // namespace
+}  // namespace bench
+
+int main() {
+  using namespace bench;
+  const Attitudes exact = reference(4000);
+  const double doubt = difference(exact, reference(2000));
+  std::printf("## The free body\n\n"
+              "Moments (1, 2, 3) kg m^2, no torque, g++, x86-64. Times are medians of interleaved rounds.\n\n");
+  right_hand_sides();
+  std::printf("\n## A whole run at equal accuracy\n\n"
+              "The same body for 100 s, about 110 rad. The error is the largest angle at 20, 40, 60, 80 and 100 s from "
+              "a Runge-Kutta run in long double, which changes by %.0e rad when its step is doubled. For each engine: "
+              "the cheapest run, of tolerances half a decade apart, that meets the error.\n\n",
+              doubt);
+  against_simbody(exact);
+  std::printf("\n## Work and precision of the methods\n\n"
+              "The same run: evaluations of the right-hand side, and time, of the cheapest run that meets the error; "
+              "at most 200 000 steps.\n\n");
+  work_precision(exact);
+}
