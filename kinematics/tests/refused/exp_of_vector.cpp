@@ -1,6 +1,6 @@
 // mistake: the exponential of a vector, which does not know its two frames
 // expect: exp
-// expect: Vector<Body, (vectrix::)?si::angle
+// expect: 'RotationVector' against 'Vector'|exp.const vectrix::Vector<Body, vectrix::si::angle
 #include <vectrix/kinematics.hpp>
 
 struct Gcrf : vectrix::inertial_frame {};

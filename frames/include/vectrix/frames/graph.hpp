@@ -56,9 +56,9 @@ template <class Topology, Level level, class B, class A, class C> constexpr auto
 
 template <class... Edges> class FrameGraph;
 
-/// A frame graph at one instant. Answers what the path between two frames knows. An edge is evaluated at most once: a
-/// snapshot with a name keeps the values, one without, `graph.at(t).rotation(...)`, needs each once only. Holds a
-/// reference to the graph. Not for use by two threads at once: take one snapshot per thread.
+/// A frame graph at one instant. Answers what the path between two frames knows. An edge is evaluated at most
+/// once: a snapshot with a name keeps the values, one without, `graph.at(t).rotation(...)`, needs each once
+/// only. Holds a reference to the graph. Not for use by two threads at once: take one snapshot per thread.
 template <class Instant, class... Edges> class GraphSnapshot {
   using Topology = detail::Topology<Edges...>;
 
@@ -74,14 +74,10 @@ template <class Instant, class... Edges> class GraphSnapshot {
   /// R_a^b between any two joined frames.
   template <class B, class A>
     requires answers<Level::rotation, B, A, A>
-  auto rotation(To<B>, From<A>) const& {
-    return kept().template rotation<B, A>();
-  }
+  auto rotation(To<B>, From<A>) const& { return kept().template rotation<B, A>(); }
   template <class B, class A>
     requires answers<Level::rotation, B, A, A>
-  auto rotation(To<B>, From<A>) && {
-    return fresh().template rotation<B, A>();
-  }
+  auto rotation(To<B>, From<A>) && { return fresh().template rotation<B, A>(); }
 
   /// w_ab^c, of b relative to a, expressed in c: needs the rate on every edge from a to b.
   template <class B, class A, class C>

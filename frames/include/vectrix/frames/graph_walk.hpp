@@ -109,8 +109,8 @@ template <class Topology, class Values> class GraphWalk {
   }
 
  private:
-  // The product of `part` of the values on the first `end` edges from A to B, each turned into the direction of the
-  // walk; `before` is that of the first `step`.
+  // The product of `part` of the values on the first `end` edges from A to B, each turned into the direction
+  // of the walk; `before` is that of the first `step`.
   template <class A, class B, std::size_t end, std::size_t step = 0, class Part, class... Product>
   auto product(Part part, const Product&... before) const {
     static constexpr auto& path = Topology::template path_between<A, B>;

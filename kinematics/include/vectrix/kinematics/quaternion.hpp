@@ -22,8 +22,7 @@ template <Frame ToFrame, Frame FromFrame, class S = double> class Quaternion {
   using from = FromFrame;
 
   Quaternion() = delete;
-  Quaternion(S, S, S,
-             S) = delete;  // where is the scalar? quaternion_scalar_first(to<B>, from<A>, w, x, y, z)
+  Quaternion(S, S, S, S) = delete;  // where is the scalar? quaternion_scalar_first(), _last()
   Quaternion(detail::Trusted, const Eigen::Quaternion<S>& value) : value_(value) {}
   template <detail::Makes<Eigen::Quaternion<S>> Make>
   Quaternion(detail::Trusted, const Make& make) : value_(make()) {}
