@@ -7,13 +7,13 @@ namespace raw {
 using bench::Motion;
 using bench::spin;
 
-
-
 Matrix3d dcm_product(const Matrix3d& R_c_from_b, const Matrix3d& R_b_from_a) {
   return R_c_from_b * R_b_from_a;
 }
 
-Vector3d dcm_on_vector(const Matrix3d& R_b_from_a, const Vector3d& r_a) { return R_b_from_a * r_a; }
+Vector3d dcm_on_vector(const Matrix3d& R_b_from_a, const Vector3d& r_a) {
+  return R_b_from_a * r_a;
+}
 
 Vector3d rate_chain(const RateChain& chain) {
   const Vector3d w_ac_c = chain.R_c_from_b * chain.w_ab_b + chain.w_bc_c;
@@ -40,9 +40,13 @@ Quaterniond quaternion_product(const Quaterniond& q_c_from_b, const Quaterniond&
   return q_c_from_b * q_b_from_a;
 }
 
-Vector3d quaternion_on_vector(const Quaterniond& q_b_from_a, const Vector3d& r_a) { return q_b_from_a * r_a; }
+Vector3d quaternion_on_vector(const Quaterniond& q_b_from_a, const Vector3d& r_a) {
+  return q_b_from_a * r_a;
+}
 
-Matrix3d turned_z(const double& angle) { return spin(angle); }
+Matrix3d turned_z(const double& angle) {
+  return spin(angle);
+}
 
 Quaterniond exp_to_quaternion(const Vector3d& theta_ab) {
   const double angle = theta_ab.norm();

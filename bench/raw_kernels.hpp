@@ -11,7 +11,6 @@ using Eigen::Matrix3d;
 using Eigen::Quaterniond;
 using Eigen::Vector3d;
 
-
 struct RateChain {
   Vector3d w_ab_b, w_bc_c, w_cd_d, w_de_e, w_ef_f;
   Matrix3d R_c_from_b, R_d_from_c, R_e_from_d, R_f_from_e;

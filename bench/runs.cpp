@@ -1,15 +1,15 @@
-/// Whole runs of a torque-free body: against Simbody at equal accuracy, and the library's methods among themselves.
-/// Prints sections of docs/performance.md.
+/// Whole runs of a torque-free body: against Simbody at equal accuracy, and the library's methods among
+/// themselves. Prints sections of docs/performance.md.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
-#include <map>
 #include <optional>
 #include <vectrix/dynamics.hpp>
 
 #include "raw_kernels.hpp"
-#include "simbody_rate.hpp"
 #include "simbody_reference.hpp"
+#include "simbody_reference_rate.hpp"
+#include "torque_free.hpp"
 #include "typed_kernels.hpp"
 
 namespace bench {
@@ -18,59 +18,6 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using Body = B;
 using Inertial = A;
-
-// Moments (1, 2, 3) kg m^2, 100 s at about 1.1 rad/s, near no principal axis.
-const Eigen::Vector3d moments(1.0, 2.0, 3.0);
-const Eigen::Vector3d start_rate(0.7, 0.6, 0.6);
-const std::vector<double> sample_times{20.0, 40.0, 60.0, 80.0, 100.0};
-
-using Attitudes = std::vector<Eigen::Matrix3d>;  // R_i_from_b at the sample times
-
-/// Euler's equation and the quaternion's by the classical Runge-Kutta rule in long double: shares nothing with the
-/// library or with Simbody. Its own error is found by halving the step.
-Attitudes reference(int steps_per_second) {
-  using Real = long double;
-  using State = Eigen::Matrix<Real, 7, 1>;  // w x y z of q_i_from_b, then w_ib_b
-  const Eigen::Matrix<Real, 3, 1> J = moments.cast<Real>();
-  const auto rate = [&](const State& y) -> State {
-    const Real p = y(4), q = y(5), r = y(6);
-    State d;
-    d << (-y(1) * p - y(2) * q - y(3) * r) / 2, (y(0) * p + y(2) * r - y(3) * q) / 2,
-        (y(0) * q + y(3) * p - y(1) * r) / 2, (y(0) * r + y(1) * q - y(2) * p) / 2,
-        (J.y() - J.z()) * q * r / J.x(), (J.z() - J.x()) * r * p / J.y(), (J.x() - J.y()) * p * q / J.z();
-    return d;
-  };
-  State y;
-  y << 1, 0, 0, 0, start_rate.cast<Real>();
-  const Real h = Real(1) / steps_per_second;
-  Attitudes attitudes;
-  double t = 0.0;
-  for (const double sample : sample_times) {
-    for (; t < sample; t += 1.0) {
-      for (int i = 0; i < steps_per_second; ++i) {
-        const State k1 = rate(y);
-        const State k2 = rate(y + h / 2 * k1);
-        const State k3 = rate(y + h / 2 * k2);
-        const State k4 = rate(y + h * k3);
-        y += h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
-      }
-    }
-    const Eigen::Matrix<Real, 4, 1> q = y.head<4>().normalized();
-    attitudes.push_back(Eigen::Quaternion<Real>(q(0), q(1), q(2), q(3)).toRotationMatrix().cast<double>());
-  }
-  return attitudes;
-}
-
-/// The largest angle between two lists of attitudes, rad.
-double difference(const Attitudes& left, const Attitudes& right) {
-  double largest = 0.0;
-  for (std::size_t i = 0; i < right.size(); ++i) {
-    // |L - R| (Frobenius) is 2 sqrt(2) sin(angle / 2).
-    const double chord = std::min(1.0, (left.at(i) - right[i]).norm() / std::sqrt(8.0));
-    largest = std::max(largest, 2.0 * std::asin(chord));
-  }
-  return largest;
-}
 
 struct Run {
   double tolerance, error;
@@ -89,8 +36,10 @@ template <class Function> double milliseconds(const Function& function, int time
   return durations[static_cast<std::size_t>(times / 2)];
 }
 
-/// Runs with tolerances from 1e-3 down, half a decade a step, until the tightest target is met or the method gives up.
-template <class Engine> std::vector<Run> sweep(const Engine& engine, const Attitudes& exact, double tightest) {
+/// Runs with tolerances from 1e-3 down, half a decade a step, until the tightest target is met or the method
+/// gives up.
+template <class Engine>
+std::vector<Run> sweep(const Engine& engine, const Attitudes& exact, double tightest) {
   constexpr double least_tolerance = 1e-15;
   std::vector<Run> runs;
   for (double tolerance = 1e-3; tolerance > least_tolerance; tolerance /= std::sqrt(10.0)) {
@@ -150,18 +99,19 @@ auto vectrix_engine(ode::Method method, AttitudeState attitude) {
 
 auto simbody_engine(validation::SimbodyIntegrator integrator) {
   return [=](double tolerance, Attitudes& attitudes) {
-    const validation::SimbodyBody body{.mass_kg = 1.0,
-                                       .inertia_tensor_b = {moments.x(), 0, 0, 0, moments.y(), 0, 0, 0, moments.z()},
-                                       .R_i_from_b = {1, 0, 0, 0, 1, 0, 0, 0, 1},
-                                       .w_ib_b = {start_rate.x(), start_rate.y(), start_rate.z()},
-                                       .orbit = std::nullopt,
-                                       .pulses = {}};
+    const validation::SimbodyBody body{
+        .mass_kg = 1.0,
+        .inertia_tensor_b = {moments.x(), 0, 0, 0, moments.y(), 0, 0, 0, moments.z()},
+        .R_i_from_b = {1, 0, 0, 0, 1, 0, 0, 0, 1},
+        .w_ib_b = {start_rate.x(), start_rate.y(), start_rate.z()},
+        .orbit = std::nullopt,
+        .pulses = {}};
     std::vector<double> times{0.0};
     times.insert(times.end(), sample_times.begin(), sample_times.end());
     const auto run = validation::simbody_propagate(body, tolerance, times, integrator);
     for (std::size_t i = 1; i < run.samples.size(); ++i)
-      attitudes.push_back(Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(
-          run.samples[i].R_i_from_b.data()));
+      attitudes.push_back(
+          Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(run.samples[i].R_i_from_b.data()));
     return static_cast<std::size_t>(run.rhs_evaluations);
   };
 }
@@ -177,7 +127,7 @@ void right_hand_sides() {
                                              vector<si::angular_velocity>(in<Body>, start_rate))}};
   const detail::StateLayout<Inertial, Body> layout(AttitudeState::quaternion, false);
   const raw::Attitude attitude = raw::Attitude::quaternion;
-  SimbodyRate simbody;
+  validation::SimbodyRate simbody;
   std::array<double, 7> ydot;
   constexpr int calls = 20'000;
   constexpr int rounds = 51;
@@ -212,8 +162,9 @@ void row(const char* target, const char* name, const std::optional<Run>& run, do
 }
 
 void against_simbody(const Attitudes& exact) {
-  std::printf("| error | engine | tolerance | error reached, rad | evaluations | ms | times ours |\n"
-              "| --- | --- | --- | --- | --- | --- | --- |\n");
+  std::printf(
+      "| error | engine | tolerance | error reached, rad | evaluations | ms | times ours |\n"
+      "| --- | --- | --- | --- | --- | --- | --- |\n");
   const auto ours = vectrix_engine(ode::Method::arkode_fehlberg_8, AttitudeState::quaternion);
   const auto merson = simbody_engine(validation::SimbodyIntegrator::runge_kutta_merson);
   const auto feldberg = simbody_engine(validation::SimbodyIntegrator::runge_kutta_feldberg);
@@ -256,8 +207,9 @@ void work_precision(const Attitudes& exact) {
       std::printf("\n");
     }
   }
-  std::printf("\nFastest to 1e-6, 1e-9 and 1e-12 rad: %s; %s; %s. The default is arkode_fehlberg_8, quaternion.\n",
-              fastest[0].second.c_str(), fastest[1].second.c_str(), fastest[2].second.c_str());
+  std::printf(
+      "\nFastest to 1e-6, 1e-9 and 1e-12 rad: %s; %s; %s. The default is arkode_fehlberg_8, quaternion.\n",
+      fastest[0].second.c_str(), fastest[1].second.c_str(), fastest[2].second.c_str());
 }
 
 }  // namespace
@@ -267,17 +219,22 @@ int main() {
   using namespace bench;
   const Attitudes exact = reference(4000);
   const double doubt = difference(exact, reference(2000));
-  std::printf("## The free body\n\n"
-              "Moments (1, 2, 3) kg m^2, no torque, g++, x86-64. Times are medians of interleaved rounds.\n\n");
+  std::printf(
+      "## The free body\n\n"
+      "Moments (1, 2, 3) kg m^2, no torque, g++, x86-64. Times are medians of interleaved rounds.\n\n");
   right_hand_sides();
-  std::printf("\n## A whole run at equal accuracy\n\n"
-              "The same body for 100 s, about 110 rad. The error is the largest angle at 20, 40, 60, 80 and 100 s from "
-              "a Runge-Kutta run in long double, which changes by %.0e rad when its step is doubled. For each engine: "
-              "the cheapest run, of tolerances half a decade apart, that meets the error.\n\n",
-              doubt);
+  std::printf(
+      "\n## A whole run at equal accuracy\n\n"
+      "The same body for 100 s, about 110 rad. The error is the largest angle at 20, 40, 60, 80 and 100 s "
+      "from "
+      "a Runge-Kutta run in long double, which changes by %.0e rad when its step is doubled. For each "
+      "engine: "
+      "the cheapest run, of tolerances half a decade apart, that meets the error.\n\n",
+      doubt);
   against_simbody(exact);
-  std::printf("\n## Work and precision of the methods\n\n"
-              "The same run: evaluations of the right-hand side, and time, of the cheapest run that meets the error; "
-              "at most 200 000 steps.\n\n");
+  std::printf(
+      "\n## Work and precision of the methods\n\n"
+      "The same run: evaluations of the right-hand side, and time, of the cheapest run that meets the error; "
+      "at most 200 000 steps.\n\n");
   work_precision(exact);
 }

@@ -19,6 +19,8 @@ struct Motion {
   Eigen::Matrix3d R;
   Eigen::Vector3d w;
 };
-inline Motion moving_spin(double angle, const Eigen::Vector3d& w) { return {spin(angle), w}; }
+inline Motion moving_spin(double angle, const Eigen::Vector3d& w) {
+  return {spin(angle), w};
+}
 
 }  // namespace bench

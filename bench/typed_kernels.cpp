@@ -37,9 +37,13 @@ Vector<B, si::length> quaternion_on_vector(const Quaternion<B, A>& q_b_from_a,
   return q_b_from_a * r_a;
 }
 
-Dcm<B, A> turned_z(const Quantity<si::angle>& angle) { return vectrix::turned_z(to<B>, from<A>, angle); }
+Dcm<B, A> turned_z(const Quantity<si::angle>& angle) {
+  return vectrix::turned_z(to<B>, from<A>, angle);
+}
 
-Quaternion<A, B> exp_to_quaternion(const RotationVector<A, B>& theta_ab) { return exp_quaternion(theta_ab); }
+Quaternion<A, B> exp_to_quaternion(const RotationVector<A, B>& theta_ab) {
+  return exp_quaternion(theta_ab);
+}
 
 Dcm<A, F> constant_graph(const ConstantGraph& graph, const Quantity<si::time>& t) {
   return graph.at(t).rotation(to<A>, from<F>);

@@ -9,8 +9,8 @@
 
 namespace vectrix {
 
-/// Wrong data at a door: the text says the action, the operands and the number that failed. Visible across shared
-/// libraries, so that it is caught by its type there too.
+/// Wrong data at a door: the text says the action, the operands and the number that failed. Visible across
+/// shared libraries, so that it is caught by its type there too.
 class __attribute__((visibility("default"))) BadInput : public std::invalid_argument {
  public:
   using std::invalid_argument::invalid_argument;

@@ -95,7 +95,7 @@ template <Frame A, Frame B, class S = double> class QuaternionRate {
 /// Body form: d/dt q_b^a = 1/2 q_b^a (0, w_ab^b). Reference form: d/dt q_b^a = 1/2 (0, w_ab^a) q_b^a.
 template <class A, class B, class S>
 inline QuaternionRate<A, B, S> rate(const Quaternion<A, B, S>& q_a_from_b,
-                             const AngularVelocity<A, B, In<B>, S>& w_ab_b) {
+                                    const AngularVelocity<A, B, In<B>, S>& w_ab_b) {
   const detail::Column<S> h = w_ab_b.coordinates() / S(2);
   return {detail::trusted,
           [&] { return q_a_from_b.eigen() * Eigen::Quaternion<S>(S(0), h.x(), h.y(), h.z()); }};
@@ -103,7 +103,7 @@ inline QuaternionRate<A, B, S> rate(const Quaternion<A, B, S>& q_a_from_b,
 template <class A, class B, class S>
   requires(!std::same_as<A, B>)
 inline QuaternionRate<A, B, S> rate(const Quaternion<A, B, S>& q_a_from_b,
-                             const AngularVelocity<A, B, In<A>, S>& w_ab_a) {
+                                    const AngularVelocity<A, B, In<A>, S>& w_ab_a) {
   const detail::Column<S> h = w_ab_a.coordinates() / S(2);
   return {detail::trusted,
           [&] { return Eigen::Quaternion<S>(S(0), h.x(), h.y(), h.z()) * q_a_from_b.eigen(); }};

@@ -89,8 +89,9 @@ template <class A, class B, class S> AcceleratingDcm<B, A, S> inverse(const Acce
   return {inverse(ab.moving()), -(ab.rotation() * ab.angular_acceleration())};
 }
 
-// Steps of a frame graph's walk between a and b, along an edge that says how b moves relative to a, or against
-// one that says how a moves relative to b.
+// Steps of a frame graph's walk between a and b: along an edge that says how b moves relative to a, or
+// against one that says how a moves relative to b.
+//
 // From x over a to b:    w_xb^b = R_a^b w_xa^a + w_ab^b      w_xb^b = R_a^b (w_xa^a - w_ba^a)
 template <class A, class B, class S>
 AngularVelocity<A, B, In<B>, S> rate_along(const MovingDcm<A, B, S>& ab) {
@@ -108,8 +109,8 @@ AngularVelocity<A, B, In<B>, S> rate_against(const MovingDcm<B, A, S>& ba) {
 template <class X, class A, class B, class S>
 AngularVelocity<X, B, In<B>, S> rate_against(const MovingDcm<B, A, S>& ba,
                                              const AngularVelocity<X, A, In<A>, S>& w_xa_a) {
-  return AngularVelocity<X, B, In<B>, S>{
-      detail::trusted, ba.rotation() * (w_xa_a.vector() - ba.angular_velocity().vector())};
+  return AngularVelocity<X, B, In<B>, S>{detail::trusted,
+                                         ba.rotation() * (w_xa_a.vector() - ba.angular_velocity().vector())};
 }
 // From y over b back to a:    w_ay^a = R_b^a (w_ab^b + w_by^b)    w_ay^a = R_b^a w_by^b - w_ba^a
 template <class A, class B, class S>
