@@ -81,13 +81,15 @@ template <class Topology, class Values> class GraphWalk {
   template <class B, class A, class C> auto angular_velocity() const {
     static constexpr auto& to_b = Topology::template path_between<A, B>;
     static constexpr std::size_t parting = Topology::template shared_steps<A, B, C>();
-    if constexpr (parting == 0) {
-      return carried<A, C, 0>(rate_back<A, B, 0>());
-    } else if constexpr (parting == to_b.length) {
-      return carried<A, C, parting>(rate<A, B, parting>());
-    } else {
-      return carried<A, C, parting>(rate<A, B, parting>() + rate_back<A, B, parting>());
-    }
+    return carried<A, C, parting>([&] {
+      if constexpr (parting == 0) {
+        return rate_back<A, B, 0>();
+      } else if constexpr (parting == to_b.length) {
+        return rate<A, B, parting>();
+      } else {
+        return rate<A, B, parting>() + rate_back<A, B, parting>();
+      }
+    });
   }
 
   // alpha_ab^m = alpha_am^m - alpha_bm^m + w_am^m x (-w_bm^m), and likewise.
@@ -95,17 +97,18 @@ template <class Topology, class Values> class GraphWalk {
     static constexpr auto& to_b = Topology::template path_between<A, B>;
     static constexpr std::size_t parting = Topology::template shared_steps<A, B, C>();
     const auto whole = [](const auto& value) -> decltype(auto) { return (value); };
-    if constexpr (parting == 0) {
-      return carried<A, C, 0>(-angular_acceleration_of(product<B, A, to_b.length>(whole)));
-    } else if constexpr (parting == to_b.length) {
-      return carried<A, C, parting>(angular_acceleration_of(product<A, B, parting>(whole)));
-    } else {
-      const auto am = product<A, B, parting>(whole);
-      const auto bm = product<B, A, to_b.length - parting>(whole);
-      return carried<A, C, parting>(chain(angular_acceleration_of(am), -angular_acceleration_of(bm),
-                                          angular_velocity_of(moving_part(am)),
-                                          -angular_velocity_of(moving_part(bm))));
-    }
+    return carried<A, C, parting>([&] {
+      if constexpr (parting == 0) {
+        return -angular_acceleration_of(product<B, A, to_b.length>(whole));
+      } else if constexpr (parting == to_b.length) {
+        return angular_acceleration_of(product<A, B, parting>(whole));
+      } else {
+        const auto am = product<A, B, parting>(whole);
+        const auto bm = product<B, A, to_b.length - parting>(whole);
+        return chain(angular_acceleration_of(am), -angular_acceleration_of(bm),
+                     angular_velocity_of(moving_part(am)), -angular_velocity_of(moving_part(bm)));
+      }
+    });
   }
 
  private:
@@ -114,10 +117,10 @@ template <class Topology, class Values> class GraphWalk {
   template <class A, class B, std::size_t end, std::size_t step = 0, class Part, class... Product>
   auto product(Part part, const Product&... before) const {
     static constexpr auto& path = Topology::template path_between<A, B>;
-    if constexpr (step == end) {
-      return (before, ...);
+    const auto& here = values_.template value<path.edge[step]>();
+    if constexpr (step + 1 == end) {
+      return times<path.reversed[step]>(part(here), before...);
     } else {
-      const auto& here = values_.template value<path.edge[step]>();
       return product<A, B, end, step + 1>(part, times<path.reversed[step]>(part(here), before...));
     }
   }
@@ -126,15 +129,18 @@ template <class Topology, class Values> class GraphWalk {
   template <class A, class B, std::size_t end, std::size_t step = 0, class... Rate>
   auto rate(const Rate&... before) const {
     static constexpr auto& path = Topology::template path_between<A, B>;
-    if constexpr (step == end) {
-      return (before, ...);
-    } else {
-      const auto& here = values_.template value<path.edge[step]>();
+    const auto& here = values_.template value<path.edge[step]>();
+    const auto next = [&] {
       if constexpr (path.reversed[step]) {
-        return rate<A, B, end, step + 1>(rate_against(moving_part(here), before...));
+        return rate_against(moving_part(here), before...);
       } else {
-        return rate<A, B, end, step + 1>(rate_along(moving_part(here), before...));
+        return rate_along(moving_part(here), before...);
       }
+    };
+    if constexpr (step + 1 == end) {
+      return next();
+    } else {
+      return rate<A, B, end, step + 1>(next());
     }
   }
 
@@ -156,14 +162,16 @@ template <class Topology, class Values> class GraphWalk {
     }
   }
 
-  // What is expressed in the frame `step` steps from A on the way to C, expressed in C.
-  template <class A, class C, std::size_t step, class Rate> auto carried(const Rate& rate) const {
+  // What `rate()` gives in the frame `step` steps from A on the way to C, expressed in C. Nothing is copied
+  // on the way.
+  template <class A, class C, std::size_t step, class Rate> auto carried(Rate rate) const {
     static constexpr auto& path = Topology::template path_between<A, C>;
     if constexpr (step == path.length) {
-      return rate;
+      return rate();
     } else {
       const auto& here = values_.template value<path.edge[step]>();
-      return carried<A, C, step + 1>(oriented<!path.reversed[step]>(rotation_of(here)) * rate);
+      return carried<A, C, step + 1>(
+          [&] { return oriented<!path.reversed[step]>(rotation_of(here)) * rate(); });
     }
   }
 
