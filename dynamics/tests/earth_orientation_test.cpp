@@ -131,7 +131,8 @@ TEST(EarthOrientation, RateIsTheDerivativeOfTheRotation) {
       const auto before = orientation.at(epoch - h * si::second).rotation();
       const auto after = orientation.at(epoch + h * si::second).rotation();
       // Itrf at two instants has one type: the increment is taken as raw numbers.
-      const auto turn = log(trust_dcm(to<earth::Gcrf>, from<earth::Itrf>, before.matrix().transpose() * after.matrix()));
+      const auto turn =
+          log(trust_dcm(to<earth::Gcrf>, from<earth::Itrf>, before.matrix().transpose() * after.matrix()));
       const auto w = orientation.at(epoch).angular_velocity().coordinates();
       largest_difference = std::max(largest_difference, (turn.coordinates() / (2.0 * h) - w).norm());
     }

@@ -91,8 +91,9 @@ TEST(Ellipsoid, RaysFindThePointTheyAreAimedAt) {
     const auto point = wgs84::position(
         {std::asin(part(random)) * si::radian, pi * part(random) * si::radian, 0.0 * si::metre});
     const auto origin =
-        point + vector<si::length>(in<earth::Itrf>, Eigen::Vector3d(1e7 * Eigen::Vector3d(part(random), part(random),
-                                                                                   part(random))));
+        point +
+        vector<si::length>(in<earth::Itrf>,
+                           Eigen::Vector3d(1e7 * Eigen::Vector3d(part(random), part(random), part(random))));
     const auto ray = direction(point - origin);
     const double cosine_from_normal = -dot(ray, wgs84::up(point)).value();
     if (cosine_from_normal < std::sin(pi / 180.0)) continue;

@@ -148,6 +148,15 @@ TEST(Inertia, a_flat_plate_is_a_body_and_a_line_is_none_however_they_lie) {
   }
 }
 
+TEST(Inertia, the_inverse_is_right_at_any_size) {
+  for (const double size : {1e-250, 1e-110, 1e110, 1e250}) {
+    const auto J = size * si::kilogram_square_metre;
+    const auto inertia = inertia_from_tensor(in<Body>, 2.0 * J, 2.0 * J, 2.0 * J, 0.0 * J, 0.0 * J, 0.0 * J);
+    // Two divisions by the trace round, each by half an ulp.
+    EXPECT_NEAR(inertia.inverse_matrix()(1, 1) * size, 0.5, 1e-15) << size;
+  }
+}
+
 TEST(Inertia, the_trusted_door_takes_what_is_no_body) {
   const Matrix3d effective = Vector3d(1.0, 2.0, 4.0).asDiagonal();
   EXPECT_EQ(trust_inertia(in<Body>, effective).matrix(), effective);

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <random>
 #include <vectrix/frames/dcm_doors.hpp>
 
 #include "attitudes.hpp"
@@ -72,7 +73,7 @@ TEST(DcmDoors, AReflectionIsNoRotation) {
   EXPECT_TRUE(contains(refused(mirror), "the determinant is -1; a rotation is right-handed"))
       << refused(mirror);
   EXPECT_TRUE(contains(not_projected(mirror), "the determinant is -1; a rotation is right-handed"));
-  EXPECT_TRUE(contains(not_projected(Eigen::Matrix3d::Zero()), "the determinant is 0"));
+  EXPECT_TRUE(contains(refused(Eigen::Matrix3d::Zero()), "differs from the identity by 1"));
 }
 
 RC_GTEST_PROP(DcmDoors, TheProjectionOfAStretchedRotationIsTheRotation, ()) {
@@ -98,6 +99,24 @@ TEST(DcmDoors, TheProjectionIsNearerThanAnyOther) {
       const Eigen::AngleAxisd nudge(angle, Eigen::Vector3d::Unit(axis));
       EXPECT_GT((nudge.toRotationMatrix() * nearest.dcm.matrix() - noisy).norm(), nearest.distance);
     }
+  }
+}
+
+TEST(DcmDoors, NoRotationIsNearestToASingularMatrix) {
+  std::mt19937_64 generator(20);
+  std::normal_distribution<double> normal;
+  for (int i = 0; i < 1000; ++i) {
+    Eigen::Matrix3d matrix = Eigen::Matrix3d::NullaryExpr([&] { return normal(generator); });
+    matrix.row(2) = normal(generator) * matrix.row(0) + normal(generator) * matrix.row(1);
+    EXPECT_TRUE(contains(not_projected(matrix), "singular matrix")) << matrix;
+  }
+  EXPECT_TRUE(contains(not_projected(Eigen::Matrix3d::Zero()), "singular matrix"));
+}
+
+TEST(DcmDoors, TheSizeOfTheMatrixDoesNotMatterToTheProjection) {
+  for (const double size : {1e-200, 1e200}) {
+    EXPECT_EQ(nearest_dcm(to<Body>, from<Gcrf>, size * Eigen::Matrix3d::Identity()).dcm.matrix(),
+              Eigen::Matrix3d::Identity());
   }
 }
 

@@ -179,4 +179,16 @@ static_assert(Frame<Gcrf> && Frame<Wheel<2>> && !Frame<Both> && !Frame<Neither> 
 static_assert(!Frame<inertial_frame> && !Frame<moving_frame> && !Frame<double>);
 static_assert(InertialFrame<Gcrf> && !InertialFrame<Body>);
 
+template <class Scalar, class V>
+concept Scales = requires(Scalar k, V r) {
+  k* r;
+};
+using Axis = Vector<Body, si::dimensionless>;
+
+// A direction takes the scalar's unit as it is; the radian is not added for it.
+static_assert(Scales<Quantity<si::torque>, Axis>);
+static_assert(Scales<Quantity<si::angular_velocity>, Axis>);
+static_assert(!Scales<Quantity<si::energy>, Axis>);
+static_assert(!Scales<Quantity<si::frequency>, Axis>);
+
 }  // namespace

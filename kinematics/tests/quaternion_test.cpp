@@ -154,4 +154,15 @@ static_assert(!std::is_convertible_v<Eigen::Quaterniond, Quaternion<Body, Gcrf>>
 static_assert(!std::is_convertible_v<Quaternion<Body, Gcrf>, Dcm<Body, Gcrf>>);
 static_assert(!std::is_default_constructible_v<Quaternion<Body, Gcrf>>);
 
+TEST(Quaternion, TheProjectionOfTinyAndHugeNumbersIsAUnitQuaternion) {
+  for (const double size : {5e-324, 1e-200, 1e200, 8e307}) {
+    const auto q = nearest_quaternion_scalar_first(to<Body>, from<Gcrf>, size, size, size, size).quaternion;
+    for (const double component : q.scalar_first()) EXPECT_EQ(component, 0.5) << size;
+  }
+  EXPECT_TRUE(contains(message<BadInput>([] {
+                         nearest_quaternion_scalar_first(to<Body>, from<Gcrf>, 1e308, 1e308, 1e308, 1e308);
+                       }),
+                       "the norm is inf"));
+}
+
 }  // namespace

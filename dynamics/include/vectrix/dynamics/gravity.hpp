@@ -9,7 +9,8 @@ namespace detail {
 
 template <class F, class S> S checked_distance(const char* action, const Vector<F, si::length, S>& r) {
   const S distance = r.coordinates().norm();
-  if (!(distance > S(0))) {
+  // Its cube divides.
+  if (!(distance * distance * distance > S(0))) {
     throw BadInput(std::string{action} + "(r in " + frame_name<F>() + "): |r| is " + text(distance) + " m");
   }
   return distance;
@@ -17,7 +18,8 @@ template <class F, class S> S checked_distance(const char* action, const Vector<
 
 }  // namespace detail
 
-/// Acceleration by a central point mass at the origin: a = - mu r / |r|^3. Throws BadInput when r is zero.
+/// Acceleration by a central point mass at the origin: a = - mu r / |r|^3. Throws BadInput when |r|^3 is
+/// zero.
 template <class I, class S>
 Vector<I, si::acceleration, S> point_mass_gravity(const Quantity<si::gravitational_parameter, S>& mu,
                                                   const Vector<I, si::length, S>& r_i) {
@@ -28,7 +30,7 @@ Vector<I, si::acceleration, S> point_mass_gravity(const Quantity<si::gravitation
 /// Torque of a central point mass on a rigid body whose centre of mass is at r, to first order in size over
 /// distance:
 ///     tau^b = 3 mu / |r|^5  r^b x (J_b r^b)          (Hughes, Spacecraft Attitude Dynamics, section 8.1)
-/// Throws BadInput when r is zero.
+/// Throws BadInput when |r|^3 is zero.
 template <class B, class S>
 Vector<B, si::torque, S> gravity_gradient_torque(const Quantity<si::gravitational_parameter, S>& mu,
                                                  const Inertia<B, S>& J_b,

@@ -14,7 +14,8 @@ namespace vectrix {
 /// off-diagonal numbers; there is no default. Its principal moments are positive and satisfy J1 + J2 >= J3.
 template <Frame B, class S = double> class Inertia {
  public:
-  Inertia(detail::Trusted, const detail::Square<S>& tensor) : tensor_(tensor), inverse_(tensor.inverse()) {}
+  Inertia(detail::Trusted, const detail::Square<S>& tensor)
+      : tensor_(tensor), inverse_((tensor / tensor.trace()).inverse() / tensor.trace()) {}
 
   /// The entries of the tensor, kg m^2: the way out of the typed world; and the inverse tensor.
   const detail::Square<S>& matrix() const { return tensor_; }
@@ -56,7 +57,11 @@ template <class B, class S> Inertia<B, S> checked_inertia(const char* door, cons
     throw BadInput(place + "the largest principal moment of " + listed +
                    " exceeds the sum of the others by " + text(excess) + "; no body has this inertia");
   }
-  return {trusted, tensor};
+  const Inertia<B, S> inertia{trusted, tensor};
+  if (!inertia.inverse_matrix().allFinite()) {
+    throw BadInput(place + "the principal moments " + listed + " are too small to be divided by");
+  }
+  return inertia;
 }
 
 template <class S>

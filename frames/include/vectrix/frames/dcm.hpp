@@ -9,6 +9,11 @@ namespace detail {
 template <class S> using Square = Eigen::Matrix<S, 3, 3>;
 
 /// The tolerance of a checked door, never below what S itself rounds to.
+/// Nine numbers of a scalar that can hold a cosine.
+template <class Derived>
+concept Matrix3x3 = Derived::RowsAtCompileTime == 3 && Derived::ColsAtCompileTime == 3 &&
+                    !std::integral<typename Derived::Scalar>;
+
 template <class S> double door_tolerance(double wanted) {
   const double rounding = 16 * static_cast<double>(Eigen::NumTraits<S>::epsilon());
   return wanted > rounding ? wanted : rounding;
@@ -33,7 +38,8 @@ template <Frame ToFrame, Frame FromFrame, class S = double> class Dcm {
   template <detail::Makes<detail::Square<S>> Make> Dcm(detail::Trusted, const Make& make) : matrix_(make()) {}
 
   /// The bare nine numbers: the way out of the typed world.
-  const detail::Square<S>& matrix() const { return matrix_; }
+  const detail::Square<S>& matrix() const& { return matrix_; }
+  detail::Square<S> matrix() && { return matrix_; }
 
  private:
   detail::Square<S> matrix_;

@@ -10,6 +10,9 @@ namespace vectrix {
 /// printed with fewer go through nearest_dcm(), which says how far it moved them.
 inline constexpr double orthonormality_tolerance = 1e-9;
 
+/// Smallest singular value, relative to the largest entry, of a matrix that nearest_dcm() lets in.
+inline constexpr double nearly_singular = 1e-12;
+
 namespace detail {
 
 template <class B, class A> std::string dcm_door(const char* door) {
@@ -42,6 +45,7 @@ template <class B, class A, class S> void require_right_handed(const Square<S>& 
 /// Throws BadInput when an entry is not finite, when M^T M differs from I by more than
 /// orthonormality_tolerance, or when the determinant is not positive.
 template <Frame B, Frame A, class Derived>
+  requires detail::Matrix3x3<Derived>
 auto dcm(To<B>, From<A>, const Eigen::MatrixBase<Derived>& matrix) {
   using S = typename Derived::Scalar;
   const detail::Square<S> entries = matrix;
@@ -65,20 +69,32 @@ template <class B, class A, class S> struct NearestDcm {
 
 /// The projecting door: the rotation nearest to `matrix` in the Frobenius norm, and how far it was.
 ///     M = U Sigma V^T  ->  R = U V^T       (polar factor; Higham, Functions of Matrices, theorem 8.4)
-/// Throws BadInput when an entry is not finite or the determinant is not positive: no rotation is then meant.
+/// Throws BadInput when an entry is not finite, the matrix is left-handed, or it is so near to singular that
+/// rounding would choose the rotation.
 template <Frame B, Frame A, class Derived>
+  requires detail::Matrix3x3<Derived>
 auto nearest_dcm(To<B>, From<A>, const Eigen::MatrixBase<Derived>& matrix) {
   using S = typename Derived::Scalar;
   const detail::Square<S> entries = matrix;
   detail::require_finite<B, A>(entries, "nearest_dcm");
-  detail::require_right_handed<B, A>(entries, "nearest_dcm");
-  const Eigen::JacobiSVD<detail::Square<S>> svd(entries, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  // Scaled by the largest entry, so that neither the determinant nor a singular value under- or overflows.
+  const S largest = entries.cwiseAbs().maxCoeff();
+  const detail::Square<S> scaled = largest > S(0) ? detail::Square<S>(entries / largest) : entries;
+  const Eigen::JacobiSVD<detail::Square<S>> svd(scaled, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  const S smallest = svd.singularValues()(2);
+  if (!(smallest > S(detail::door_tolerance<S>(nearly_singular)))) {
+    throw BadInput(detail::dcm_door<B, A>("nearest_dcm") + "the smallest singular value is " +
+                   detail::text(smallest) +
+                   " of the largest entry; no rotation is nearest to a singular matrix");
+  }
   const detail::Square<S> rotation = svd.matrixU() * svd.matrixV().transpose();
+  detail::require_right_handed<B, A>(rotation, "nearest_dcm");
   return NearestDcm<B, A, S>{Dcm<B, A, S>{detail::trusted, rotation}, (rotation - entries).norm()};
 }
 
 /// The trusted door: no check at all. The caller vouches for a rotation that takes a to b.
 template <Frame B, Frame A, class Derived>
+  requires detail::Matrix3x3<Derived>
 auto trust_dcm(To<B>, From<A>, const Eigen::MatrixBase<Derived>& matrix) {
   return Dcm<B, A, typename Derived::Scalar>{detail::trusted, matrix};
 }
@@ -121,14 +137,17 @@ Dcm<B, A, S> turned(const char* door, const Quantity<si::angle, S>& angle) {
 /// R_b_from_a when turning a by `angle` about its x axis (y, z) gives b. Any finite angle is valid.
 ///     turned_z: [cos sin 0; -sin cos 0; 0 0 1], the passive matrix; its inverse is the active one.
 template <Frame B, Frame A, class S>
+  requires(!std::integral<S>)
 Dcm<B, A, S> turned_x(To<B>, From<A>, const Quantity<si::angle, S>& angle) {
   return detail::turned<0, B, A>("turned_x", angle);
 }
 template <Frame B, Frame A, class S>
+  requires(!std::integral<S>)
 Dcm<B, A, S> turned_y(To<B>, From<A>, const Quantity<si::angle, S>& angle) {
   return detail::turned<1, B, A>("turned_y", angle);
 }
 template <Frame B, Frame A, class S>
+  requires(!std::integral<S>)
 Dcm<B, A, S> turned_z(To<B>, From<A>, const Quantity<si::angle, S>& angle) {
   return detail::turned<2, B, A>("turned_z", angle);
 }

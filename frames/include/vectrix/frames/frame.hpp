@@ -16,8 +16,9 @@ struct inertial_frame {};
 struct moving_frame {};
 
 template <class F>
-concept Frame = std::is_empty_v<F> &&(std::derived_from<F, inertial_frame> !=
-                                      std::derived_from<F, moving_frame>)&&!std::same_as<F, inertial_frame> &&
+concept Frame = std::same_as<F, std::remove_cv_t<F>> && std::is_empty_v<F> &&
+                (std::derived_from<F, inertial_frame> !=
+                 std::derived_from<F, moving_frame>)&&!std::same_as<F, inertial_frame> &&
                 !std::same_as<F, moving_frame>;
 
 template <class F>

@@ -146,6 +146,13 @@ template <Unit U, Unit V>
 using unit_of_vector_quotient =
     detail::VectorUnitTag<detail::Per<typename U::boost_unit, typename V::boost_unit>>;
 
+/// Unit of a vector times or over a scalar. A direction takes the scalar's unit as it is: joules along a
+/// direction are no torque and hertz no angular velocity. Else as for the products above: H/t is a torque, w
+/// t a rotation vector.
+template <Unit Exact, Unit Scaled>
+using unit_of_scaled_vector = std::conditional_t<std::same_as<Scaled, si::dimensionless>, Exact,
+                                                 detail::VectorUnitTag<typename Exact::boost_unit>>;
+
 /// A unit that a vector may have: coherent with SI, and not another vector's up to the radian as the energy
 /// is.
 template <class U>

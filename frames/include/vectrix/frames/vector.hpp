@@ -44,7 +44,8 @@ template <Frame F, VectorUnit U, class S = double> class Vector {
   Vector(detail::Trusted, const Make& make) : coordinates_(make()) {}
 
   /// The bare numbers, in the coherent SI unit: the way out of the typed world.
-  const detail::Column<S>& coordinates() const { return coordinates_; }
+  const detail::Column<S>& coordinates() const& { return coordinates_; }
+  detail::Column<S> coordinates() && { return coordinates_; }
 
   Quantity<U, S> x() const { return Quantity<U, S>::from_value(coordinates_.x()); }
   Quantity<U, S> y() const { return Quantity<U, S>::from_value(coordinates_.y()); }
@@ -139,18 +140,18 @@ Vector<F, U, S> operator/(const Vector<F, U, S>& r, const std::type_identity_t<S
 }
 
 template <class F, class U, class S, class BoostUnit>
-Vector<F, unit_of_vector_product<unit_tag<BoostUnit>, U>, S> product(const AnyQuantity<BoostUnit, S>& k,
-                                                                     const Vector<F, U, S>& r) {
+Vector<F, unit_of_scaled_vector<unit_product<unit_tag<BoostUnit>, U>, U>, S> product(
+    const AnyQuantity<BoostUnit, S>& k, const Vector<F, U, S>& r) {
   return {detail::trusted, k.value() * r.coordinates()};
 }
 template <class F, class U, class S, class BoostUnit>
-Vector<F, unit_of_vector_product<U, unit_tag<BoostUnit>>, S> product(const Vector<F, U, S>& r,
-                                                                     const AnyQuantity<BoostUnit, S>& k) {
+Vector<F, unit_of_scaled_vector<unit_product<U, unit_tag<BoostUnit>>, U>, S> product(
+    const Vector<F, U, S>& r, const AnyQuantity<BoostUnit, S>& k) {
   return {detail::trusted, r.coordinates() * k.value()};
 }
 template <class F, class U, class S, class BoostUnit>
-Vector<F, unit_of_vector_quotient<U, unit_tag<BoostUnit>>, S> operator/(const Vector<F, U, S>& r,
-                                                                        const AnyQuantity<BoostUnit, S>& k) {
+Vector<F, unit_of_scaled_vector<unit_quotient<U, unit_tag<BoostUnit>>, U>, S> operator/(
+    const Vector<F, U, S>& r, const AnyQuantity<BoostUnit, S>& k) {
   return {detail::trusted, r.coordinates() / k.value()};
 }
 

@@ -20,8 +20,10 @@ template <Frame A, Frame B, Frame C, class S> class AngularAcceleration<A, B, In
   explicit AngularAcceleration(detail::Trusted, const Eigen::MatrixBase<Derived>& coordinates)
       : vector_(detail::trusted, coordinates) {}
 
-  const Vector<C, si::angular_acceleration, S>& vector() const { return vector_; }
-  const detail::Column<S>& coordinates() const { return vector_.coordinates(); }
+  const Vector<C, si::angular_acceleration, S>& vector() const& { return vector_; }
+  Vector<C, si::angular_acceleration, S> vector() && { return vector_; }
+  const detail::Column<S>& coordinates() const& { return vector_.coordinates(); }
+  detail::Column<S> coordinates() && { return vector_.coordinates(); }
 
  private:
   Vector<C, si::angular_acceleration, S> vector_;

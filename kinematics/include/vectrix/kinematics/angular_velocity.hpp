@@ -17,8 +17,10 @@ template <Frame A, Frame B, Frame C, class S> class AngularVelocity<A, B, In<C>,
   explicit AngularVelocity(detail::Trusted, const Vector<C, si::angular_velocity, S>& vector)
       : vector_(vector) {}
 
-  const Vector<C, si::angular_velocity, S>& vector() const { return vector_; }
-  const detail::Column<S>& coordinates() const { return vector_.coordinates(); }
+  const Vector<C, si::angular_velocity, S>& vector() const& { return vector_; }
+  Vector<C, si::angular_velocity, S> vector() && { return vector_; }
+  const detail::Column<S>& coordinates() const& { return vector_.coordinates(); }
+  detail::Column<S> coordinates() && { return vector_.coordinates(); }
 
  private:
   Vector<C, si::angular_velocity, S> vector_;
@@ -56,6 +58,17 @@ AngularVelocity<A, D, In<C>, S> sum(const AngularVelocity<B, D, In<C>, S>& w_bd_
                                     const AngularVelocity<A, B, In<C>, S>& w_ab_c) {
   return AngularVelocity<A, D, In<C>, S>{detail::trusted, w_bd_c.vector() + w_ab_c.vector()};
 }
+
+/// w_ab^c x r^c: with a position a velocity, with an angular momentum a torque.
+template <class A, class B, class C, class U, class S>
+Vector<C, unit_of_vector_product<si::angular_velocity, U>, S> cross(
+    const AngularVelocity<A, B, In<C>, S>& w_ab_c, const Vector<C, U, S>& r_c) {
+  return cross(w_ab_c.vector(), r_c);
+}
+template <class A, class B, class RateIn, class VectorIn, class U, class S>
+  requires(!std::same_as<RateIn, VectorIn>)
+void cross(const AngularVelocity<A, B, In<RateIn>, S>&,  // w_ab_c x r_c: expressed in one frame
+           const Vector<VectorIn, U, S>&) = delete;
 
 // w_ba^c = -w_ab^c
 template <class A, class B, class C, class S>

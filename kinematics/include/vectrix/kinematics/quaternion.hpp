@@ -28,7 +28,8 @@ template <Frame ToFrame, Frame FromFrame, class S = double> class Quaternion {
   Quaternion(detail::Trusted, const Make& make) : value_(make()) {}
 
   /// The bare quaternion; Eigen stores the scalar last and constructs with the scalar first.
-  const Eigen::Quaternion<S>& eigen() const { return value_; }
+  const Eigen::Quaternion<S>& eigen() const& { return value_; }
+  Eigen::Quaternion<S> eigen() && { return value_; }
   std::array<S, 4> scalar_first() const { return {value_.w(), value_.x(), value_.y(), value_.z()}; }
   std::array<S, 4> scalar_last() const { return {value_.x(), value_.y(), value_.z(), value_.w()}; }
 
@@ -50,7 +51,7 @@ template <class B, class A, class S> S checked_norm(const Eigen::Quaternion<S>& 
                    text(q.x()) + ", " + text(q.y()) + ", " + text(q.z()) + ") are not finite");
   }
   const S norm = q.coeffs().stableNorm();
-  if (!(norm > S(0))) {
+  if (!(norm > S(0)) || !(norm - norm == S(0))) {
     throw BadInput(quaternion_door<B, A>(door) + "the norm is " + text(norm) +
                    "; a zero quaternion turns nothing");
   }
@@ -73,10 +74,12 @@ Quaternion<B, A, S> unit_quaternion(const Eigen::Quaternion<S>& q, const char* d
 
 /// The checked doors. Throw BadInput when a number is not finite or | |q| - 1 | exceeds unit_norm_tolerance.
 template <Frame B, Frame A, class S>
+  requires(!std::integral<S>)
 Quaternion<B, A, S> quaternion_scalar_first(To<B>, From<A>, S w, S x, S y, S z) {
   return detail::unit_quaternion<B, A, S>({w, x, y, z}, "quaternion_scalar_first");
 }
 template <Frame B, Frame A, class S>
+  requires(!std::integral<S>)
 Quaternion<B, A, S> quaternion_scalar_last(To<B>, From<A>, S x, S y, S z, S w) {
   return detail::unit_quaternion<B, A, S>({w, x, y, z}, "quaternion_scalar_last");
 }
@@ -90,13 +93,17 @@ template <class B, class A, class S> struct NearestQuaternion {
 /// The projecting doors: q / |q|, and how far |q| was from 1. Throw BadInput for a zero or not finite
 /// quaternion.
 template <Frame B, Frame A, class S>
+  requires(!std::integral<S>)
 NearestQuaternion<B, A, S> nearest_quaternion_scalar_first(To<B>, From<A>, S w, S x, S y, S z) {
   using std::abs;
   const Eigen::Quaternion<S> q{w, x, y, z};
   const S norm = detail::checked_norm<B, A>(q, "nearest_quaternion_scalar_first");
-  return {Quaternion<B, A, S>{detail::trusted, Eigen::Quaternion<S>(q.coeffs() / norm)}, abs(norm - S(1))};
+  // Scaled first: the square of a tiny or huge component is not a number that can be divided by.
+  const Eigen::Quaternion<S> scaled(q.coeffs() / q.coeffs().cwiseAbs().maxCoeff());
+  return {Quaternion<B, A, S>{detail::trusted, scaled.normalized()}, abs(norm - S(1))};
 }
 template <Frame B, Frame A, class S>
+  requires(!std::integral<S>)
 NearestQuaternion<B, A, S> nearest_quaternion_scalar_last(To<B>, From<A>, S x, S y, S z, S w) {
   return nearest_quaternion_scalar_first(to<B>, from<A>, w, x, y, z);
 }
