@@ -10,7 +10,7 @@ namespace vectrix {
 /// printed with fewer go through nearest_dcm(), which says how far it moved them.
 inline constexpr double orthonormality_tolerance = 1e-9;
 
-/// Smallest singular value, relative to the largest entry, of a matrix that nearest_dcm() lets in.
+/// Smallest determinant, relative to the cube of the largest entry, of a matrix that nearest_dcm() lets in.
 inline constexpr double nearly_singular = 1e-12;
 
 namespace detail {
@@ -77,18 +77,18 @@ auto nearest_dcm(To<B>, From<A>, const Eigen::MatrixBase<Derived>& matrix) {
   using S = typename Derived::Scalar;
   const detail::Square<S> entries = matrix;
   detail::require_finite<B, A>(entries, "nearest_dcm");
-  // Scaled by the largest entry, so that neither the determinant nor a singular value under- or overflows.
+  // Scaled by the largest entry, so that the determinant neither under- nor overflows.
   const S largest = entries.cwiseAbs().maxCoeff();
   const detail::Square<S> scaled = largest > S(0) ? detail::Square<S>(entries / largest) : entries;
-  const Eigen::JacobiSVD<detail::Square<S>> svd(scaled, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  const S smallest = svd.singularValues()(2);
-  if (!(smallest > S(detail::door_tolerance<S>(nearly_singular)))) {
-    throw BadInput(detail::dcm_door<B, A>("nearest_dcm") + "the smallest singular value is " +
-                   detail::text(smallest) +
-                   " of the largest entry; no rotation is nearest to a singular matrix");
+  const S determinant = scaled.determinant();
+  const S singular = S(detail::door_tolerance<S>(nearly_singular));
+  if (!(determinant > singular || determinant < -singular)) {
+    throw BadInput(detail::dcm_door<B, A>("nearest_dcm") + "the determinant is " + detail::text(determinant) +
+                   " times the cube of the largest entry; no rotation is nearest to a singular matrix");
   }
+  detail::require_right_handed<B, A>(scaled, "nearest_dcm");
+  const Eigen::JacobiSVD<detail::Square<S>> svd(scaled, Eigen::ComputeFullU | Eigen::ComputeFullV);
   const detail::Square<S> rotation = svd.matrixU() * svd.matrixV().transpose();
-  detail::require_right_handed<B, A>(rotation, "nearest_dcm");
   return NearestDcm<B, A, S>{Dcm<B, A, S>{detail::trusted, rotation}, (rotation - entries).norm()};
 }
 
