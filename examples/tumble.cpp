@@ -48,8 +48,10 @@ class Exact {
 
   Eigen::Vector3d rate(double t) const {
     double cn = 0.0;
-    const double sn = boost::math::jacobi_elliptic(k_, rho_ * t + quarter_, &cn, static_cast<double*>(nullptr));
-    const double dn = std::sqrt(1.0 - k_ * k_ * sn * sn);  // Boost's own loses its digits where cn passes zero
+    const double sn =
+        boost::math::jacobi_elliptic(k_, rho_ * t + quarter_, &cn, static_cast<double*>(nullptr));
+    const double dn =
+        std::sqrt(1.0 - k_ * k_ * sn * sn);  // Boost's own loses its digits where cn passes zero
     return {amplitude_.x() * cn, amplitude_.y() * sn, amplitude_.z() * dn};
   }
   double flip_interval() const { return 2.0 * quarter_ / rho_; }

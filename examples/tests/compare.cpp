@@ -1,5 +1,5 @@
-// compare_output <expected file> <program> <arguments>…: runs the program and compares what it prints, line by line.
-// The first line of the file, "# rel <number> abs <number>", says how near a number must be:
+// compare_output <expected file> <program> <arguments>…: runs the program and compares what it prints, line
+// by line. The first line of the file, "# rel <number> abs <number>", says how near a number must be:
 //     |printed - expected| <= abs + rel |expected|
 // Everything else must be equal; blanks do not count.
 #include <algorithm>
@@ -29,14 +29,17 @@ struct Token {
   bool number;
 };
 
-bool in_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
+bool in_word(char c) {
+  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+}
 
 std::vector<Token> tokens(std::string_view line) {
   std::vector<Token> result;
   for (std::size_t at = 0; at < line.size();) {
     const char* const begin = line.data() + at;
     const std::size_t sign = line[at] == '-' ? 1 : 0;
-    const bool digit = at + sign < line.size() && std::isdigit(static_cast<unsigned char>(line[at + sign])) != 0;
+    const bool digit =
+        at + sign < line.size() && std::isdigit(static_cast<unsigned char>(line[at + sign])) != 0;
     if (digit && (at == 0 || !in_word(line[at - 1]))) {
       double value = 0.0;
       const char* const end = std::from_chars(begin, line.data() + line.size(), value).ptr;
@@ -61,7 +64,8 @@ std::string difference(const std::string& printed, const std::string& expected, 
   const auto got = tokens(printed);
   const auto want = tokens(expected);
   const auto same = [&](const Token& a, const Token& b) {
-    return a.number && b.number ? near(a.value, b.value, tolerance) : a.text == b.text && a.number == b.number;
+    return a.number && b.number ? near(a.value, b.value, tolerance)
+                                : a.text == b.text && a.number == b.number;
   };
   const auto [a, b] = std::mismatch(got.begin(), got.end(), want.begin(), want.end(), same);
   if (a == got.end() && b == want.end()) {
@@ -91,8 +95,8 @@ int main(int count, char** words) {
   std::getline(file, line);
   Tolerance tolerance;
   std::string hash, rel, abs;
-  if (!(std::istringstream(line) >> hash >> rel >> tolerance.relative >> abs >> tolerance.absolute) || hash != "#" ||
-      rel != "rel" || abs != "abs") {
+  if (!(std::istringstream(line) >> hash >> rel >> tolerance.relative >> abs >> tolerance.absolute) ||
+      hash != "#" || rel != "rel" || abs != "abs") {
     std::cerr << words[1] << ": the first line must be '# rel <number> abs <number>'\n";
     return 2;
   }
@@ -119,7 +123,8 @@ int main(int count, char** words) {
     }
     const std::string what = difference(has_got ? got : "", has_want ? want : "", tolerance);
     if (has_got != has_want || !what.empty()) {
-      std::cerr << words[1] << ":" << number << ": " << what << "\n  printed:  " << (has_got ? got : "(nothing)")
+      std::cerr << words[1] << ":" << number << ": " << what
+                << "\n  printed:  " << (has_got ? got : "(nothing)")
                 << "\n  expected: " << (has_want ? want : "(nothing)") << "\nThe whole output:\n"
                 << output;
       return 1;
