@@ -89,7 +89,8 @@ auto nearest_dcm(To<B>, From<A>, const Eigen::MatrixBase<Derived>& matrix) {
   detail::require_right_handed<B, A>(scaled, "nearest_dcm");
   const Eigen::JacobiSVD<detail::Square<S>> svd(scaled, Eigen::ComputeFullU | Eigen::ComputeFullV);
   const detail::Square<S> rotation = svd.matrixU() * svd.matrixV().transpose();
-  return NearestDcm<B, A, S>{Dcm<B, A, S>{detail::trusted, rotation}, (rotation - entries).stableNorm()};
+  const detail::Square<S> correction = rotation - entries;
+  return NearestDcm<B, A, S>{Dcm<B, A, S>{detail::trusted, rotation}, detail::scaled_norm(correction)};
 }
 
 /// The trusted door: no check at all. The caller vouches for a rotation that takes a to b.

@@ -20,6 +20,13 @@ inline constexpr Trusted trusted{};
 
 template <class S> using Column = Eigen::Matrix<S, 3, 1>;
 
+/// The norm of finite numbers, of any size: their squares neither over- nor underflow.
+template <class Derived> auto scaled_norm(const Eigen::MatrixBase<Derived>& numbers) {
+  using S = typename Derived::Scalar;
+  const S largest = numbers.cwiseAbs().maxCoeff();
+  return largest > S(0) ? S(largest * (numbers / largest).norm()) : largest;
+}
+
 /// A function whose result, a T, is built where it is to stay: a T taken by reference would be copied.
 template <class Make, class T>
 concept Makes = requires(const Make& make) {

@@ -50,7 +50,7 @@ template <class B, class A, class S> S checked_norm(const Eigen::Quaternion<S>& 
     throw BadInput(quaternion_door<B, A>(door) + "the numbers, scalar first, (" + text(q.w()) + ", " +
                    text(q.x()) + ", " + text(q.y()) + ", " + text(q.z()) + ") are not finite");
   }
-  const S norm = q.coeffs().stableNorm();
+  const S norm = scaled_norm(q.coeffs());
   if (!(norm > S(0)) || !(norm - norm == S(0))) {
     throw BadInput(quaternion_door<B, A>(door) + "the norm is " + text(norm) +
                    "; a zero quaternion turns nothing");

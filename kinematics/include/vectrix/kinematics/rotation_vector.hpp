@@ -20,7 +20,7 @@ template <Frame A, Frame B, class S = double> class RotationVector {
   const detail::Column<S>& coordinates() const { return coordinates_; }
   /// The angle |theta|, and the vector expressed in a or in b.
   Quantity<si::angle, S> angle() const {
-    return Quantity<si::angle, S>::from_value(coordinates_.stableNorm());
+    return Quantity<si::angle, S>::from_value(detail::scaled_norm(coordinates_));
   }
   Vector<A, si::angle, S> in_reference() const { return {detail::trusted, coordinates_}; }
   Vector<B, si::angle, S> in_turned() const { return {detail::trusted, coordinates_}; }
