@@ -36,7 +36,7 @@ struct Form {
 template <class Call> Form form(Call call) {
   return {[call](long calls) {
             for (long i = 0; i < calls; ++i) {
-              const auto result = call();
+              alignas(64) const auto result = call();
               keep(result);
             }
           },

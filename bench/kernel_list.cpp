@@ -5,80 +5,80 @@
 namespace bench {
 
 std::vector<Kernel> kernels() {
-  static const Eigen::Matrix3d R1 = Eigen::Quaterniond(0.4, -0.2, 0.5, 0.7).normalized().matrix();
-  static const Eigen::Matrix3d R2 = Eigen::Quaterniond(-0.1, 0.9, 0.3, 0.2).normalized().matrix();
-  static const Eigen::Matrix3d R3 = Eigen::Quaterniond(0.5, 0.1, -0.8, 0.3).normalized().matrix();
-  static const Eigen::Vector3d v1(0.3, -1.1, 0.7);
-  static const Eigen::Vector3d v2(-0.2, 0.4, 0.9);
-  static const Eigen::Vector3d small = 1e-6 * v1;
-  static const raw::Inertia raw_J = [] {
+  alignas(64) static const Eigen::Matrix3d R1 = Eigen::Quaterniond(0.4, -0.2, 0.5, 0.7).normalized().matrix();
+  alignas(64) static const Eigen::Matrix3d R2 = Eigen::Quaterniond(-0.1, 0.9, 0.3, 0.2).normalized().matrix();
+  alignas(64) static const Eigen::Matrix3d R3 = Eigen::Quaterniond(0.5, 0.1, -0.8, 0.3).normalized().matrix();
+  alignas(64) static const Eigen::Vector3d v1(0.3, -1.1, 0.7);
+  alignas(64) static const Eigen::Vector3d v2(-0.2, 0.4, 0.9);
+  alignas(64) static const Eigen::Vector3d small = 1e-6 * v1;
+  alignas(64) static const raw::Inertia raw_J = [] {
     Eigen::Matrix3d J;
     J << 2.0, 0.1, 0.2, 0.1, 3.0, -0.3, 0.2, -0.3, 4.0;
     return raw::Inertia{J, J.inverse()};
   }();
-  static const double raw_t = 0.7;
+  alignas(64) static const double raw_t = 0.7;
 
-  static const auto R_cb = trust_dcm(to<C>, from<B>, R1);
-  static const auto R_ba = trust_dcm(to<B>, from<A>, R2);
-  static const auto R_ab = trust_dcm(to<A>, from<B>, R1);
-  static const auto q_cb = quaternion(R_cb);
-  static const auto q_ba = quaternion(R_ba);
-  static const auto r_a = vector<si::length>(in<A>, v1);
-  static const auto torque_b = vector<si::torque>(in<B>, v2);
-  static const auto J_b = trust_inertia(in<B>, raw_J.tensor);
-  static const Quantity<si::angle> angle = raw_t * si::radian;
-  static const Quantity<si::time> t = raw_t * si::second;
+  alignas(64) static const auto R_cb = trust_dcm(to<C>, from<B>, R1);
+  alignas(64) static const auto R_ba = trust_dcm(to<B>, from<A>, R2);
+  alignas(64) static const auto R_ab = trust_dcm(to<A>, from<B>, R1);
+  alignas(64) static const auto q_cb = quaternion(R_cb);
+  alignas(64) static const auto q_ba = quaternion(R_ba);
+  alignas(64) static const auto r_a = vector<si::length>(in<A>, v1);
+  alignas(64) static const auto torque_b = vector<si::torque>(in<B>, v2);
+  alignas(64) static const auto J_b = trust_inertia(in<B>, raw_J.tensor);
+  alignas(64) static const Quantity<si::angle> angle = raw_t * si::radian;
+  alignas(64) static const Quantity<si::time> t = raw_t * si::second;
   const auto rate_of = []<class F, class G>(Of<G>, RelativeTo<F>, const Eigen::Vector3d& w) {
     return angular_velocity(of<G>, relative_to<F>, vector<si::angular_velocity>(in<G>, w));
   };
-  static const auto w_ab_b = rate_of(of<B>, relative_to<A>, v1);
+  alignas(64) static const auto w_ab_b = rate_of(of<B>, relative_to<A>, v1);
   const auto turn = [](const Eigen::Vector3d& theta) {
     return rotation_vector(of<B>, relative_to<A>, vector<si::angle>(in<B>, theta));
   };
-  static const auto theta = turn(v1);
-  static const auto small_theta = turn(small);
-  static const auto& q1 = q_cb.eigen();
-  static const auto& q2 = q_ba.eigen();
+  alignas(64) static const auto theta = turn(v1);
+  alignas(64) static const auto small_theta = turn(small);
+  alignas(64) static const auto& q1 = q_cb.eigen();
+  alignas(64) static const auto& q2 = q_ba.eigen();
 
-  static const RateChain chain{w_ab_b,
-                               rate_of(of<C>, relative_to<B>, v2),
-                               rate_of(of<D>, relative_to<C>, v1),
-                               rate_of(of<E>, relative_to<D>, v2),
-                               rate_of(of<F>, relative_to<E>, v1),
-                               trust_dcm(to<C>, from<B>, R1),
-                               trust_dcm(to<D>, from<C>, R2),
-                               trust_dcm(to<E>, from<D>, R3),
-                               trust_dcm(to<F>, from<E>, R1)};
-  static const raw::RateChain raw_chain{v1, v2, v1, v2, v1, R1, R2, R3, R1};
+  alignas(64) static const RateChain chain{w_ab_b,
+                                           rate_of(of<C>, relative_to<B>, v2),
+                                           rate_of(of<D>, relative_to<C>, v1),
+                                           rate_of(of<E>, relative_to<D>, v2),
+                                           rate_of(of<F>, relative_to<E>, v1),
+                                           trust_dcm(to<C>, from<B>, R1),
+                                           trust_dcm(to<D>, from<C>, R2),
+                                           trust_dcm(to<E>, from<D>, R3),
+                                           trust_dcm(to<F>, from<E>, R1)};
+  alignas(64) static const raw::RateChain raw_chain{v1, v2, v1, v2, v1, R1, R2, R3, R1};
 
-  static const auto constant =
+  alignas(64) static const auto constant =
       frame_graph(static_edge(trust_dcm(to<A>, from<B>, R1)), static_edge(trust_dcm(to<C>, from<B>, R2)),
                   static_edge(trust_dcm(to<C>, from<D>, R3)), static_edge(trust_dcm(to<E>, from<D>, R1)),
                   static_edge(trust_dcm(to<E>, from<F>, R2)));
-  static const raw::ConstantPath raw_constant{{R1, R2, R3, R1, R2}};
-  static const raw::SpinPath path = [] {
+  alignas(64) static const raw::ConstantPath raw_constant{{R1, R2, R3, R1, R2}};
+  alignas(64) static const raw::SpinPath path = [] {
     raw::SpinPath made{{0.11, -0.23, 0.31, 0.43, -0.57}, {}};
     for (std::size_t i = 0; i < 5; ++i) made.w[i] = {0.0, 0.0, -made.rate[i]};
     return made;
   }();
   const auto& rate = path.rate;
-  static const auto spins =
+  alignas(64) static const auto spins =
       frame_graph(edge(Spin<A, B>{rate[0]}), edge(Spin<C, B>{rate[1]}), edge(Spin<C, D>{rate[2]}),
                   edge(Spin<E, D>{rate[3]}), edge(Spin<E, F>{rate[4]}));
   const auto moving_spin = [&]<class G, class F>(To<G>, From<F>, std::size_t i) {
     return edge(MovingSpin<G, F>{rate[i], rate_of(of<F>, relative_to<G>, path.w[i])});
   };
-  static const auto moving = frame_graph(moving_spin(to<A>, from<B>, 0), moving_spin(to<C>, from<B>, 1),
-                                         moving_spin(to<C>, from<D>, 2), moving_spin(to<E>, from<D>, 3),
-                                         moving_spin(to<E>, from<F>, 4));
+  alignas(64) static const auto moving = frame_graph(
+      moving_spin(to<A>, from<B>, 0), moving_spin(to<C>, from<B>, 1), moving_spin(to<C>, from<D>, 2),
+      moving_spin(to<E>, from<D>, 3), moving_spin(to<E>, from<F>, 4));
 
-  static const Scenario<A, B> scenario{J_b, {0.0 * si::second, quaternion(R_ab), w_ab_b}};
-  static const detail::StateLayout<A, B> quaternion_layout(AttitudeState::quaternion, false);
-  static const detail::StateLayout<A, B> dcm_layout(AttitudeState::dcm, false);
-  static const Numbers y = quaternion_layout.pack(scenario.initial);
-  static const Numbers dcm_y = dcm_layout.pack(scenario.initial);
-  static const raw::Attitude as_quaternion = raw::Attitude::quaternion;
-  static const raw::Attitude as_dcm = raw::Attitude::dcm;
+  alignas(64) static const Scenario<A, B> scenario{J_b, {0.0 * si::second, quaternion(R_ab), w_ab_b}};
+  alignas(64) static const detail::StateLayout<A, B> quaternion_layout(AttitudeState::quaternion, false);
+  alignas(64) static const detail::StateLayout<A, B> dcm_layout(AttitudeState::dcm, false);
+  alignas(64) static const Numbers y = quaternion_layout.pack(scenario.initial);
+  alignas(64) static const Numbers dcm_y = dcm_layout.pack(scenario.initial);
+  alignas(64) static const raw::Attitude as_quaternion = raw::Attitude::quaternion;
+  alignas(64) static const raw::Attitude as_dcm = raw::Attitude::dcm;
   using Rate = std::array<double, 7>;
   using DcmRates = std::array<double, 12>;
 

@@ -61,9 +61,4 @@ AngularVelocity<A, F, In<A>> moving_graph_reexpressed(const MovingGraph& graph, 
   return graph.at(t).angular_velocity(of<F>, relative_to<A>, in<A>);
 }
 
-void body_rate(const detail::StateLayout<A, B>& layout, const Scenario<A, B>& scenario,
-               std::span<const double> y, std::span<double> ydot) {
-  layout.derivative(scenario, 0.0, 0.0, y, ydot);
-}
-
 }  // namespace typed

@@ -22,7 +22,7 @@ struct F : moving_frame {};
 template <Frame G, Frame F> struct Spin {
   double rate;
   Dcm<G, F> operator()(const Quantity<si::time>& t) const {
-    return trust_dcm(to<G>, from<F>, spin(rate * t.value()));
+    return trust_dcm(to<G>, from<F>, [&] { return spin(rate * t.value()); });
   }
 };
 /// The same with its angular velocity.
@@ -30,7 +30,7 @@ template <Frame G, Frame F> struct MovingSpin {
   double rate;
   AngularVelocity<G, F, In<F>> w_gf_f;
   MovingDcm<G, F> operator()(const Quantity<si::time>& t) const {
-    return moving_dcm(trust_dcm(to<G>, from<F>, spin(rate * t.value())), w_gf_f);
+    return MovingDcm{trust_dcm(to<G>, from<F>, [&] { return spin(rate * t.value()); }), w_gf_f};
   }
 };
 

@@ -123,8 +123,8 @@ PositionVelocity<Itrf> orbit_at(const std::vector<OrbitSample>& samples, const E
 Dcm<Gcrf, Orbit> orbit_frame(const PositionVelocity<Itrf>& orbit, const MovingDcm<Gcrf, Itrf>& earth) {
   // v^gcrf = R_itrf^gcrf (v^itrf + w x r)
   const auto v_gcrf =
-      earth.rotation() * (orbit.velocity + cross(earth.angular_velocity().vector(), orbit.position));
-  const auto z_gcrf = -direction(earth.rotation() * orbit.position);
+      earth.rotation * (orbit.velocity + cross(earth.angular_velocity.vector(), orbit.position));
+  const auto z_gcrf = -direction(earth.rotation * orbit.position);
   const auto y_gcrf = direction(cross(z_gcrf, v_gcrf));
   return inverse(dcm_from_axes(to<Orbit>, cross(y_gcrf, z_gcrf), y_gcrf, z_gcrf));
 }

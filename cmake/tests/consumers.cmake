@@ -25,7 +25,7 @@ add_test(NAME package.install COMMAND ${CMAKE_COMMAND} --install ${PROJECT_BINAR
 set_tests_properties(package.install PROPERTIES FIXTURES_SETUP installed)
 
 consumer(installed package "frames;kinematics;${dynamics_too}" ${hidden})
-consumer(fetched fetch "frames;kinematics;${dynamics_too}")
+consumer(fetched fetch "frames;kinematics" ${hidden})
 consumer(subdirectory subdirectory "frames;kinematics;${dynamics_too}")
 consumer(installed_headers package "frames;kinematics" ${hidden})
 consumer(subdirectory_headers subdirectory "frames;kinematics" ${hidden})

@@ -61,7 +61,7 @@ TEST(EarthRotation, AgreesWithTwentyReferenceMatrices) {
                                         0.0,
                                         angle(1e-3 * number("dX_mas")),
                                         angle(1e-3 * number("dY_mas"))};
-    const auto with_offsets = inverse(earth_rotation(epoch, observed).rotation());
+    const auto with_offsets = inverse(earth_rotation(epoch, observed).rotation);
     EXPECT_LT(largest(with_offsets.matrix() - matrix(table, i, "C")), model_tolerance) << "row " << i;
 
     const auto true_of_date = true_of_date_from_gcrf(epoch);
@@ -70,7 +70,7 @@ TEST(EarthRotation, AgreesWithTwentyReferenceMatrices) {
     EXPECT_LT(largest(by_the_equinox.matrix() - matrix(table, i, "N")), model_tolerance) << "row " << i;
 
     observed.dX = observed.dY = 0.0 * si::radian;
-    const auto without_offsets = inverse(earth_rotation(epoch, observed).rotation());
+    const auto without_offsets = inverse(earth_rotation(epoch, observed).rotation);
     EXPECT_LT(largest(without_offsets.matrix() - by_the_equinox.matrix()), difference_of_series)
         << "row " << i;
   }
@@ -113,7 +113,7 @@ TEST(EarthOrientation, IsContinuousOverALeapSecond) {
   EXPECT_NEAR(ut1_minus_tai("2016-12-31T23:59:60"), before + (after - before) * 86400.0 / 86401.0,
               37.0 * parameter_rounding);
   // One second further the Earth has turned by one second.
-  const auto at = [&](const char* utc) { return orientation.at(Epoch::from_utc(utc)).rotation(); };
+  const auto at = [&](const char* utc) { return orientation.at(Epoch::from_utc(utc)).rotation; };
   const Eigen::Matrix3d turn =
       at("2016-12-31T23:59:60").matrix().transpose() * at("2017-01-01T00:00:00").matrix();
   EXPECT_NEAR(Eigen::AngleAxisd(turn).angle(), 7.2921150e-5, 1e-11);
@@ -128,12 +128,12 @@ TEST(EarthOrientation, RateIsTheDerivativeOfTheRotation) {
     const auto orientation = EarthOrientation::read(file);
     for (int hour = 0; hour < 96; hour += 5) {
       const auto epoch = Epoch::from_utc(first_hour) + (3600.0 * hour) * si::second;
-      const auto before = orientation.at(epoch - h * si::second).rotation();
-      const auto after = orientation.at(epoch + h * si::second).rotation();
+      const auto before = orientation.at(epoch - h * si::second).rotation;
+      const auto after = orientation.at(epoch + h * si::second).rotation;
       // Itrf at two instants has one type: the increment is taken as raw numbers.
       const auto turn =
           log(trust_dcm(to<earth::Gcrf>, from<earth::Itrf>, before.matrix().transpose() * after.matrix()));
-      const auto w = orientation.at(epoch).angular_velocity().coordinates();
+      const auto w = orientation.at(epoch).angular_velocity.coordinates();
       largest_difference = std::max(largest_difference, (turn.coordinates() / (2.0 * h) - w).norm());
     }
   }
@@ -146,7 +146,7 @@ TEST(EarthOrientation, RateFollowsTheLengthOfTheDay) {
   const auto orientation = EarthOrientation::read(april_2022);
   const auto epoch = Epoch::from_utc("2022-04-14T06:00:00");
   const auto parameters = orientation.parameters(epoch);
-  const auto w = orientation.at(epoch).angular_velocity().coordinates();
+  const auto w = orientation.at(epoch).angular_velocity.coordinates();
   const double nominal = 2.0 * 3.14159265358979324 * 1.00273781191135448 / 86400.0;
   EXPECT_NEAR(w.norm() / nominal - 1.0, parameters.ut1_gain.value(), parameter_rounding);
   EXPECT_NEAR(w.x() / w.z(), parameters.pole_x.value(), polar_motion_squared);
@@ -158,9 +158,9 @@ TEST(EarthOrientation, IsAnEdgeOfAGraph) {
   const auto graph = frame_graph(edge([&](const Epoch& t) { return orientation.at(t); }));
   const auto epoch = Epoch::from_utc("2022-04-14T10:22:11.874999");
   EXPECT_EQ(graph.at(epoch).rotation(to<earth::Gcrf>, from<earth::Itrf>).matrix(),
-            orientation.at(epoch).rotation().matrix());
+            orientation.at(epoch).rotation.matrix());
   const auto w = graph.at(epoch).angular_velocity(of<earth::Itrf>, relative_to<earth::Gcrf>, in<earth::Itrf>);
-  EXPECT_EQ(w.coordinates(), orientation.at(epoch).angular_velocity().coordinates());
+  EXPECT_EQ(w.coordinates(), orientation.at(epoch).angular_velocity.coordinates());
 }
 
 TEST(EarthOrientation, RefusesEpochsOutsideTheData) {

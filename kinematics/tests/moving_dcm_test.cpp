@@ -12,11 +12,11 @@ using namespace vectrix_test;
 namespace {
 
 template <class A, class B> bool same(const MovingDcm<A, B>& left, const Motion<A, B>& right) {
-  return distance(left.rotation().matrix(), right.R) <= motion_tolerance &&
-         distance(left.angular_velocity().coordinates(), right.w_ab_b().coordinates()) <= motion_tolerance;
+  return distance(left.rotation.matrix(), right.R) <= motion_tolerance &&
+         distance(left.angular_velocity.coordinates(), right.w_ab_b().coordinates()) <= motion_tolerance;
 }
 template <class A, class B> bool same(const AcceleratingDcm<A, B>& left, const Motion<A, B>& right) {
-  return same(left.moving(), right) && distance(left.angular_acceleration().coordinates(),
+  return same(left.moving, right) && distance(left.angular_acceleration.coordinates(),
                                                 right.alpha_ab_b().coordinates()) <= motion_tolerance;
 }
 

@@ -99,6 +99,13 @@ template <Frame B, Frame A, class Derived>
 auto trust_dcm(To<B>, From<A>, const Eigen::MatrixBase<Derived>& matrix) {
   return Dcm<B, A, typename Derived::Scalar>{detail::trusted, matrix};
 }
+/// The same of make(), an Eigen::Matrix<S, 3, 3>: built where it stays, not copied.
+///     trust_dcm(to<B>, from<A>, [&] { return spin(angle); })
+template <Frame B, Frame A, std::invocable Make>
+  requires detail::Matrix3x3<std::invoke_result_t<const Make&>>
+auto trust_dcm(To<B>, From<A>, const Make& make) {
+  return Dcm<B, A, typename std::invoke_result_t<const Make&>::Scalar>{detail::trusted, make};
+}
 
 /// Claims that the axes of a and b are parallel.
 template <class S = double, Frame B, Frame A> Dcm<B, A, S> aligned(To<B>, From<A>) {

@@ -54,11 +54,17 @@ template <bool reversed, class Value> decltype(auto) oriented(const Value& value
 }
 
 /// The value of an edge, or its inverse; and the product of what is before it with that.
-template <bool reversed, class Value> auto times(const Value& value) {
+template <bool reversed, class Value> decltype(auto) times(const Value& value) {
   return oriented<reversed>(value);
 }
 template <bool reversed, class Value, class Before> auto times(const Value& value, const Before& before) {
   return before * oriented<reversed>(value);
+}
+/// A transposed copy would be stored by numbers and loaded by pairs, which waits.
+template <bool reversed, class X, class A, class B, class S>
+  requires reversed
+Dcm<X, A, S> times(const Dcm<A, B, S>& R_a_from_b, const Dcm<X, B, S>& R_x_from_b) {
+  return {trusted, R_x_from_b.matrix() * R_a_from_b.matrix().transpose()};
 }
 
 /// The answers of a frame graph at one instant. `values.template value<I>()` gives what edge I carries; each

@@ -31,8 +31,10 @@ template <class A, class B, class S> inline constexpr bool detail::is_framed<Dcm
 /// Body form:       d/dt R_b^a = R_b^a [w_ab^b]x
 /// Reference form:  d/dt R_b^a = [w_ab^a]x R_b^a
 /// Any finite input is valid.
+// Inlined by force: g++ finds its two dozen instructions long enough to call.
 template <class A, class B, class S>
-inline DcmRate<A, B, S> rate(const Dcm<A, B, S>& R_a_from_b, const AngularVelocity<A, B, In<B>, S>& w_ab_b) {
+[[gnu::always_inline]] inline DcmRate<A, B, S> rate(const Dcm<A, B, S>& R_a_from_b,
+                                                    const AngularVelocity<A, B, In<B>, S>& w_ab_b) {
   // The columns of R [w]x, without the zeros of [w]x.
   const auto& R = R_a_from_b.matrix();
   const S x = w_ab_b.coordinates().x();

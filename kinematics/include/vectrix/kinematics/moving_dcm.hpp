@@ -8,38 +8,26 @@ namespace vectrix {
 /// The rotation and the rate of b relative to a at one instant: R_b^a and w_ab^b. The second level of a graph
 /// edge.
 ///     (R_b^a, w_ab^b) * (R_d^b, w_bd^d) = (R_b^a R_d^b, R_b^d w_ab^b + w_bd^d)
-template <Frame A, Frame B, class S = double> class MovingDcm {
- public:
-  MovingDcm(const Dcm<A, B, S>& R_a_from_b, const AngularVelocity<A, B, In<B>, S>& w_ab_b)
-      : rotation_(R_a_from_b), rate_(w_ab_b) {}
-
-  const Dcm<A, B, S>& rotation() const { return rotation_; }
-  const AngularVelocity<A, B, In<B>, S>& angular_velocity() const { return rate_; }
-
- private:
-  Dcm<A, B, S> rotation_;
-  AngularVelocity<A, B, In<B>, S> rate_;
+/// Any pair is valid, so it is an aggregate: `MovingDcm{turned_z(to<A>, from<B>, angle), w_ab_b}` builds its
+/// members in place.
+template <Frame A, Frame B, class S = double> struct MovingDcm {
+  Dcm<A, B, S> rotation;
+  AngularVelocity<A, B, In<B>, S> angular_velocity;
 };
+template <class A, class B, class S>
+MovingDcm(Dcm<A, B, S>, AngularVelocity<A, B, In<B>, S>) -> MovingDcm<A, B, S>;
 
 template <class A, class B, class S> inline constexpr bool detail::is_framed<MovingDcm<A, B, S>> = true;
 
 /// The rotation, rate and acceleration of b relative to a at one instant: R_b^a, w_ab^b and alpha_ab^b. The
 /// third level.
 ///     alpha_ad^d = R_b^d alpha_ab^b + alpha_bd^d + (R_b^d w_ab^b) x w_bd^d
-template <Frame A, Frame B, class S = double> class AcceleratingDcm {
- public:
-  AcceleratingDcm(const MovingDcm<A, B, S>& moving, const AngularAcceleration<A, B, In<B>, S>& alpha_ab_b)
-      : moving_(moving), acceleration_(alpha_ab_b) {}
-
-  const MovingDcm<A, B, S>& moving() const { return moving_; }
-  const Dcm<A, B, S>& rotation() const { return moving_.rotation(); }
-  const AngularVelocity<A, B, In<B>, S>& angular_velocity() const { return moving_.angular_velocity(); }
-  const AngularAcceleration<A, B, In<B>, S>& angular_acceleration() const { return acceleration_; }
-
- private:
-  MovingDcm<A, B, S> moving_;
-  AngularAcceleration<A, B, In<B>, S> acceleration_;
+template <Frame A, Frame B, class S = double> struct AcceleratingDcm {
+  MovingDcm<A, B, S> moving;
+  AngularAcceleration<A, B, In<B>, S> angular_acceleration;
 };
+template <class A, class B, class S>
+AcceleratingDcm(MovingDcm<A, B, S>, AngularAcceleration<A, B, In<B>, S>) -> AcceleratingDcm<A, B, S>;
 
 template <class A, class B, class S> inline constexpr bool detail::is_framed<AcceleratingDcm<A, B, S>> = true;
 
@@ -69,24 +57,24 @@ AcceleratingDcm<A, B, S> accelerating_dcm(const Dcm<A, B, S>& R_a_from_b,
 
 template <class A, class B, class D, class S>
 MovingDcm<A, D, S> product(const MovingDcm<A, B, S>& ab, const MovingDcm<B, D, S>& bd) {
-  return {ab.rotation() * bd.rotation(),
-          inverse(bd.rotation()) * ab.angular_velocity() + bd.angular_velocity()};
+  return {ab.rotation * bd.rotation,
+          inverse(bd.rotation) * ab.angular_velocity + bd.angular_velocity};
 }
 template <class A, class B, class D, class S>
 AcceleratingDcm<A, D, S> product(const AcceleratingDcm<A, B, S>& ab, const AcceleratingDcm<B, D, S>& bd) {
-  const auto R_d_from_b = inverse(bd.rotation());
-  const auto w_ab_d = R_d_from_b * ab.angular_velocity();
-  return {{ab.rotation() * bd.rotation(), w_ab_d + bd.angular_velocity()},
-          chain(R_d_from_b * ab.angular_acceleration(), bd.angular_acceleration(), w_ab_d,
-                bd.angular_velocity())};
+  const auto R_d_from_b = inverse(bd.moving.rotation);
+  const auto w_ab_d = R_d_from_b * ab.moving.angular_velocity;
+  return {{ab.moving.rotation * bd.moving.rotation, w_ab_d + bd.moving.angular_velocity},
+          chain(R_d_from_b * ab.angular_acceleration, bd.angular_acceleration, w_ab_d,
+                bd.moving.angular_velocity)};
 }
 
 // w_ba^a = -R_b^a w_ab^b, and so alpha
 template <class A, class B, class S> MovingDcm<B, A, S> inverse(const MovingDcm<A, B, S>& ab) {
-  return {inverse(ab.rotation()), -(ab.rotation() * ab.angular_velocity())};
+  return {inverse(ab.rotation), -(ab.rotation * ab.angular_velocity)};
 }
 template <class A, class B, class S> AcceleratingDcm<B, A, S> inverse(const AcceleratingDcm<A, B, S>& ab) {
-  return {inverse(ab.moving()), -(ab.rotation() * ab.angular_acceleration())};
+  return {inverse(ab.moving), -(ab.moving.rotation * ab.angular_acceleration)};
 }
 
 // Steps of a frame graph's walk between a and b: along an edge that says how b moves relative to a, or
@@ -95,42 +83,42 @@ template <class A, class B, class S> AcceleratingDcm<B, A, S> inverse(const Acce
 // From x over a to b:    w_xb^b = R_a^b w_xa^a + w_ab^b      w_xb^b = R_a^b (w_xa^a - w_ba^a)
 template <class A, class B, class S>
 AngularVelocity<A, B, In<B>, S> rate_along(const MovingDcm<A, B, S>& ab) {
-  return ab.angular_velocity();
+  return ab.angular_velocity;
 }
 template <class X, class A, class B, class S>
 AngularVelocity<X, B, In<B>, S> rate_along(const MovingDcm<A, B, S>& ab,
                                            const AngularVelocity<X, A, In<A>, S>& w_xa_a) {
-  return inverse(ab.rotation()) * w_xa_a + ab.angular_velocity();
+  return inverse(ab.rotation) * w_xa_a + ab.angular_velocity;
 }
 template <class A, class B, class S>
 AngularVelocity<A, B, In<B>, S> rate_against(const MovingDcm<B, A, S>& ba) {
-  return ba.rotation() * -ba.angular_velocity();
+  return ba.rotation * -ba.angular_velocity;
 }
 template <class X, class A, class B, class S>
 AngularVelocity<X, B, In<B>, S> rate_against(const MovingDcm<B, A, S>& ba,
                                              const AngularVelocity<X, A, In<A>, S>& w_xa_a) {
   return AngularVelocity<X, B, In<B>, S>{detail::trusted,
-                                         ba.rotation() * (w_xa_a.vector() - ba.angular_velocity().vector())};
+                                         ba.rotation * (w_xa_a.vector() - ba.angular_velocity.vector())};
 }
 // From y over b back to a:    w_ay^a = R_b^a (w_ab^b + w_by^b)    w_ay^a = R_b^a w_by^b - w_ba^a
 template <class A, class B, class S>
 AngularVelocity<A, B, In<A>, S> rate_back_along(const MovingDcm<A, B, S>& ab) {
-  return ab.rotation() * ab.angular_velocity();
+  return ab.rotation * ab.angular_velocity;
 }
 template <class A, class B, class Y, class S>
 AngularVelocity<A, Y, In<A>, S> rate_back_along(const MovingDcm<A, B, S>& ab,
                                                 const AngularVelocity<B, Y, In<B>, S>& w_by_b) {
-  return ab.rotation() * (ab.angular_velocity() + w_by_b);
+  return ab.rotation * (ab.angular_velocity + w_by_b);
 }
 template <class A, class B, class S>
 AngularVelocity<A, B, In<A>, S> rate_back_against(const MovingDcm<B, A, S>& ba) {
-  return -ba.angular_velocity();
+  return -ba.angular_velocity;
 }
 template <class A, class B, class Y, class S>
 AngularVelocity<A, Y, In<A>, S> rate_back_against(const MovingDcm<B, A, S>& ba,
                                                   const AngularVelocity<B, Y, In<B>, S>& w_by_b) {
   return AngularVelocity<A, Y, In<A>, S>{
-      detail::trusted, inverse(ba.rotation()) * w_by_b.vector() - ba.angular_velocity().vector()};
+      detail::trusted, inverse(ba.rotation) * w_by_b.vector() - ba.angular_velocity.vector()};
 }
 
 // What a frame graph asks of the values on its edges.
@@ -145,25 +133,25 @@ template <class A, class B, class S> struct LevelOf<AcceleratingDcm<A, B, S>> {
   static constexpr Level level = Level::acceleration;
 };
 template <class A, class B, class S> const Dcm<A, B, S>& rotation_of(const MovingDcm<A, B, S>& value) {
-  return value.rotation();
+  return value.rotation;
 }
 template <class A, class B, class S> const Dcm<A, B, S>& rotation_of(const AcceleratingDcm<A, B, S>& value) {
-  return value.rotation();
+  return value.moving.rotation;
 }
 template <class A, class B, class S> const MovingDcm<A, B, S>& moving_part(const MovingDcm<A, B, S>& value) {
   return value;
 }
 template <class A, class B, class S>
 const MovingDcm<A, B, S>& moving_part(const AcceleratingDcm<A, B, S>& value) {
-  return value.moving();
+  return value.moving;
 }
 template <class A, class B, class S>
 const AngularVelocity<A, B, In<B>, S>& angular_velocity_of(const MovingDcm<A, B, S>& value) {
-  return value.angular_velocity();
+  return value.angular_velocity;
 }
 template <class A, class B, class S>
 const AngularAcceleration<A, B, In<B>, S>& angular_acceleration_of(const AcceleratingDcm<A, B, S>& value) {
-  return value.angular_acceleration();
+  return value.angular_acceleration;
 }
 
 }  // namespace vectrix
