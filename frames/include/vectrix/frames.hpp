@@ -1,7 +1,9 @@
 #pragma once
 
+#include <vectrix/frames/chained.hpp>
 #include <vectrix/frames/dcm.hpp>
 #include <vectrix/frames/dcm_doors.hpp>
+#include <vectrix/frames/displacement.hpp>
 #include <vectrix/frames/edge.hpp>
 #include <vectrix/frames/errors.hpp>
 #include <vectrix/frames/frame.hpp>

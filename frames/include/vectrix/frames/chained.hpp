@@ -1,0 +1,72 @@
+#pragma once
+
+#include <vectrix/frames/dcm.hpp>
+
+namespace vectrix {
+namespace detail {
+
+/// What the quantities of q relative to p have in common: a vector, here x_pq^c, and the laws below. A class
+/// derived from it names p, q and c, and by `Between` and `Expressed` the same quantity of others.
+template <class C, class U, class S> class ChainedVector {
+ public:
+  using expressed = C;
+  using scalar = S;
+
+  explicit ChainedVector(Trusted, const Vector<C, U, S>& vector) : vector_(vector) {}
+  template <class Derived>
+  explicit ChainedVector(Trusted, const Eigen::MatrixBase<Derived>& coordinates)
+      : vector_(trusted, coordinates) {}
+
+  const Vector<C, U, S>& vector() const& { return vector_; }
+  Vector<C, U, S> vector() && { return vector_; }
+  const Column<S>& coordinates() const& { return vector_.coordinates(); }
+  Column<S> coordinates() && { return vector_.coordinates(); }
+
+ private:
+  Vector<C, U, S> vector_;
+};
+
+template <class X>
+concept Chained = requires {
+  typename X::first;
+  typename X::second;
+  typename X::template Expressed<typename X::expressed>;
+};
+
+/// Both are the same quantity, expressed in one frame.
+template <class Left, class Right>
+concept SameQuantity = Chained<Left> && Chained<Right> && std::same_as <
+                       typename Left::template Between<typename Left::first, typename Left::second>,
+typename Right::template Between < typename Left::first, typename Left::second >> ;
+
+}  // namespace detail
+
+// x_ps^c = x_pq^c + x_qs^c
+template <detail::Chained Left, detail::SameQuantity<Left> Right>
+  requires std::same_as<typename Left::second, typename Right::first>
+auto sum(const Left& x_pq_c, const Right& x_qs_c) {
+  return typename Left::template Between<typename Left::first, typename Right::second>{
+      detail::trusted, x_pq_c.coordinates() + x_qs_c.coordinates()};
+}
+// The sum commutes: x_qs^c + x_pq^c chains as well.
+template <detail::Chained Left, detail::SameQuantity<Left> Right>
+  requires(std::same_as<typename Right::second, typename Left::first> &&
+           !std::same_as<typename Left::second, typename Right::first>)
+auto sum(const Left& x_qs_c, const Right& x_pq_c) {
+  return typename Left::template Between<typename Right::first, typename Left::second>{
+      detail::trusted, x_qs_c.coordinates() + x_pq_c.coordinates()};
+}
+
+// x_qp^c = -x_pq^c
+template <detail::Chained X> auto negative(const X& x_pq_c) {
+  return typename X::template Between<typename X::second, typename X::first>{detail::trusted,
+                                                                             -x_pq_c.coordinates()};
+}
+
+// x_pq^d = R_c^d x_pq^c
+template <class D, detail::Chained X>
+auto product(const Dcm<D, typename X::expressed, typename X::scalar>& R_d_from_c, const X& x_pq_c) {
+  return typename X::template Expressed<D>{detail::trusted, R_d_from_c.matrix() * x_pq_c.coordinates()};
+}
+
+}  // namespace vectrix

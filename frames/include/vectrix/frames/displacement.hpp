@@ -1,0 +1,50 @@
+#pragma once
+
+#include <vectrix/frames/chained.hpp>
+
+namespace vectrix {
+
+/// r_pq^c, `r_pq_c`, of type Displacement<P, Q, In<C>>: the position of the point q relative to the point p,
+/// expressed in c, m. A frame among the points stands for its origin. Its laws:
+///     1.  r_pq^c + r_qs^c = r_ps^c
+///     2.  r_qp^c = -r_pq^c
+///     3.  r_pq^d = R_c^d r_pq^c
+/// Made by displacement(of<Q>, relative_to<P>, ...); no default.
+template <Point P, Point Q, class ExpressedIn, class S = double> class Displacement;
+
+template <Point P, Point Q, Frame C, class S>
+class Displacement<P, Q, In<C>, S> : public detail::ChainedVector<C, si::length, S> {
+ public:
+  using first = P;
+  using second = Q;
+  template <class P2, class Q2> using Between = Displacement<P2, Q2, In<C>, S>;
+  template <class D> using Expressed = Displacement<P, Q, In<D>, S>;
+
+  using detail::ChainedVector<C, si::length, S>::ChainedVector;
+};
+
+template <class P, class Q, class C, class S>
+inline constexpr bool detail::is_framed<Displacement<P, Q, C, S>> = true;
+
+/// Claims that the vector is the position of q relative to p.
+template <Point Q, Point P, class C, class S>
+Displacement<P, Q, In<C>, S> displacement(Of<Q>, RelativeTo<P>, const Vector<C, si::length, S>& r_pq_c) {
+  return Displacement<P, Q, In<C>, S>{detail::trusted, r_pq_c};
+}
+template <class Q, class P, class C, class UnitGiven, class S>
+  requires(!std::same_as<UnitGiven, si::length>)
+void displacement(Of<Q>, RelativeTo<P>, const Vector<C, UnitGiven, S>&) = delete;  // needs metres
+
+/// Claims that q is at p.
+template <Point Q, Point P, Frame C, class S = double>
+Displacement<P, Q, In<C>, S> coincident(Of<Q>, RelativeTo<P>, In<C>) {
+  return Displacement<P, Q, In<C>, S>{detail::trusted, detail::Column<S>::Zero()};
+}
+
+/// |r_pq|, m.
+template <class P, class Q, class C, class S>
+Quantity<si::length, S> norm(const Displacement<P, Q, C, S>& r_pq_c) {
+  return norm(r_pq_c.vector());
+}
+
+}  // namespace vectrix
