@@ -9,14 +9,25 @@ namespace vectrix {
 /// default of zero.
 enum class Level { rotation, rate, acceleration };
 
-/// Frames and level of a type that a graph edge may carry. Specialised beside each such type.
+/// Frames and level of a type that a graph edge may carry, and whether it knows where the second frame's
+/// origin is. Specialised beside each such type.
 template <class Value> struct LevelOf;
 
-template <class A, class B, class S> struct LevelOf<Dcm<A, B, S>> {
+namespace detail {
+
+template <class A, class B, Level known, bool has_place> struct EdgeLevel {
   using first = A;
   using second = B;
-  static constexpr Level level = Level::rotation;
+  static constexpr Level level = known;
+  static constexpr bool placed = has_place;
 };
+template <class A, class B, Level known> struct TurningLevel : EdgeLevel<A, B, known, false> {};
+template <class A, class B, Level known> struct PlacedLevel : EdgeLevel<A, B, known, true> {};
+
+}  // namespace detail
+
+template <class A, class B, class S>
+struct LevelOf<Dcm<A, B, S>> : detail::TurningLevel<A, B, Level::rotation> {};
 
 template <class Value>
 concept EdgeValue = requires {

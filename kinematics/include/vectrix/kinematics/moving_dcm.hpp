@@ -57,8 +57,7 @@ AcceleratingDcm<A, B, S> accelerating_dcm(const Dcm<A, B, S>& R_a_from_b,
 
 template <class A, class B, class D, class S>
 MovingDcm<A, D, S> product(const MovingDcm<A, B, S>& ab, const MovingDcm<B, D, S>& bd) {
-  return {ab.rotation * bd.rotation,
-          inverse(bd.rotation) * ab.angular_velocity + bd.angular_velocity};
+  return {ab.rotation * bd.rotation, inverse(bd.rotation) * ab.angular_velocity + bd.angular_velocity};
 }
 template <class A, class B, class D, class S>
 AcceleratingDcm<A, D, S> product(const AcceleratingDcm<A, B, S>& ab, const AcceleratingDcm<B, D, S>& bd) {
@@ -122,16 +121,10 @@ AngularVelocity<A, Y, In<A>, S> rate_back_against(const MovingDcm<B, A, S>& ba,
 }
 
 // What a frame graph asks of the values on its edges.
-template <class A, class B, class S> struct LevelOf<MovingDcm<A, B, S>> {
-  using first = A;
-  using second = B;
-  static constexpr Level level = Level::rate;
-};
-template <class A, class B, class S> struct LevelOf<AcceleratingDcm<A, B, S>> {
-  using first = A;
-  using second = B;
-  static constexpr Level level = Level::acceleration;
-};
+template <class A, class B, class S>
+struct LevelOf<MovingDcm<A, B, S>> : detail::TurningLevel<A, B, Level::rate> {};
+template <class A, class B, class S>
+struct LevelOf<AcceleratingDcm<A, B, S>> : detail::TurningLevel<A, B, Level::acceleration> {};
 template <class A, class B, class S> const Dcm<A, B, S>& rotation_of(const MovingDcm<A, B, S>& value) {
   return value.rotation;
 }
@@ -144,6 +137,10 @@ template <class A, class B, class S> const MovingDcm<A, B, S>& moving_part(const
 template <class A, class B, class S>
 const MovingDcm<A, B, S>& moving_part(const AcceleratingDcm<A, B, S>& value) {
   return value.moving;
+}
+template <class A, class B, class S>
+const AcceleratingDcm<A, B, S>& accelerating_part(const AcceleratingDcm<A, B, S>& value) {
+  return value;
 }
 template <class A, class B, class S>
 const AngularVelocity<A, B, In<B>, S>& angular_velocity_of(const MovingDcm<A, B, S>& value) {

@@ -1,0 +1,119 @@
+#pragma once
+
+#include <vectrix/frames/dcm_doors.hpp>
+#include <vectrix/frames/displacement.hpp>
+#include <vectrix/frames/level.hpp>
+
+namespace vectrix {
+
+/// X_a^b, `X_b_from_a`, of type Transform<B, A>: the rotation R_a^b and the place r_ba^b of a's origin seen
+/// from b's, m. It takes positions relative to a's origin to positions relative to b's:
+///     1.  r_bq^b = R_a^b r_aq^a + r_ba^b      X_b_from_a * r_aq_a
+///     2.  X_a^c = X_b^c X_a^b                 X_c_from_b * X_b_from_a
+///     3.  X_b^a = (X_a^b)^-1                  inverse(X_b_from_a)
+/// Any pair is valid, so it is an aggregate: Transform{R_b_from_a, r_ba_b}. transform() takes a matrix.
+template <Frame B, Frame A, class S = double> struct Transform {
+  Dcm<B, A, S> rotation;
+  Displacement<B, A, In<B>, S> translation;
+};
+template <class B, class A, class S>
+Transform(Dcm<B, A, S>, Displacement<B, A, In<B>, S>) -> Transform<B, A, S>;
+
+template <class B, class A, class S> inline constexpr bool detail::is_framed<Transform<B, A, S>> = true;
+
+// r_bq^b = R_a^b r_aq^a + r_ba^b
+template <class B, class A, class Q, class S>
+Displacement<B, Q, In<B>, S> product(const Transform<B, A, S>& X_b_from_a,
+                                     const Displacement<A, Q, In<A>, S>& r_aq_a) {
+  return Displacement<B, Q, In<B>, S>{detail::trusted, X_b_from_a.rotation.matrix() * r_aq_a.coordinates() +
+                                                           X_b_from_a.translation.coordinates()};
+}
+// X_a^c = X_b^c X_a^b
+template <class C, class B, class A, class S>
+Transform<C, A, S> product(const Transform<C, B, S>& X_c_from_b, const Transform<B, A, S>& X_b_from_a) {
+  return {X_c_from_b.rotation * X_b_from_a.rotation, X_c_from_b * X_b_from_a.translation};
+}
+// r_ab^a = -R_b^a r_ba^b
+template <class B, class A, class S> Transform<A, B, S> inverse(const Transform<B, A, S>& X_b_from_a) {
+  return {inverse(X_b_from_a.rotation),
+          Displacement<A, B, In<A>, S>{detail::trusted, -(X_b_from_a.rotation.matrix().transpose() *
+                                                          X_b_from_a.translation.coordinates())}};
+}
+
+/// The bare homogeneous matrix [R_a^b, r_ba^b; 0 0 0 1], lengths in metres: the way out of the typed world.
+template <class B, class A, class S>
+Eigen::Matrix<S, 4, 4> homogeneous_matrix(const Transform<B, A, S>& X_b_from_a) {
+  Eigen::Matrix<S, 4, 4> matrix = Eigen::Matrix<S, 4, 4>::Identity();
+  matrix.template topLeftCorner<3, 3>() = X_b_from_a.rotation.matrix();
+  matrix.template topRightCorner<3, 1>() = X_b_from_a.translation.coordinates();
+  return matrix;
+}
+
+namespace detail {
+
+template <class Derived>
+concept Matrix4x4 = Derived::RowsAtCompileTime == 4 && Derived::ColsAtCompileTime == 4 &&
+                    !std::integral<typename Derived::Scalar>;
+
+template <class B, class A, class S>
+Displacement<B, A, In<B>, S> checked_translation(const char* door, const Eigen::Matrix<S, 4, 4>& matrix) {
+  const auto refuse = [&](const std::string& why) { throw BadInput(dcm_door<B, A>(door) + why); };
+  for (Eigen::Index i = 0; i < 4; ++i) {
+    const S expected = i == 3 ? S(1) : S(0);
+    if (!(matrix(3, i) == expected)) {
+      refuse("entry (4, " + text(i + 1) + ") is " + text(matrix(3, i)) + " instead of " + text(expected));
+    }
+  }
+  const Column<S> r = matrix.template topRightCorner<3, 1>();
+  if (!r.allFinite()) {
+    refuse("the translation (" + text(r.x()) + ", " + text(r.y()) + ", " + text(r.z()) + ") is not finite");
+  }
+  return Displacement<B, A, In<B>, S>{trusted, r};
+}
+
+}  // namespace detail
+
+/// The checked door for a homogeneous matrix, lengths in metres. Throws BadInput when its last row is not
+/// 0 0 0 1, the translation is not finite, or the rotation does not pass dcm().
+template <Frame B, Frame A, class Derived>
+  requires detail::Matrix4x4<Derived>
+auto transform(To<B>, From<A>, const Eigen::MatrixBase<Derived>& matrix) {
+  using S = typename Derived::Scalar;
+  const Eigen::Matrix<S, 4, 4> entries = matrix;
+  const auto r_ba_b = detail::checked_translation<B, A, S>("transform", entries);
+  return Transform<B, A, S>{dcm(to<B>, from<A>, entries.template topLeftCorner<3, 3>()), r_ba_b};
+}
+
+template <class B, class A, class S = double> struct NearestTransform {
+  Transform<B, A, S> transform;
+  S distance;  // how far the rotation moved, as NearestDcm says it
+};
+
+/// The projecting door: the translation as it stands, the rotation by nearest_dcm(). Throws as these do.
+template <Frame B, Frame A, class Derived>
+  requires detail::Matrix4x4<Derived>
+auto nearest_transform(To<B>, From<A>, const Eigen::MatrixBase<Derived>& matrix) {
+  using S = typename Derived::Scalar;
+  const Eigen::Matrix<S, 4, 4> entries = matrix;
+  const auto r_ba_b = detail::checked_translation<B, A, S>("nearest_transform", entries);
+  const auto nearest = nearest_dcm(to<B>, from<A>, entries.template topLeftCorner<3, 3>());
+  return NearestTransform<B, A, S>{{nearest.dcm, r_ba_b}, nearest.distance};
+}
+
+/// The trusted door: no check at all.
+template <Frame B, Frame A, class Derived>
+  requires detail::Matrix4x4<Derived>
+auto trust_transform(To<B>, From<A>, const Eigen::MatrixBase<Derived>& matrix) {
+  using S = typename Derived::Scalar;
+  return Transform<B, A, S>{
+      Dcm<B, A, S>{detail::trusted, matrix.template topLeftCorner<3, 3>()},
+      Displacement<B, A, In<B>, S>{detail::trusted, matrix.template topRightCorner<3, 1>()}};
+}
+
+template <class A, class B, class S>
+struct LevelOf<Transform<A, B, S>> : detail::PlacedLevel<A, B, Level::rotation> {};
+template <class A, class B, class S> const Dcm<A, B, S>& rotation_of(const Transform<A, B, S>& X_a_from_b) {
+  return X_a_from_b.rotation;
+}
+
+}  // namespace vectrix

@@ -1,0 +1,102 @@
+#pragma once
+
+#include <vectrix/kinematics/angular_acceleration.hpp>
+#include <vectrix/kinematics/velocity.hpp>
+
+namespace vectrix {
+
+/// a_pq|a^c, `a_pq_a_c`, of type Acceleration<P, Q, ObservedFrom<A>, In<C>>: the acceleration of the point q
+/// relative to the point p, the second derivative of r_pq for an observer fixed in a, expressed in c, m/s^2.
+///     1.  a_pq|a^c + a_qs|a^c = a_ps|a^c
+///     2.  a_qp|a^c = -a_pq|a^c
+///     3.  a_pq|a^d = R_c^d a_pq|a^c
+///     4.  transport() to another observer
+template <Point P, Point Q, class Observer, class ExpressedIn, class S = double> class Acceleration;
+
+template <Point P, Point Q, Frame A, Frame C, class S>
+class Acceleration<P, Q, ObservedFrom<A>, In<C>, S> : public detail::ChainedVector<C, si::acceleration, S> {
+ public:
+  using first = P;
+  using second = Q;
+  template <class P2, class Q2> using Between = Acceleration<P2, Q2, ObservedFrom<A>, In<C>, S>;
+  template <class D> using Expressed = Acceleration<P, Q, ObservedFrom<A>, In<D>, S>;
+
+  using detail::ChainedVector<C, si::acceleration, S>::ChainedVector;
+};
+
+template <class P, class Q, class A, class C, class S>
+inline constexpr bool detail::is_framed<Acceleration<P, Q, A, C, S>> = true;
+
+/// Claims that the vector is the acceleration of q relative to p as a sees it.
+template <Point Q, Point P, Frame A, class C, class S>
+Acceleration<P, Q, ObservedFrom<A>, In<C>, S> acceleration(Of<Q>, RelativeTo<P>, ObservedFrom<A>,
+                                                           const Vector<C, si::acceleration, S>& a_pq_a_c) {
+  return Acceleration<P, Q, ObservedFrom<A>, In<C>, S>{detail::trusted, a_pq_a_c};
+}
+template <class Q, class P, class A, class C, class UnitGiven, class S>
+  requires(!std::same_as<UnitGiven, si::acceleration>)
+void acceleration(Of<Q>, RelativeTo<P>, ObservedFrom<A>,  // needs m/s^2
+                  const Vector<C, UnitGiven, S>&) = delete;
+
+/// Claims that a sees no acceleration of q relative to p.
+template <Point Q, Point P, Frame A, Frame C, class S = double>
+Acceleration<P, Q, ObservedFrom<A>, In<C>, S> unaccelerated(Of<Q>, RelativeTo<P>, ObservedFrom<A>, In<C>) {
+  return Acceleration<P, Q, ObservedFrom<A>, In<C>, S>{detail::trusted, detail::Column<S>::Zero()};
+}
+
+// The apparent accelerations, which an observer in b sees because b turns relative to a:
+//     a_pq|b = a_pq|a + Euler + Coriolis + centrifugal
+
+/// The Euler acceleration, -alpha_ab x r_pq.
+template <class A, class B, class P, class Q, class C, class S>
+Vector<C, si::acceleration, S> euler_acceleration(const AngularAcceleration<A, B, In<C>, S>& alpha_ab_c,
+                                                  const Displacement<P, Q, In<C>, S>& r_pq_c) {
+  return {detail::trusted, r_pq_c.coordinates().cross(alpha_ab_c.coordinates())};
+}
+/// The Coriolis acceleration, -2 w_ab x v_pq|b: of the velocity that b sees.
+template <class A, class B, class P, class Q, class C, class S>
+Vector<C, si::acceleration, S> coriolis_acceleration(
+    const AngularVelocity<A, B, In<C>, S>& w_ab_c,
+    const Velocity<P, Q, ObservedFrom<B>, In<C>, S>& v_pq_b_c) {
+  return {detail::trusted, S(2) * v_pq_b_c.coordinates().cross(w_ab_c.coordinates())};
+}
+/// The centrifugal acceleration, -w_ab x (w_ab x r_pq).
+template <class A, class B, class P, class Q, class C, class S>
+Vector<C, si::acceleration, S> centrifugal_acceleration(const AngularVelocity<A, B, In<C>, S>& w_ab_c,
+                                                        const Displacement<P, Q, In<C>, S>& r_pq_c) {
+  const detail::Column<S> w = w_ab_c.coordinates();
+  return {detail::trusted, w.cross(r_pq_c.coordinates().cross(w))};
+}
+template <class Motion, class Place>
+  requires detail::is_framed_pair<Motion, Place>
+void euler_acceleration(const Motion&,  // euler_acceleration(alpha_ab_c, r_pq_c): expressed in one frame
+                        const Place&) = delete;
+template <class Rate, class VelocityOf>
+  requires detail::is_framed_pair<Rate, VelocityOf>
+void coriolis_acceleration(const Rate&,  // coriolis_acceleration(w_ab_c, v_pq_b_c): v as b sees it, both in c
+                           const VelocityOf&) = delete;
+template <class Rate, class Place>
+  requires detail::is_framed_pair<Rate, Place>
+void centrifugal_acceleration(
+    const Rate&,  // centrifugal_acceleration(w_ab_c, r_pq_c): expressed in one frame
+    const Place&) = delete;
+
+/// a_pq|a = a_pq|b + alpha_ab x r_pq + 2 w_ab x v_pq|b + w_ab x (w_ab x r_pq), all expressed in c.
+template <class A, class B, class P, class Q, class C, class S>
+Acceleration<P, Q, ObservedFrom<A>, In<C>, S> transport(
+    ObservedFrom<A>, const Acceleration<P, Q, ObservedFrom<B>, In<C>, S>& a_pq_b_c,
+    const Velocity<P, Q, ObservedFrom<B>, In<C>, S>& v_pq_b_c, const Displacement<P, Q, In<C>, S>& r_pq_c,
+    const AngularAcceleration<A, B, In<C>, S>& alpha_ab_c, const AngularVelocity<A, B, In<C>, S>& w_ab_c) {
+  const detail::Column<S> r = r_pq_c.coordinates();
+  const detail::Column<S> w = w_ab_c.coordinates();
+  const detail::Column<S> turning = S(2) * v_pq_b_c.coordinates() + w.cross(r);
+  return Acceleration<P, Q, ObservedFrom<A>, In<C>, S>{
+      detail::trusted, a_pq_b_c.coordinates() + alpha_ab_c.coordinates().cross(r) + w.cross(turning)};
+}
+template <class ToObserver, class AccelerationOf, class VelocityOf, class PositionOf, class Alpha, class Rate>
+  requires(detail::is_velocity<VelocityOf>&& detail::is_framed_pair<Alpha, Rate>)
+void transport(  // transport(observed_from<A>, a_pq_b_c, v_pq_b_c, r_pq_c, alpha_ab_c, w_ab_c): all in c
+    ObservedFrom<ToObserver>, const AccelerationOf&, const VelocityOf&, const PositionOf&, const Alpha&,
+    const Rate&) = delete;
+
+}  // namespace vectrix
