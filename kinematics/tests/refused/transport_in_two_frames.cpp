@@ -1,6 +1,6 @@
 // mistake: a derivative and its vector expressed in different frames
-// expect: DerivativeIn = Body
-// expect: VectorIn = Gcrf
+// expect: Change = (vectrix::)?Derivative<Body, Body
+// expect: Vector<Gcrf
 #include <vectrix/kinematics.hpp>
 
 struct Gcrf : vectrix::inertial_frame {};

@@ -1,6 +1,6 @@
 // mistake: the derivative of a position transported with a velocity in the place of the position
-// expect: U = (vectrix::)?si::length
-// expect: V = (vectrix::)?si::velocity
+// expect: Derivative<Body, Body, (vectrix::)?si::length
+// expect: Vector<Body, (vectrix::)?si::velocity
 #include <vectrix/kinematics.hpp>
 
 struct Gcrf : vectrix::inertial_frame {};

@@ -1,6 +1,6 @@
 // mistake: a derivative transported by the rate of the old observer relative to a third frame
-// expect: FromObserver = Body
-// expect: RateOf = Camera
+// expect: Derivative<Body, Body
+// expect: AngularVelocity<Gcrf, Camera
 #include <vectrix/kinematics.hpp>
 
 struct Gcrf : vectrix::inertial_frame {};

@@ -22,6 +22,7 @@ template <class Operand> inline constexpr bool has_negative = requires(const Ope
   negative(operand);
 };
 template <class Left, class Right> inline constexpr bool is_framed_pair = is_framed<Left> || is_framed<Right>;
+template <class... Operands> inline constexpr bool any_framed = (is_framed<Operands> || ...);
 
 }  // namespace detail
 

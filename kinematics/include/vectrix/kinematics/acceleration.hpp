@@ -93,10 +93,5 @@ Acceleration<P, Q, ObservedFrom<A>, In<C>, S> transport(
   return Acceleration<P, Q, ObservedFrom<A>, In<C>, S>{
       detail::trusted, a_pq_b_c.coordinates() + alpha_ab_c.coordinates().cross(r) + w.cross(turning)};
 }
-template <class ToObserver, class AccelerationOf, class VelocityOf, class PositionOf, class Alpha, class Rate>
-  requires(detail::is_velocity<VelocityOf>&& detail::is_framed_pair<Alpha, Rate>)
-void transport(  // transport(observed_from<A>, a_pq_b_c, v_pq_b_c, r_pq_c, alpha_ab_c, w_ab_c): all in c
-    ObservedFrom<ToObserver>, const AccelerationOf&, const VelocityOf&, const PositionOf&, const Alpha&,
-    const Rate&) = delete;
 
 }  // namespace vectrix

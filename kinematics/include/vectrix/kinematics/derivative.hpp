@@ -30,6 +30,9 @@ Derivative<A, C, U, S> derivative(ObservedFrom<A>,
   return {detail::trusted, rdot_c};
 }
 
+template <class A, class C, class U, class S>
+inline constexpr bool detail::is_framed<Derivative<A, C, U, S>> = true;
+
 /// The transport of a derivative from the observer b to the observer a, all expressed in one frame c:
 ///     d/dt|_a r = d/dt|_b r + w_ab x r
 template <class A, class B, class C, class U, class S>
@@ -39,13 +42,9 @@ Derivative<A, C, U, S> transport(ObservedFrom<A>, const Derivative<B, C, U, S>& 
                                detail::trusted, rdot_c.vector().coordinates() +
                                                     w_ab_c.coordinates().cross(r_c.coordinates())}};
 }
-template <class ToObserver, class FromObserver, class DerivativeIn, class U, class VectorIn, class V,
-          class RateRelativeTo, class RateOf, class RateIn, class S>
-  requires(!(std::same_as<ToObserver, RateRelativeTo> && std::same_as<FromObserver, RateOf> &&
-             std::same_as<DerivativeIn, VectorIn> && std::same_as<DerivativeIn, RateIn> &&
-             std::same_as<U, V>))
-void transport(  // transport(observed_from<A>, rdot_b, r, w_ab), all expressed in one frame
-    ObservedFrom<ToObserver>, const Derivative<FromObserver, DerivativeIn, U, S>&,
-    const Vector<VectorIn, V, S>&, const AngularVelocity<RateRelativeTo, RateOf, In<RateIn>, S>&) = delete;
+template <class ToObserver, class Change, class... Operands>
+  requires detail::any_framed<Change, Operands...>
+void transport(ObservedFrom<ToObserver>,  // transport(observed_from<A>, rdot_c, r_c, w_ab_c), one frame c
+               const Change&, const Operands&...) = delete;
 
 }  // namespace vectrix

@@ -27,14 +27,6 @@ class Velocity<P, Q, ObservedFrom<A>, In<C>, S> : public detail::ChainedVector<C
 template <class P, class Q, class A, class C, class S>
 inline constexpr bool detail::is_framed<Velocity<P, Q, A, C, S>> = true;
 
-namespace detail {
-
-template <class V> inline constexpr bool is_velocity = false;
-template <class P, class Q, class A, class C, class S>
-inline constexpr bool is_velocity<Velocity<P, Q, A, C, S>> = true;
-
-}  // namespace detail
-
 /// Claims that the vector is the velocity of q relative to p as a sees it.
 template <Point Q, Point P, Frame A, class C, class S>
 Velocity<P, Q, ObservedFrom<A>, In<C>, S> velocity(Of<Q>, RelativeTo<P>, ObservedFrom<A>,
@@ -60,10 +52,6 @@ Velocity<P, Q, ObservedFrom<A>, In<C>, S> transport(ObservedFrom<A>,
   return Velocity<P, Q, ObservedFrom<A>, In<C>, S>{
       detail::trusted, v_pq_b_c.coordinates() + w_ab_c.coordinates().cross(r_pq_c.coordinates())};
 }
-template <class ToObserver, class VelocityOf, class PositionOf, class Rate>
-  requires(detail::is_velocity<VelocityOf>&& detail::is_framed_pair<PositionOf, Rate>)
-void transport(  // transport(observed_from<A>, v_pq_b_c, r_pq_c, w_ab_c): the same points, all expressed in c
-    ObservedFrom<ToObserver>, const VelocityOf&, const PositionOf&, const Rate&) = delete;
 
 /// |v|, m/s.
 template <class P, class Q, class A, class C, class S>
