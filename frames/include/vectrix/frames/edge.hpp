@@ -4,6 +4,7 @@
 #include <type_traits>
 #include <utility>
 #include <vectrix/frames/level.hpp>
+#include <vectrix/frames/transform.hpp>
 
 namespace vectrix {
 
@@ -37,6 +38,12 @@ template <class Function, EdgeValue V> class FunctionEdge {
 /// as well.
 template <class A, class B, class S> ConstantEdge<Dcm<A, B, S>> static_edge(const Dcm<A, B, S>& R_a_from_b) {
   return ConstantEdge<Dcm<A, B, S>>{R_a_from_b};
+}
+
+/// A fixed place and rotation, and nothing more.
+template <class A, class B, class S>
+ConstantEdge<Transform<A, B, S>> static_edge(const Transform<A, B, S>& X_a_from_b) {
+  return ConstantEdge<Transform<A, B, S>>{X_a_from_b};
 }
 
 namespace detail {

@@ -47,11 +47,13 @@ template <Frame F> struct From {};
 template <Frame F> struct In {};
 template <Point P> struct Of {};
 template <Point P> struct RelativeTo {};
+template <Frame A> struct ObservedFrom {};
 
 template <Frame F> inline constexpr To<F> to{};
 template <Frame F> inline constexpr From<F> from{};
 template <Frame F> inline constexpr In<F> in{};
 template <Point P> inline constexpr Of<P> of{};
 template <Point P> inline constexpr RelativeTo<P> relative_to{};
+template <Frame A> inline constexpr ObservedFrom<A> observed_from{};  // where who watches a change is fixed
 
 }  // namespace vectrix

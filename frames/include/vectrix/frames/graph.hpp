@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <tuple>
 #include <utility>
-#include <vectrix/frames/graph_walk.hpp>
+#include <vectrix/frames/graph_places.hpp>
 
 namespace vectrix {
 
@@ -14,6 +14,7 @@ template <class To, class From> struct NoPath {};
 template <class F> struct OtherFrameThan {};
 template <class Link> struct RateOn {};
 template <class Link> struct AccelerationOn {};
+template <class Link> struct PlaceOn {};
 
 namespace detail {
 
@@ -54,6 +55,43 @@ template <class Topology, Level level, class B, class A, class C> constexpr auto
 
 }  // namespace detail
 
+namespace detail {
+
+/// What the graph lacks to answer at `level` for the origin of Q relative to that of P, seen from A,
+/// expressed in C; Nothing when it can.
+template <class Topology, Level level, class Q, class P, class A, class C> constexpr auto lacks_place() {
+  using Basic = typename decltype(lacks<Topology, Level::rotation, Q, P, A>())::type;
+  if constexpr (!std::is_same_v<Basic, Nothing>) {
+    return std::type_identity<Basic>{};
+  } else if constexpr (constexpr auto in_c = lacks<Topology, level, Q, P, C>();
+                       !std::is_same_v<typename decltype(in_c)::type, Nothing>) {
+    return in_c;
+  } else if constexpr (std::is_same_v<P, Q>) {
+    return std::type_identity<OtherFrameThan<P>>{};
+  } else if constexpr (constexpr std::size_t edge = Topology::template edge_without_place<P, Q>();
+                       edge != nowhere) {
+    return std::type_identity<PlaceOn<typename Topology::template LinkAt<edge>>>{};
+  } else {
+    using M = typename Topology::template PartingFrame<P, Q, A>;
+    if constexpr (level == Level::rotation || std::is_same_v<A, M>) {
+      return std::type_identity<Nothing>{};
+    } else {
+      return lacks<Topology, level, M, A, A>();
+    }
+  }
+}
+
+/// What it lacks to answer for the place of a relative to b.
+template <class Topology, class B, class A> constexpr auto lacks_transform() {
+  if constexpr (std::is_same_v<A, B>) {
+    return lacks<Topology, Level::rotation, B, A, A>();
+  } else {
+    return lacks_place<Topology, Level::rotation, A, B, B, B>();
+  }
+}
+
+}  // namespace detail
+
 template <class... Edges> class FrameGraph;
 
 /// A frame graph at one instant. Answers what the path between two frames knows. An edge is evaluated at most
@@ -66,6 +104,15 @@ template <class Instant, class... Edges> class GraphSnapshot {
   using LackingFor = typename decltype(detail::lacks<Topology, level, B, A, C>())::type;
   template <Level level, class B, class A, class C>
   static constexpr bool answers = std::is_same_v<LackingFor<level, B, A, C>, Nothing>;
+  template <Level level, class Q, class P, class A, class C>
+  using LackingForPlace = typename decltype(detail::lacks_place<Topology, level, Q, P, A, C>())::type;
+  template <Level level, class Q, class P, class A, class C>
+  using Placed = std::enable_if_t<std::is_same_v<LackingForPlace<level, Q, P, A, C>, Nothing>, int>;
+  template <Level level, class Q, class P, class A, class C>
+  using NotPlaced = std::enable_if_t<!std::is_same_v<LackingForPlace<level, Q, P, A, C>, Nothing>,
+                                     LackingForPlace<level, Q, P, A, C>>;
+  template <class B, class A>
+  using LackingForTransform = typename decltype(detail::lacks_transform<Topology, B, A>())::type;
 
  public:
   GraphSnapshot(const std::tuple<Edges...>& edges, const Instant& instant)
@@ -103,6 +150,44 @@ template <class Instant, class... Edges> class GraphSnapshot {
     return fresh().template angular_acceleration<B, A, C>();
   }
 
+  /// X_a^b: needs the place on every edge from a to b.
+  template <class B, class A, std::enable_if_t<std::is_same_v<LackingForTransform<B, A>, Nothing>, int> = 0>
+  auto transform(To<B>, From<A>) const {
+    return kept().template transform<B, A>();
+  }
+
+  /// r_pq^c, of q's origin relative to p's, expressed in c: needs the place on every edge from p to q.
+  template <class Q, class P, class C, Placed<Level::rotation, Q, P, P, C> = 0>
+  auto position(Of<Q>, RelativeTo<P>, In<C>) const {
+    return kept().template position<Q, P, C>();
+  }
+
+  /// v_pq|a^c, of q's origin relative to p's, observed from a, expressed in c: needs place and rate on every
+  /// edge from p to q, and the rate on every edge from there to a.
+  template <class Q, class P, class A, class C, Placed<Level::rate, Q, P, A, C> = 0>
+  auto velocity(Of<Q>, RelativeTo<P>, ObservedFrom<A>, In<C>) const {
+    return kept().template velocity<Q, P, A, C>();
+  }
+
+  /// a_pq|a^c, likewise: needs the accelerations.
+  template <class Q, class P, class A, class C, Placed<Level::acceleration, Q, P, A, C> = 0>
+  auto acceleration(Of<Q>, RelativeTo<P>, ObservedFrom<A>, In<C>) const {
+    return kept().template acceleration<Q, P, A, C>();
+  }
+
+  template <class B, class A, class Lacking = LackingForTransform<B, A>>
+    requires(!std::is_same_v<Lacking, Nothing>)
+  void transform(To<B>, From<A>) const = delete;  // the graph lacks something to answer: see Lacking
+  template <class Q, class P, class C, class Lacking = NotPlaced<Level::rotation, Q, P, P, C>>
+  void position(Of<Q>,  // the graph lacks something to answer: see Lacking
+                RelativeTo<P>, In<C>) const = delete;
+  template <class Q, class P, class A, class C, class Lacking = NotPlaced<Level::rate, Q, P, A, C>>
+  void velocity(Of<Q>,  // the graph lacks something to answer: see Lacking
+                RelativeTo<P>, ObservedFrom<A>, In<C>) const = delete;
+  template <class Q, class P, class A, class C, class Lacking = NotPlaced<Level::acceleration, Q, P, A, C>>
+  void acceleration(Of<Q>,  // the graph lacks something to answer: see Lacking
+                    RelativeTo<P>, ObservedFrom<A>, In<C>) const = delete;
+
   template <class B, class A, class Lacking = LackingFor<Level::rotation, B, A, A>>
     requires(!answers<Level::rotation, B, A, A>)
   void rotation(To<B>, From<A>) const = delete;  // the graph lacks something to answer: see Lacking
@@ -122,7 +207,7 @@ template <class Instant, class... Edges> class GraphSnapshot {
   }
   auto kept() const {
     using Values = detail::KeptValues<Instant, Edges...>;
-    return detail::GraphWalk<Topology, Values>{Values{{edges_, instant_}, kept_}};
+    return detail::PlaceWalk<Topology, Values>{Values{{edges_, instant_}, kept_}};
   }
 
   const std::tuple<Edges...>& edges_;

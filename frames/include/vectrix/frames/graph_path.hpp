@@ -116,6 +116,31 @@ template <class... Edges> struct Topology {
     return step;
   }
 
+  /// The frame where the paths from Start to Goal and to Other part.
+  template <class Start, class Goal, class Other> static constexpr auto parting_frame() {
+    constexpr std::size_t steps = shared_steps<Start, Goal, Other>();
+    if constexpr (steps == 0) {
+      return std::type_identity<Start>{};
+    } else {
+      constexpr auto& walk = path_between<Start, Goal>;
+      using Last = std::tuple_element_t<walk.edge[steps - 1], std::tuple<Edges...>>;
+      return std::conditional_t<walk.reversed[steps - 1], std::type_identity<FirstOf<Last>>,
+                                std::type_identity<SecondOf<Last>>>{};
+    }
+  }
+  template <class Start, class Goal, class Other>
+  using PartingFrame = typename decltype(parting_frame<Start, Goal, Other>())::type;
+
+  /// The first edge from Start to Goal that knows no place; `nowhere` when all do.
+  template <class Start, class Goal> static constexpr std::size_t edge_without_place() {
+    constexpr std::array<bool, size> placed{LevelOf<typename Edges::value_type>::placed...};
+    const auto& walk = path_between<Start, Goal>;
+    for (std::size_t i = 0; i < walk.length; ++i) {
+      if (!placed[walk.edge[i]]) return walk.edge[i];
+    }
+    return nowhere;
+  }
+
   /// The first edge from Start to Goal that knows less than `level`; `nowhere` when all know enough.
   template <class Start, class Goal> static constexpr std::size_t edge_below(Level level) {
     constexpr std::array<Level, size> levels{LevelOf<typename Edges::value_type>::level...};

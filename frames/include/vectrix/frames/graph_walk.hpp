@@ -62,10 +62,9 @@ template <bool reversed, class Value, class Before> auto times(const Value& valu
 }
 /// A transposed copy would be stored by numbers and loaded by pairs, which waits.
 template <bool reversed, class X, class A, class B, class S>
-  requires reversed
-Dcm<X, A, S> times(const Dcm<A, B, S>& R_a_from_b, const Dcm<X, B, S>& R_x_from_b) {
-  return {trusted, R_x_from_b.matrix() * R_a_from_b.matrix().transpose()};
-}
+  requires reversed Dcm<X, A, S> times(const Dcm<A, B, S>& R_a_from_b, const Dcm<X, B, S>& R_x_from_b) {
+    return {trusted, R_x_from_b.matrix() * R_a_from_b.matrix().transpose()};
+  }
 
 /// The answers of a frame graph at one instant. `values.template value<I>()` gives what edge I carries; each
 /// answer asks once for each edge on its path.
@@ -102,7 +101,7 @@ template <class Topology, class Values> class GraphWalk {
   template <class B, class A, class C> auto angular_acceleration() const {
     static constexpr auto& to_b = Topology::template path_between<A, B>;
     static constexpr std::size_t parting = Topology::template shared_steps<A, B, C>();
-    const auto whole = [](const auto& value) -> decltype(auto) { return (value); };
+    const auto whole = [](const auto& value) -> decltype(auto) { return accelerating_part(value); };
     return carried<A, C, parting>([&] {
       if constexpr (parting == 0) {
         return -angular_acceleration_of(product<B, A, to_b.length>(whole));
@@ -117,13 +116,13 @@ template <class Topology, class Values> class GraphWalk {
     });
   }
 
- private:
+ protected:
   // The product of `part` of the values on the first `end` edges from A to B, each turned into the direction
   // of the walk; `before` is that of the first `step`.
   template <class A, class B, std::size_t end, std::size_t step = 0, class Part, class... Product>
   auto product(Part part, const Product&... before) const {
     static constexpr auto& path = Topology::template path_between<A, B>;
-    const auto& here = values_.template value<path.edge[step]>();
+    const auto& here = value<path.edge[step]>();
     if constexpr (step + 1 == end) {
       return times<path.reversed[step]>(part(here), before...);
     } else {
@@ -135,7 +134,7 @@ template <class Topology, class Values> class GraphWalk {
   template <class A, class B, std::size_t end, std::size_t step = 0, class... Rate>
   auto rate(const Rate&... before) const {
     static constexpr auto& path = Topology::template path_between<A, B>;
-    const auto& here = values_.template value<path.edge[step]>();
+    const auto& here = value<path.edge[step]>();
     const auto next = [&] {
       if constexpr (path.reversed[step]) {
         return rate_against(moving_part(here), before...);
@@ -160,13 +159,15 @@ template <class Topology, class Values> class GraphWalk {
     }
   }
   template <std::size_t edge, bool reversed, class... Rate> auto rate_back_over(const Rate&... beyond) const {
-    const auto& here = values_.template value<edge>();
+    const auto& here = value<edge>();
     if constexpr (reversed) {
       return rate_back_against(moving_part(here), beyond...);
     } else {
       return rate_back_along(moving_part(here), beyond...);
     }
   }
+
+  template <std::size_t edge> decltype(auto) value() const { return values_.template value<edge>(); }
 
   // What `rate()` gives in the frame `step` steps from A on the way to C, expressed in C. Nothing is copied
   // on the way.
@@ -175,12 +176,13 @@ template <class Topology, class Values> class GraphWalk {
     if constexpr (step == path.length) {
       return rate();
     } else {
-      const auto& here = values_.template value<path.edge[step]>();
+      const auto& here = value<path.edge[step]>();
       return carried<A, C, step + 1>(
           [&] { return oriented<!path.reversed[step]>(rotation_of(here)) * rate(); });
     }
   }
 
+ private:
   Values values_;
 };
 

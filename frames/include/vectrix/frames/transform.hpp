@@ -115,5 +115,9 @@ struct LevelOf<Transform<A, B, S>> : detail::PlacedLevel<A, B, Level::rotation> 
 template <class A, class B, class S> const Dcm<A, B, S>& rotation_of(const Transform<A, B, S>& X_a_from_b) {
   return X_a_from_b.rotation;
 }
+/// The place without its motion.
+template <class A, class B, class S> const Transform<A, B, S>& transform_of(const Transform<A, B, S>& value) {
+  return value;
+}
 
 }  // namespace vectrix

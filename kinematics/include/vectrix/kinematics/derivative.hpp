@@ -4,10 +4,6 @@
 
 namespace vectrix {
 
-/// The frame from which a change is watched: observed_from<A>.
-template <Frame A> struct ObservedFrom {};
-template <Frame A> inline constexpr ObservedFrom<A> observed_from{};
-
 /// d/dt|_a r, expressed in c: how the vector r changes for an observer fixed in a. U is the unit of r; the
 /// derivative has that of U per second. d/dt|_a and d/dt|_b are different types; transport() takes one to the
 /// other.

@@ -61,6 +61,14 @@ template <class A, class B, class S>
 const AcceleratingDcm<A, B, S>& accelerating_part(const AcceleratingTransform<A, B, S>& value) {
   return value.turning;
 }
+/// The place without its motion.
+template <class A, class B, class S> Transform<A, B, S> transform_of(const MovingTransform<A, B, S>& value) {
+  return {value.turning.rotation, value.translation};
+}
+template <class A, class B, class S>
+Transform<A, B, S> transform_of(const AcceleratingTransform<A, B, S>& value) {
+  return {rotation_of(value), value.translation};
+}
 /// The motion without its accelerations.
 template <class A, class B, class S>
 const MovingTransform<A, B, S>& moving_transform_of(const MovingTransform<A, B, S>& value) {
