@@ -15,4 +15,5 @@
 #include <vectrix/kinematics/rigid_edge.hpp>
 #include <vectrix/kinematics/rotation_vector.hpp>
 #include <vectrix/kinematics/slerp.hpp>
+#include <vectrix/kinematics/twist.hpp>
 #include <vectrix/kinematics/velocity.hpp>

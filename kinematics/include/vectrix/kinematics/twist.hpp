@@ -1,0 +1,109 @@
+#pragma once
+
+#include <vectrix/frames/transform.hpp>
+#include <vectrix/kinematics/angular_velocity.hpp>
+#include <vectrix/kinematics/hat.hpp>
+
+namespace vectrix {
+
+/// The point at which a twist or a wrench is taken: at<P>.
+template <Point P> struct At {};
+template <Point P> inline constexpr At<P> at{};
+
+/// V_ab(p)^c, of type Twist<A, B, At<P>, In<C>>: the motion of the rigid frame b relative to a, as the rate
+/// w_ab^c and the velocity v, as a sees it, of the particle of b that is at the point p now. Its laws:
+///     1.  V_ab(p)^c + V_bd(p)^c = V_ad(p)^c          twists chain at one point
+///     2.  V_ba(p)^c = -V_ab(p)^c
+///     3.  V_ab(p)^d = R_c^d V_ab(p)^c
+///     4.  v(q) = v(p) + w_ab x r_pq                  shift() to another point
+///     5.  V_ab(c)^c = Ad(X_b^c) V_ab(b)^b            X_c_from_b * V: 3 and 4 at once
+template <Frame A, Frame B, class Place, class ExpressedIn, class S = double> class Twist;
+
+template <Frame A, Frame B, Point P, Frame C, class S> class Twist<A, B, At<P>, In<C>, S> {
+ public:
+  Twist(detail::Trusted, const detail::Column<S>& rate, const detail::Column<S>& velocity)
+      : rate_(detail::trusted, rate), velocity_(detail::trusted, velocity) {}
+
+  AngularVelocity<A, B, In<C>, S> angular_velocity() const {
+    return AngularVelocity<A, B, In<C>, S>{detail::trusted, rate_};
+  }
+  /// Of the particle of b at p, as a sees it.
+  const Vector<C, si::velocity, S>& velocity() const& { return velocity_; }
+  Vector<C, si::velocity, S> velocity() && { return velocity_; }
+  /// The bare six numbers, the rate first.
+  Eigen::Matrix<S, 6, 1> coordinates() const {
+    Eigen::Matrix<S, 6, 1> numbers;
+    numbers << rate_.coordinates(), velocity_.coordinates();
+    return numbers;
+  }
+
+ private:
+  Vector<C, si::angular_velocity, S> rate_;
+  Vector<C, si::velocity, S> velocity_;
+};
+
+template <class A, class B, class P, class C, class S>
+inline constexpr bool detail::is_framed<Twist<A, B, P, C, S>> = true;
+
+/// Claims that v_c is the velocity, as a sees it, of the particle of b at p.
+template <class P, class A, class B, class C, class S>
+Twist<A, B, At<P>, In<C>, S> twist(At<P>, const AngularVelocity<A, B, In<C>, S>& w_ab_c,
+                                   const Vector<C, si::velocity, S>& v_c) {
+  return {detail::trusted, w_ab_c.coordinates(), v_c.coordinates()};
+}
+template <class Place, class Rate, class VelocityOf>
+  requires detail::any_framed<Rate, VelocityOf>
+void twist(Place, const Rate&,
+           const VelocityOf&) = delete;  // twist(at<P>, w_ab_c, v_c): expressed in one frame
+
+// V_ad(p)^c = V_ab(p)^c + V_bd(p)^c
+template <class A, class B, class D, class P, class C, class S>
+Twist<A, D, At<P>, In<C>, S> sum(const Twist<A, B, At<P>, In<C>, S>& ab,
+                                 const Twist<B, D, At<P>, In<C>, S>& bd) {
+  return {detail::trusted, ab.angular_velocity().coordinates() + bd.angular_velocity().coordinates(),
+          ab.velocity().coordinates() + bd.velocity().coordinates()};
+}
+// V_ba(p)^c = -V_ab(p)^c
+template <class A, class B, class P, class C, class S>
+Twist<B, A, At<P>, In<C>, S> negative(const Twist<A, B, At<P>, In<C>, S>& ab) {
+  return {detail::trusted, -ab.angular_velocity().coordinates(), -ab.velocity().coordinates()};
+}
+// V_ab(p)^d = R_c^d V_ab(p)^c
+template <class D, class C, class A, class B, class P, class S>
+Twist<A, B, At<P>, In<D>, S> product(const Dcm<D, C, S>& R_d_from_c, const Twist<A, B, At<P>, In<C>, S>& ab) {
+  return {detail::trusted, R_d_from_c.matrix() * ab.angular_velocity().coordinates(),
+          R_d_from_c.matrix() * ab.velocity().coordinates()};
+}
+// V(c)^c = Ad(X_d^c) V(d)^d:  w^c = R_d^c w^d,  v(c)^c = R_d^c v(d)^d + r_cd^c x w^c
+template <class C, class D, class A, class B, class S>
+Twist<A, B, At<C>, In<C>, S> product(const Transform<C, D, S>& X_c_from_d,
+                                     const Twist<A, B, At<D>, In<D>, S>& ab) {
+  const detail::Column<S> w_c = X_c_from_d.rotation.matrix() * ab.angular_velocity().coordinates();
+  return {detail::trusted, w_c,
+          X_c_from_d.rotation.matrix() * ab.velocity().coordinates() +
+              X_c_from_d.translation.coordinates().cross(w_c)};
+}
+
+/// The same motion at another point: v(q) = v(p) + w_ab x r_pq.
+template <class A, class B, class P, class Q, class C, class S>
+Twist<A, B, At<Q>, In<C>, S> shift(const Twist<A, B, At<P>, In<C>, S>& ab,
+                                   const Displacement<P, Q, In<C>, S>& r_pq_c) {
+  const detail::Column<S> w = ab.angular_velocity().coordinates();
+  return {detail::trusted, w, ab.velocity().coordinates() + w.cross(r_pq_c.coordinates())};
+}
+template <class A, class B, class Place, class C, class S, class By>
+void shift(
+    const Twist<A, B, Place, C, S>&,  // shift(V(p)_c, r_pq_c): from the twist's point, expressed in one frame
+    const By&) = delete;
+
+/// Ad(X_a^b), the bare six by six numbers, rates first: [R_a^b 0; [r_ba^b]x R_a^b R_a^b].
+template <class B, class A, class S> Eigen::Matrix<S, 6, 6> adjoint(const Transform<B, A, S>& X_b_from_a) {
+  const detail::Square<S>& R = X_b_from_a.rotation.matrix();
+  Eigen::Matrix<S, 6, 6> matrix = Eigen::Matrix<S, 6, 6>::Zero();
+  matrix.template topLeftCorner<3, 3>() = R;
+  matrix.template bottomRightCorner<3, 3>() = R;
+  matrix.template bottomLeftCorner<3, 3>() = hat(X_b_from_a.translation.coordinates()) * R;
+  return matrix;
+}
+
+}  // namespace vectrix
