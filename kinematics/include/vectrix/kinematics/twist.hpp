@@ -91,10 +91,10 @@ Twist<A, B, At<Q>, In<C>, S> shift(const Twist<A, B, At<P>, In<C>, S>& ab,
   const detail::Column<S> w = ab.angular_velocity().coordinates();
   return {detail::trusted, w, ab.velocity().coordinates() + w.cross(r_pq_c.coordinates())};
 }
-template <class A, class B, class Place, class C, class S, class By>
-void shift(
-    const Twist<A, B, Place, C, S>&,  // shift(V(p)_c, r_pq_c): from the twist's point, expressed in one frame
-    const By&) = delete;
+template <class Motion, class By>
+  requires detail::is_framed<Motion>
+void shift(const Motion&,  // shift(V(p)_c, r_pq_c): from the point of the twist, expressed in one frame
+           const By&) = delete;
 
 /// Ad(X_a^b), the bare six by six numbers, rates first: [R_a^b 0; [r_ba^b]x R_a^b R_a^b].
 template <class B, class A, class S> Eigen::Matrix<S, 6, 6> adjoint(const Transform<B, A, S>& X_b_from_a) {
