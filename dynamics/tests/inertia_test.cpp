@@ -188,6 +188,14 @@ TEST(Euler, a_spin_about_a_principal_axis_stays) {
   }
 }
 
+/// With no rate, J alpha is the torque.
+TEST(Inertia, times_alpha_is_the_torque_at_rest) {
+  const auto J = tensor(3.0, 4.0, 5.0);
+  const auto torque = torque_body(30.0, 40.0, 50.0);
+  const Vector<Body, si::torque> product = J * euler(J, rate_body({0.0, 0.0, 0.0}), torque);
+  EXPECT_LT((product.coordinates() - torque.coordinates()).norm(), 50 * rounding);
+}
+
 /// wdot = ((b - c) wy wz / a, (c - a) wz wx / b, (a - b) wx wy / c) + (taux/a, tauy/b, tauz/c) for J =
 /// diag(a, b, c).
 TEST(Euler, the_gyroscopic_term_has_its_sign) {

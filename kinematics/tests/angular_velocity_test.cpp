@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <sstream>
+
 #include "motions.hpp"
 
 using namespace vectrix;
@@ -158,5 +160,62 @@ static_assert(!std::is_convertible_v<Vector<Body, si::angular_velocity>, W<Gcrf,
 static_assert(!std::is_convertible_v<Alpha<Gcrf, Body, Body>, W<Gcrf, Body, Body>>);
 static_assert(!std::is_default_constructible_v<W<Gcrf, Body, Body>>);
 static_assert(sizeof(W<Gcrf, Body, Body>) == 3 * sizeof(double));
+
+template <class Left, class Right>
+concept AddsInPlace = requires(Left left, Right right) {
+  left += right;
+};
+static_assert(!AddsInPlace<W<Gcrf, Body, Body>, W<Body, Camera, Body>>);
+static_assert(!AddsInPlace<W<Gcrf, Body, Body>, W<Gcrf, Body, Body>>);
+
+RC_GTEST_PROP(AngularVelocity, NormAndDotAreThoseOfTheCoordinates, ()) {
+  const auto w = any_rate<Gcrf, Body, Body>();
+  const auto alpha = any_acceleration<Gcrf, Body, Body>();
+  const auto h = vector<si::angular_momentum>(in<Body>, *triple());
+  const Quantity<si::angular_velocity> speed = norm(w);
+  const Quantity<si::angular_acceleration> change = norm(alpha);
+  const Quantity<si::energy> energy = dot(w, h);
+  RC_ASSERT(speed.value() == w.coordinates().norm());
+  RC_ASSERT(change.value() == alpha.coordinates().norm());
+  RC_ASSERT(energy.value() == w.coordinates().dot(h.coordinates()));
+  RC_ASSERT(dot(h, w).value() == energy.value());
+}
+
+// q and R re-express alike.
+RC_GTEST_PROP(AngularVelocity, AQuaternionReexpressesAsItsMatrix, ()) {
+  const auto R = any_dcm<Camera, Body>();
+  const auto q = quaternion(R);
+  const auto w = any_rate<Gcrf, Body, Body>();
+  const auto alpha = any_acceleration<Gcrf, Body, Body>();
+  const AngularVelocity<Gcrf, Body, In<Camera>> w_camera = q * w;
+  const AngularAcceleration<Gcrf, Body, In<Camera>> alpha_camera = q * alpha;
+  constexpr double rounding = 16 * epsilon;  // two products of some ten operations each
+  RC_ASSERT(distance(w_camera.coordinates(), (R * w).coordinates()) <= rounding);
+  RC_ASSERT(distance(alpha_camera.coordinates(), (R * alpha).coordinates()) <= rounding);
+}
+
+template <class T> std::string printed(const T& value) {
+  std::ostringstream out;
+  out << value;
+  return out.str();
+}
+
+TEST(Print, rates_and_quaternions_say_their_frames) {
+  const auto w = angular_velocity(of<Body>, relative_to<Gcrf>,
+                                  vector<si::angular_velocity>(in<Camera>, Eigen::Vector3d{1.0, 2.0, 3.0}));
+  const auto q = quaternion_scalar_first(to<Body>, from<Gcrf>, 1.0, 0.0, 0.0, 0.0);
+  const std::string body = frame_name<Body>();
+  const std::string gcrf = frame_name<Gcrf>();
+  const std::string rate =
+      "(1, 2, 3) rad/s of " + body + " relative to " + gcrf + " in " + frame_name<Camera>();
+  EXPECT_EQ(printed(w), rate);
+  EXPECT_EQ(printed(q), "(1; 0, 0, 0) to " + body + " from " + gcrf);
+  const auto R = aligned(to<Gcrf>, from<Body>);
+  const std::string rotation = "[1 0 0; 0 1 0; 0 0 1] to " + gcrf + " from " + body;
+  const std::string still = "(0, 0, 0) rad/s of " + body + " relative to " + gcrf + " in " + body;
+  const auto rest = at_rest(of<Body>, relative_to<Gcrf>, in<Body>);
+  EXPECT_EQ(printed(moving_dcm(R, rest)), rotation + "; " + still);
+  EXPECT_EQ(printed(vectrix::rate(R, rest)), "[0 0 0; 0 0 0; 0 0 0] 1/s to " + gcrf + " from " + body);
+}
 
 }  // namespace

@@ -1,5 +1,6 @@
 // mistake: a torque function that answers in inertial axes
-// expect: Vector<Body, (vectrix::)?si::torque
+// expect: TorqueFunction
+// expect: from State<I, B> to Vector<B, si::torque>
 // expect: Vector<Eci, (vectrix::)?si::torque
 #include <vectrix/dynamics.hpp>
 

@@ -13,5 +13,6 @@ auto acceleration(const Inertia<Body>& J_body, const AngularVelocity<Eci, Body, 
 #else
   const auto unit = si::joule;
 #endif
-  return euler(J_body, w_body, vector(in<Body>, 1.0 * unit, 2.0 * unit, 3.0 * unit));
+  const Vector<Body, si::torque> torque = vector(in<Body>, 1.0 * unit, 2.0 * unit, 3.0 * unit);
+  return euler(J_body, w_body, torque);
 }

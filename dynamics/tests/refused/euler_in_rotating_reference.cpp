@@ -1,5 +1,5 @@
 // mistake: Euler's equation relative to the rotating Earth
-// expect: RotatingReference = Ecef
+// expect: RateRelativeTo = Ecef
 #include <vectrix/dynamics.hpp>
 
 struct Eci : vectrix::inertial_frame {};

@@ -1,6 +1,6 @@
 // mistake: moments of inertia without a unit
 // expect: inertia_from_tensor
-// expect: [Qq]uantity
+// expect: six quantities in kg m.2
 // expect: double
 #include <vectrix/dynamics.hpp>
 

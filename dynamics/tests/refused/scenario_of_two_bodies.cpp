@@ -12,7 +12,7 @@ using namespace vectrix;
 #ifdef REPAIRED
 auto start(Scenario<Eci, Body> scenario, const State<Eci, Body>& state) {
 #else
-auto start(Scenario<Eci, Body> scenario, const State<.*, Wheel>& state) {
+auto start(Scenario<Eci, Body> scenario, const State<Eci, Wheel>& state) {
 #endif
   scenario.initial = state;
   return scenario;

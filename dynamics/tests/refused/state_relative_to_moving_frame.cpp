@@ -10,11 +10,7 @@ struct Body : vectrix::moving_frame {};
 using namespace vectrix;
 
 #ifdef REPAIRED
-double start(const State<Eci, Body>& state) {
-  return state.time.value();
-}
+double start(const State<Eci, Body>& state);
 #else
-double start(const State<Ecef, Body>& state) {
-  return state.time.value();
-}
+double start(const State<Ecef, Body>& state);
 #endif

@@ -1,6 +1,6 @@
 // mistake: to and from exchanged at the door
 // expect: from<Gcrf>, to<Body>
-// expect: 'To' against 'From'|From<Gcrf>' is not derived from
+// expect: ToFrame = (vectrix::)?From<Gcrf>
 #include <vectrix/frames.hpp>
 
 struct Gcrf : vectrix::inertial_frame {};

@@ -1,6 +1,6 @@
 // mistake: the same edge given twice
-// expect: ClosingEdge = (vectrix::)?Link<Gcrf, Body>
-// expect: two paths
+// expect: Fault = .*TwoPathsOver<(vectrix::)?Link<Gcrf, Body>
+// expect: a tree of frames
 #include <vectrix/frames.hpp>
 
 struct Gcrf : vectrix::inertial_frame {};

@@ -1,6 +1,6 @@
 // mistake: an edge between two frames that are joined already
-// expect: ClosingEdge = (vectrix::)?Link<Camera, Gcrf>
-// expect: two paths
+// expect: Fault = .*TwoPathsOver<(vectrix::)?Link<Camera, Gcrf>
+// expect: a tree of frames
 #include <vectrix/frames.hpp>
 
 struct Gcrf : vectrix::inertial_frame {};

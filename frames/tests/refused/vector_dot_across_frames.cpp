@@ -1,7 +1,7 @@
 // mistake: a dot product of two vectors expressed in different frames
-// expect: LeftFrame = Itrf
-// expect: RightFrame = Gcrf
-// expect: one frame
+// expect: Left = (vectrix::)?Vector<Itrf
+// expect: Right = (vectrix::)?Vector<Gcrf
+// expect: two vectors in one frame
 #include <vectrix/frames.hpp>
 
 struct Gcrf : vectrix::inertial_frame {};

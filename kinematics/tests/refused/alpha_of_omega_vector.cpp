@@ -1,6 +1,6 @@
 // mistake: a vector in rad/s given for an angular acceleration
-// expect: UnitGiven = (vectrix::)?si::angular_velocity
-// expect: needs rad/s
+// expect: Given = (vectrix::)?Vector<Body, (vectrix::)?si::angular_velocity
+// expect: a vector in rad/s
 #include <vectrix/kinematics.hpp>
 
 struct Gcrf : vectrix::inertial_frame {};

@@ -1,6 +1,6 @@
 // mistake: a torque given for a rate
-// expect: UnitGiven = (vectrix::)?si::torque
-// expect: needs rad/s
+// expect: Given = (vectrix::)?Vector<Body, (vectrix::)?si::torque
+// expect: a vector in rad/s
 #include <vectrix/kinematics.hpp>
 
 struct Gcrf : vectrix::inertial_frame {};

@@ -1,7 +1,7 @@
 // mistake: a rotation vector expressed in neither of its two frames
 // expect: VectorIn = Camera
 // expect: OfFrame = Body
-// expect: one of its two frames
+// expect: between two frames, expressed in one of them
 #include <vectrix/kinematics.hpp>
 
 struct Gcrf : vectrix::inertial_frame {};

@@ -1,5 +1,5 @@
 // mistake: a slerp between attitudes of different bodies
-// expect: Quaternion<[^>]*Camera
+// expect: FirstFrom = Body; LastTo = Gcrf; LastFrom = Camera|Slerp<Gcrf, Body, Gcrf, Camera>
 #include <vectrix/kinematics.hpp>
 
 struct Gcrf : vectrix::inertial_frame {};

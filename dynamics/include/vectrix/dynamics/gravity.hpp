@@ -42,8 +42,8 @@ Vector<B, si::torque, S> gravity_gradient_torque(const Quantity<si::gravitationa
 }
 template <class InertiaOf, class PositionIn, class S>
   requires(!std::same_as<InertiaOf, PositionIn>)
-void gravity_gradient_torque(
-    const Quantity<si::gravitational_parameter, S>&,  // J_b and r_b: both in the body's frame
-    const Inertia<InertiaOf, S>&, const Vector<PositionIn, si::length, S>&) = delete;
+auto gravity_gradient_torque(  // J_b and r_b: both in the body's frame
+    const Quantity<si::gravitational_parameter, S>&, const Inertia<InertiaOf, S>&,
+    const Vector<PositionIn, si::length, S>&) -> Refused = delete;
 
 }  // namespace vectrix

@@ -14,6 +14,7 @@ namespace vectrix {
 /// off-diagonal numbers; there is no default. Its principal moments are positive and satisfy J1 + J2 >= J3.
 template <Frame B, class S = double> class Inertia {
  public:
+  Inertia() = delete;  // inertia_from_tensor(in<B>, ...) or inertia_from_moments_and_products(in<B>, ...)
   Inertia(detail::Trusted, const detail::Square<S>& tensor)
       : tensor_(tensor), inverse_((tensor / tensor.trace()).inverse() / tensor.trace()) {}
 
@@ -25,6 +26,8 @@ template <Frame B, class S = double> class Inertia {
   detail::Square<S> tensor_;
   detail::Square<S> inverse_;
 };
+
+template <class B, class S> inline constexpr bool detail::is_framed<Inertia<B, S>> = true;
 
 namespace detail {
 
@@ -87,6 +90,9 @@ Inertia<B, S> inertia_from_tensor(In<B>, const Quantity<si::moment_of_inertia, S
       "inertia_from_tensor",
       detail::symmetric(Jxx.value(), Jyy.value(), Jzz.value(), Jxy.value(), Jxz.value(), Jyz.value()));
 }
+template <class InFrame, class... Given>
+auto inertia_from_tensor(  // in<B>, then six quantities in kg m^2: Jxx, Jyy, Jzz, ...
+    const InFrame&, const Given&...) -> Refused = delete;
 
 /// From moments and products of inertia, Pxy = + int x y dm: the tensor's off-diagonal entries are their
 /// negatives. Throws BadInput as inertia_from_tensor().
@@ -101,6 +107,9 @@ Inertia<B, S> inertia_from_moments_and_products(In<B>, const Quantity<si::moment
       "inertia_from_moments_and_products",
       detail::symmetric<S>(Jxx.value(), Jyy.value(), Jzz.value(), -Pxy.value(), -Pxz.value(), -Pyz.value()));
 }
+template <class InFrame, class... Given>
+auto inertia_from_moments_and_products(  // in<B>, then six quantities in kg m^2: Jxx, Jyy, Jzz, ...
+    const InFrame&, const Given&...) -> Refused = delete;
 
 /// The trusted door: no check at all. For a symmetric positive tensor that is no rigid body's, such as the
 /// effective tensor of a body with rotors, which may break J1 + J2 >= J3.
@@ -110,14 +119,20 @@ template <Frame B, class Derived> auto trust_inertia(In<B>, const Eigen::MatrixB
 
 // h^b = J_b w_ab^b, the angular momentum about the centre of mass, relative to a.
 template <class B, class A, class S>
-Vector<B, si::angular_momentum, S> operator*(const Inertia<B, S>& J_b,
-                                             const AngularVelocity<A, B, In<B>, S>& w_ab_b) {
+Vector<B, si::angular_momentum, S> product(const Inertia<B, S>& J_b,
+                                           const AngularVelocity<A, B, In<B>, S>& w_ab_b) {
   return {detail::trusted, J_b.matrix() * w_ab_b.coordinates()};
 }
-template <class InertiaOf, class RateRelativeTo, class RateOf, class RateIn, class S>
-  requires(!(std::same_as<InertiaOf, RateOf> && std::same_as<InertiaOf, RateIn>))
-void operator*(const Inertia<InertiaOf, S>&,  // J_b * w_ab_b: the rate of the same body, in its own frame
-               const AngularVelocity<RateRelativeTo, RateOf, In<RateIn>, S>&) = delete;
+// J_b alpha_ab^b, the torque that the change of the rate takes, were there no gyroscopic one.
+template <class B, class A, class S>
+Vector<B, si::torque, S> product(const Inertia<B, S>& J_b,
+                                 const AngularAcceleration<A, B, In<B>, S>& alpha_ab_b) {
+  return {detail::trusted, J_b.matrix() * alpha_ab_b.coordinates()};
+}
+
+template <class B, class S> std::ostream& print_framed(std::ostream& out, const Inertia<B, S>& J_b) {
+  return detail::print_square(out, J_b.matrix()) << " kg m^2 in " << frame_name<B>();
+}
 
 /// T = 1/2 w . J w, the rotational energy relative to a.
 template <class B, class A, class S>

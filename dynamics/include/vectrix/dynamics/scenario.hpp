@@ -11,6 +11,18 @@
 
 namespace vectrix {
 
+namespace detail {
+
+/// What a function returns for an argument, for messages; void of what cannot be called with it.
+template <class Function, class Argument> struct ReturnedOf : std::type_identity<void> {};
+template <class Function, class Argument>
+  requires std::invocable<Function, const Argument&>
+struct ReturnedOf<Function, Argument> : std::invoke_result<Function, const Argument&> {
+};
+template <class Function, class Argument> using Returned = typename ReturnedOf<Function, Argument>::type;
+
+}  // namespace detail
+
 /// A torque constant in body axes that acts for start <= t < stop.
 template <Frame B> struct PulseTorque {
   Quantity<si::time> start;
@@ -18,11 +30,21 @@ template <Frame B> struct PulseTorque {
   Vector<B, si::torque> torque_b;
 };
 
+/// A function that answers with a torque in the body's frame for a state.
+template <InertialFrame I, Frame B>
+struct TorqueFunction : std::function<Vector<B, si::torque>(const State<I, B>&)> {
+  using Base = std::function<Vector<B, si::torque>(const State<I, B>&)>;
+  using Base::Base;
+  template <class Function, class Returned = detail::Returned<Function, State<I, B>>,
+            std::enable_if_t<!std::is_convertible_v<Function, Base>, int> = 0>
+  TorqueFunction(Function) = delete;  // from State<I, B> to Vector<B, si::torque>
+};
+
 /// A torque that is any function of the state; times at which it jumps are listed, so that no step crosses
 /// them. At such a time the integrator asks the function one rounding before it, then one rounding after it:
 /// the function may give either value there.
 template <InertialFrame I, Frame B> struct CustomTorque {
-  std::function<Vector<B, si::torque>(const State<I, B>&)> torque_b;
+  TorqueFunction<I, B> torque_b;
   std::vector<Quantity<si::time>> discontinuities = {};
 };
 

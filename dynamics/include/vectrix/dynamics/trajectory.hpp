@@ -19,6 +19,7 @@ template <InertialFrame I, Frame B> struct Event {
 /// inside its span (dense output of the order of the steps, see ode::Solution::at).
 template <InertialFrame I, Frame B> class Trajectory {
  public:
+  Trajectory() = delete;  // propagate(scenario, propagation)
   Trajectory(detail::Trusted, ode::Solution solution, const detail::StateLayout<I, B>& layout)
       : solution_(std::move(solution)), layout_(layout) {}
 

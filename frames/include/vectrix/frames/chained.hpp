@@ -57,12 +57,6 @@ auto sum(const Left& x_qs_c, const Right& x_pq_c) {
       detail::trusted, x_qs_c.coordinates() + x_pq_c.coordinates()};
 }
 
-// x_qp^c = -x_pq^c
-template <detail::Chained X> auto negative(const X& x_pq_c) {
-  return typename X::template Between<typename X::second, typename X::first>{detail::trusted,
-                                                                             -x_pq_c.coordinates()};
-}
-
 // x_pq^d = R_c^d x_pq^c
 template <class D, detail::Chained X>
 auto product(const Dcm<D, typename X::expressed, typename X::scalar>& R_d_from_c, const X& x_pq_c) {

@@ -8,12 +8,12 @@ namespace detail {
 
 template <class S> using Square = Eigen::Matrix<S, 3, 3>;
 
-/// The tolerance of a checked door, never below what S itself rounds to.
 /// Nine numbers of a scalar that can hold a cosine.
-template <class Derived>
-concept Matrix3x3 = Derived::RowsAtCompileTime == 3 && Derived::ColsAtCompileTime == 3 &&
-                    !std::integral<typename Derived::Scalar>;
+template <class M>
+concept Matrix3x3 = std::is_base_of_v<Eigen::MatrixBase<M>, M> && M::RowsAtCompileTime == 3 &&
+                    M::ColsAtCompileTime == 3 && !std::is_integral_v<typename M::Scalar>;
 
+/// The tolerance of a checked door, never below what S itself rounds to.
 template <class S> double door_tolerance(double wanted) {
   const double rounding = 16 * static_cast<double>(Eigen::NumTraits<S>::epsilon());
   return wanted > rounding ? wanted : rounding;
@@ -40,6 +40,9 @@ template <Frame ToFrame, Frame FromFrame, class S = double> class Dcm {
   /// The bare nine numbers: the way out of the typed world.
   const detail::Square<S>& matrix() const& { return matrix_; }
   detail::Square<S> matrix() && { return matrix_; }
+
+  template <class Operand = Dcm>
+  auto operator-() const -> Refused = delete;  // a rotation has no negative: inverse(R_b_from_a)
 
  private:
   detail::Square<S> matrix_;
@@ -73,7 +76,12 @@ Vector<A, U, S> rotate(const Dcm<A, B, S>& R_a_from_b, const Vector<A, U, S>& r_
 }
 template <class DcmTo, class DcmFrom, class VectorIn, class U, class S>
   requires(!std::same_as<DcmTo, VectorIn>)
-void rotate(const Dcm<DcmTo, DcmFrom, S>&,  // rotate(R_a_from_b, r_a): r is turned within a
-            const Vector<VectorIn, U, S>&) = delete;
+auto rotate(  // rotate(R_a_from_b, r_a): r is turned within a
+    const Dcm<DcmTo, DcmFrom, S>&, const Vector<VectorIn, U, S>&) -> Refused = delete;
+
+template <class B, class A, class S>
+std::ostream& print_framed(std::ostream& out, const Dcm<B, A, S>& R_b_from_a) {
+  return detail::print_square(out, R_b_from_a.matrix()) << detail::print_to_from<B, A>;
+}
 
 }  // namespace vectrix

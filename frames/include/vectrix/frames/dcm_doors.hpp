@@ -44,10 +44,9 @@ template <class B, class A, class S> void require_right_handed(const Square<S>& 
 /// The checked door: claims that `matrix` takes coordinates in a to coordinates in b.
 /// Throws BadInput when an entry is not finite, when M^T M differs from I by more than
 /// orthonormality_tolerance, or when the determinant is not positive.
-template <Frame B, Frame A, class Derived>
-  requires detail::Matrix3x3<Derived>
-auto dcm(To<B>, From<A>, const Eigen::MatrixBase<Derived>& matrix) {
-  using S = typename Derived::Scalar;
+template <Frame B, Frame A, detail::Matrix3x3 Matrix>
+detail::OfTwo<B, A, Dcm<B, A, typename Matrix::Scalar>> dcm(To<B>, From<A>, const Matrix& matrix) {
+  using S = typename Matrix::Scalar;
   const detail::Square<S> entries = matrix;
   detail::require_finite<B, A>(entries, "dcm");
   const S error = (entries.transpose() * entries - detail::Square<S>::Identity()).cwiseAbs().maxCoeff();
@@ -60,6 +59,9 @@ auto dcm(To<B>, From<A>, const Eigen::MatrixBase<Derived>& matrix) {
   detail::require_right_handed<B, A>(entries, "dcm");
   return Dcm<B, A, S>{detail::trusted, entries};
 }
+template <class ToFrame, class FromFrame, class Given>
+auto dcm(  // to<B>, from<A>: two frames; a 3x3 matrix
+    const ToFrame&, const FromFrame&, const Given&) -> Refused = delete;
 
 template <class B, class A, class S> struct NearestDcm {
   Dcm<B, A, S> dcm;
@@ -71,10 +73,10 @@ template <class B, class A, class S> struct NearestDcm {
 ///     M = U Sigma V^T  ->  R = U V^T       (polar factor; Higham, Functions of Matrices, theorem 8.4)
 /// Throws BadInput when an entry is not finite, the matrix is left-handed, or it is so near to singular that
 /// rounding would choose the rotation.
-template <Frame B, Frame A, class Derived>
-  requires detail::Matrix3x3<Derived>
-auto nearest_dcm(To<B>, From<A>, const Eigen::MatrixBase<Derived>& matrix) {
-  using S = typename Derived::Scalar;
+template <Frame B, Frame A, detail::Matrix3x3 Matrix>
+detail::OfTwo<B, A, NearestDcm<B, A, typename Matrix::Scalar>> nearest_dcm(To<B>, From<A>,
+                                                                           const Matrix& matrix) {
+  using S = typename Matrix::Scalar;
   const detail::Square<S> entries = matrix;
   detail::require_finite<B, A>(entries, "nearest_dcm");
   // Scaled by the largest entry, so that the determinant neither under- nor overflows.
@@ -92,25 +94,33 @@ auto nearest_dcm(To<B>, From<A>, const Eigen::MatrixBase<Derived>& matrix) {
   const detail::Square<S> correction = rotation - entries;
   return NearestDcm<B, A, S>{Dcm<B, A, S>{detail::trusted, rotation}, detail::scaled_norm(correction)};
 }
+template <class ToFrame, class FromFrame, class Given>
+auto nearest_dcm(  // to<B>, from<A>: two frames; a 3x3 matrix
+    const ToFrame&, const FromFrame&, const Given&) -> Refused = delete;
 
 /// The trusted door: no check at all. The caller vouches for a rotation that takes a to b.
-template <Frame B, Frame A, class Derived>
-  requires detail::Matrix3x3<Derived>
-auto trust_dcm(To<B>, From<A>, const Eigen::MatrixBase<Derived>& matrix) {
-  return Dcm<B, A, typename Derived::Scalar>{detail::trusted, matrix};
+template <Frame B, Frame A, detail::Matrix3x3 Matrix>
+detail::OfTwo<B, A, Dcm<B, A, typename Matrix::Scalar>> trust_dcm(To<B>, From<A>, const Matrix& matrix) {
+  return Dcm<B, A, typename Matrix::Scalar>{detail::trusted, matrix};
 }
 /// The same of make(), an Eigen::Matrix<S, 3, 3>: built where it stays, not copied.
 ///     trust_dcm(to<B>, from<A>, [&] { return spin(angle); })
 template <Frame B, Frame A, std::invocable Make>
   requires detail::Matrix3x3<std::invoke_result_t<const Make&>>
-auto trust_dcm(To<B>, From<A>, const Make& make) {
-  return Dcm<B, A, typename std::invoke_result_t<const Make&>::Scalar>{detail::trusted, make};
-}
+      detail::OfTwo<B, A, Dcm<B, A, typename std::invoke_result_t<const Make&>::Scalar>> trust_dcm(
+          To<B>, From<A>, const Make& make) {
+    return Dcm<B, A, typename std::invoke_result_t<const Make&>::Scalar>{detail::trusted, make};
+  }
+template <class ToFrame, class FromFrame, class Given>
+auto trust_dcm(  // to<B>, from<A>: two frames; a 3x3 matrix
+    const ToFrame&, const FromFrame&, const Given&) -> Refused = delete;
 
 /// Claims that the axes of a and b are parallel.
-template <class S = double, Frame B, Frame A> Dcm<B, A, S> aligned(To<B>, From<A>) {
+template <class S = double, Frame B, Frame A> detail::OfTwo<B, A, Dcm<B, A, S>> aligned(To<B>, From<A>) {
   return {detail::trusted, detail::Square<S>::Identity()};
 }
+template <class S = double, class ToFrame, class FromFrame>
+auto aligned(const ToFrame&, const FromFrame&) -> Refused = delete;  // to<B>, from<A>: two frames
 
 namespace detail {
 
@@ -146,29 +156,41 @@ Dcm<B, A, S> turned(const char* door, const Quantity<si::angle, S>& angle) {
 ///     turned_z: [cos sin 0; -sin cos 0; 0 0 1], the passive matrix; its inverse is the active one.
 template <Frame B, Frame A, class S>
   requires(!std::integral<S>)
-Dcm<B, A, S> turned_x(To<B>, From<A>, const Quantity<si::angle, S>& angle) {
+detail::OfTwo<B, A, Dcm<B, A, S>> turned_x(To<B>, From<A>, const Quantity<si::angle, S>& angle) {
   return detail::turned<0, B, A>("turned_x", angle);
 }
+template <class ToFrame, class FromFrame, class Given>
+auto turned_x(  // to<B>, from<A>: two frames; an angle in rad
+    const ToFrame&, const FromFrame&, const Given&) -> Refused = delete;
 template <Frame B, Frame A, class S>
   requires(!std::integral<S>)
-Dcm<B, A, S> turned_y(To<B>, From<A>, const Quantity<si::angle, S>& angle) {
+detail::OfTwo<B, A, Dcm<B, A, S>> turned_y(To<B>, From<A>, const Quantity<si::angle, S>& angle) {
   return detail::turned<1, B, A>("turned_y", angle);
 }
+template <class ToFrame, class FromFrame, class Given>
+auto turned_y(  // to<B>, from<A>: two frames; an angle in rad
+    const ToFrame&, const FromFrame&, const Given&) -> Refused = delete;
 template <Frame B, Frame A, class S>
   requires(!std::integral<S>)
-Dcm<B, A, S> turned_z(To<B>, From<A>, const Quantity<si::angle, S>& angle) {
+detail::OfTwo<B, A, Dcm<B, A, S>> turned_z(To<B>, From<A>, const Quantity<si::angle, S>& angle) {
   return detail::turned<2, B, A>("turned_z", angle);
 }
+template <class ToFrame, class FromFrame, class Given>
+auto turned_z(  // to<B>, from<A>: two frames; an angle in rad
+    const ToFrame&, const FromFrame&, const Given&) -> Refused = delete;
 
 /// R_b_from_a from the basis vectors of b given in a: the rows of the matrix.
 /// Throws BadInput, as dcm() does, when they are not an orthonormal right-handed triad.
 template <Frame B, class A, class S>
-Dcm<B, A, S> dcm_from_axes(To<B>, const Vector<A, si::dimensionless, S>& x_a,
-                           const Vector<A, si::dimensionless, S>& y_a,
-                           const Vector<A, si::dimensionless, S>& z_a) {
+detail::OfTwo<B, A, Dcm<B, A, S>> dcm_from_axes(To<B>, const Vector<A, si::dimensionless, S>& x_a,
+                                                const Vector<A, si::dimensionless, S>& y_a,
+                                                const Vector<A, si::dimensionless, S>& z_a) {
   detail::Square<S> rows;
   rows << x_a.coordinates().transpose(), y_a.coordinates().transpose(), z_a.coordinates().transpose();
   return dcm(to<B>, from<A>, rows);
 }
+template <class ToFrame, class X, class Y, class Z>
+auto dcm_from_axes(  // to<B>, x_a, y_a, z_a: two frames; directions
+    const ToFrame&, const X&, const Y&, const Z&) -> Refused = delete;
 
 }  // namespace vectrix

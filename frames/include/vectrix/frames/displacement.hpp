@@ -21,6 +21,11 @@ class Displacement<P, Q, In<C>, S> : public detail::ChainedVector<C, si::length,
   template <class D> using Expressed = Displacement<P, Q, In<D>, S>;
 
   using detail::ChainedVector<C, si::length, S>::ChainedVector;
+
+  /// r_qp^c = -r_pq^c
+  Displacement<Q, P, In<C>, S> operator-() const {
+    return Displacement<Q, P, In<C>, S>{detail::trusted, -this->coordinates()};
+  }
 };
 
 template <class P, class Q, class C, class S>
@@ -33,7 +38,7 @@ Displacement<P, Q, In<C>, S> displacement(Of<Q>, RelativeTo<P>, const Vector<C, 
 }
 template <class Q, class P, class C, class UnitGiven, class S>
   requires(!std::same_as<UnitGiven, si::length>)
-void displacement(Of<Q>, RelativeTo<P>, const Vector<C, UnitGiven, S>&) = delete;  // needs metres
+auto displacement(Of<Q>, RelativeTo<P>, const Vector<C, UnitGiven, S>&) -> Refused = delete;  // needs metres
 
 /// Claims that q is at p.
 template <Point Q, Point P, Frame C, class S = double>
@@ -45,6 +50,13 @@ Displacement<P, Q, In<C>, S> coincident(Of<Q>, RelativeTo<P>, In<C>) {
 template <class P, class Q, class C, class S>
 Quantity<si::length, S> norm(const Displacement<P, Q, C, S>& r_pq_c) {
   return norm(r_pq_c.vector());
+}
+
+template <class P, class Q, class C, class S>
+std::ostream& print_framed(std::ostream& out, const Displacement<P, Q, In<C>, S>& value) {
+  return detail::print_of_relative_to<Q, P>(
+             detail::print_column(out, value.coordinates(), detail::unit_symbol<si::length>))
+         << " in " << frame_name<C>();
 }
 
 }  // namespace vectrix

@@ -13,6 +13,8 @@ template <EdgeValue V> class ConstantEdge {
  public:
   using value_type = V;
 
+  template <class Instant> static constexpr bool takes = true;
+
   explicit ConstantEdge(const V& value) : value_(value) {}
   const V& value() const { return value_; }
 
@@ -25,6 +27,8 @@ template <EdgeValue V> class ConstantEdge {
 template <class Function, EdgeValue V> class FunctionEdge {
  public:
   using value_type = V;
+
+  template <class Instant> static constexpr bool takes = std::is_invocable_v<const Function&, const Instant&>;
 
   explicit FunctionEdge(Function function) : function_(std::move(function)) {}
 
@@ -46,24 +50,40 @@ ConstantEdge<Transform<A, B, S>> static_edge(const Transform<A, B, S>& X_a_from_
   return ConstantEdge<Transform<A, B, S>>{X_a_from_b};
 }
 
+/// What a function of any instant returns, for messages.
+struct DependsOnInstant {};
+
 namespace detail {
 
 template <class Signature> struct ResultOf;
 template <class Result, class... Arguments> struct ResultOf<std::function<Result(Arguments...)>> {
   using type = std::remove_cvref_t<Result>;
 };
-template <class Function>
-using Result = typename ResultOf<decltype(std::function{std::declval<Function>()})>::type;
+template <class Function> constexpr auto result_of() {
+  if constexpr (requires { std::function{std::declval<Function>()}; }) {
+    return ResultOf<decltype(std::function{std::declval<Function>()})>{};
+  } else {
+    return std::type_identity<DependsOnInstant>{};
+  }
+}
+template <class Function> using Result = typename decltype(result_of<Function>())::type;
+
+template <class Function, class V> struct FunctionEdgeIf {};
+template <class Function, EdgeValue V>
+struct FunctionEdgeIf<Function, V> : std::type_identity<FunctionEdge<Function, V>> {};
+template <class Function> using FunctionEdgeOf = typename FunctionEdgeIf<Function, Result<Function>>::type;
 
 }  // namespace detail
 
 /// The edge whose value at an instant is f(instant). f has one call operator, not a template, and returns a
 /// Dcm, a MovingDcm or an AcceleratingDcm: frames and level are read off that type.
 ///     edge([](Quantity<si::time> t) { return turned_z(to<Itrf>, from<Gcrf>, rate * t); })
-template <class Function>
-  requires EdgeValue<detail::Result<Function>>
-auto edge(Function function) {
-  return FunctionEdge<Function, detail::Result<Function>>{std::move(function)};
+template <class Function> detail::FunctionEdgeOf<Function> edge(Function function) {
+  return detail::FunctionEdgeOf<Function>{std::move(function)};
 }
+template <class Function, class Returned = detail::Result<Function>>
+  requires(!EdgeValue<Returned>)
+auto edge(  // of one type of instant; returns a Dcm, a MovingDcm or an AcceleratingDcm
+    Function) -> Refused = delete;
 
 }  // namespace vectrix

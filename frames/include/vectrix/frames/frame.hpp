@@ -1,6 +1,5 @@
 #pragma once
 
-#include <concepts>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -15,23 +14,30 @@ namespace vectrix {
 struct inertial_frame {};
 struct moving_frame {};
 
+namespace detail {
+
+// Not by concepts of concepts: a compiler explains those one by one.
 template <class F>
-concept Frame = std::same_as<F, std::remove_cv_t<F>> && std::is_empty_v<F> &&
-                (std::derived_from<F, inertial_frame> !=
-                 std::derived_from<F, moving_frame>)&&!std::same_as<F, inertial_frame> &&
-                !std::same_as<F, moving_frame>;
+inline constexpr bool either_inertial_or_moving =
+    !std::is_same_v<F, inertial_frame> && !std::is_same_v<F, moving_frame> &&
+    std::is_base_of_v<inertial_frame, F> != std::is_base_of_v<moving_frame, F>;
+
+}  // namespace detail
 
 template <class F>
-concept InertialFrame = Frame<F> && std::derived_from<F, inertial_frame>;
+concept Frame =
+    std::is_same_v<F, std::remove_cv_t<F>> && std::is_empty_v<F> && detail::either_inertial_or_moving<F>;
+
+template <class F>
+concept InertialFrame = Frame<F> && std::is_base_of_v<inertial_frame, F>;
 
 /// A point is an empty type of the user's as well, and a frame stands for its own origin:
 ///     struct CentreOfMass : vectrix::point {};
 struct point {};
 
 template <class P>
-concept Point = Frame<P> ||
-    (std::same_as<P, std::remove_cv_t<P>>&& std::is_empty_v<P>&& std::derived_from<P, point> &&
-     !std::same_as<P, point>);
+concept Point = std::is_same_v<P, std::remove_cv_t<P>> && std::is_empty_v<P> && !std::is_same_v<P, point> &&
+                (detail::either_inertial_or_moving<P> || std::is_base_of_v<point, P>);
 
 /// The frame's name as the compiler writes it, for messages.
 template <Point F> std::string frame_name() {
@@ -48,6 +54,13 @@ template <Frame F> struct In {};
 template <Point P> struct Of {};
 template <Point P> struct RelativeTo {};
 template <Frame A> struct ObservedFrom {};
+
+namespace detail {
+
+/// The result of a door between two frames. One frame at two instants is no pair: each needs a name.
+template <class B, class A, class Result> using OfTwo = std::enable_if_t<!std::is_same_v<B, A>, Result>;
+
+}  // namespace detail
 
 template <Frame F> inline constexpr To<F> to{};
 template <Frame F> inline constexpr From<F> from{};

@@ -16,6 +16,12 @@ template <class Link> struct RateOn {};
 template <class Link> struct AccelerationOn {};
 template <class Link> struct PlaceOn {};
 
+// What is wrong with the edges of a graph, for messages.
+template <class Link> struct TwoPathsOver {};
+template <class F> struct OneFrameTwice {};
+template <class Scalar, class Other> struct ScalarsDiffer {};
+template <class Given> struct NotAnEdge {};
+
 namespace detail {
 
 /// An instant that is a quantity, under the short name of its unit: the compiler's messages stay readable.
@@ -23,6 +29,24 @@ template <Unit U, class S> struct QuantityInstant {
   Quantity<U, S> value;
   operator const Quantity<U, S>&() const { return value; }
 };
+
+template <class Instant> struct InstantType : std::type_identity<Instant> {};
+template <class BoostUnit, class S>
+struct InstantType<AnyQuantity<BoostUnit, S>> : std::type_identity<QuantityInstant<unit_tag<BoostUnit>, S>> {
+};
+template <class Instant> using InstantOf = typename InstantType<Instant>::type;
+
+/// The first edge whose function does not take the instant; void when all do.
+template <class Instant, class... Edges> struct Refusing : std::type_identity<void> {};
+template <class Instant, class Edge, class... Edges>
+struct Refusing<Instant, Edge, Edges...>
+    : std::conditional_t<Edge::template takes<Instant>, Refusing<Instant, Edges...>,
+                         std::type_identity<LinkOf<Edge>>> {};
+template <class Instant, class... Edges>
+using FirstRefusing = typename Refusing<InstantOf<Instant>, Edges...>::type;
+template <class Instant, class... Edges>
+using RefusingEdge =
+    std::enable_if_t<!std::is_void_v<FirstRefusing<Instant, Edges...>>, FirstRefusing<Instant, Edges...>>;
 
 template <class Topology, class... Fs> struct FirstUnknown : std::type_identity<void> {};
 template <class Topology, class F, class... Fs>
@@ -94,6 +118,17 @@ template <class Topology, class B, class A> constexpr auto lacks_transform() {
 
 template <class... Edges> class FrameGraph;
 
+/// What a refused at() would return; see Refused.
+struct RefusedSnapshot {
+  template <class... Asked> Refused rotation(const Asked&...) const;
+  template <class... Asked> Refused angular_velocity(const Asked&...) const;
+  template <class... Asked> Refused angular_acceleration(const Asked&...) const;
+  template <class... Asked> Refused transform(const Asked&...) const;
+  template <class... Asked> Refused position(const Asked&...) const;
+  template <class... Asked> Refused velocity(const Asked&...) const;
+  template <class... Asked> Refused acceleration(const Asked&...) const;
+};
+
 /// A frame graph at one instant. Answers what the path between two frames knows. An edge is evaluated at most
 /// once: a snapshot with a name keeps the values, one without, `graph.at(t).rotation(...)`, needs each once
 /// only. Holds a reference to the graph. Not for use by two threads at once: take one snapshot per thread.
@@ -113,39 +148,37 @@ template <class Instant, class... Edges> class GraphSnapshot {
                                      LackingForPlace<level, Q, P, A, C>>;
   template <class B, class A>
   using LackingForTransform = typename decltype(detail::lacks_transform<Topology, B, A>())::type;
+  template <Level level, class B, class A, class C>
+  using Answered = std::enable_if_t<answers<level, B, A, C>, int>;
 
  public:
   GraphSnapshot(const std::tuple<Edges...>& edges, const Instant& instant)
       : edges_(edges), instant_(instant) {}
 
   /// R_a^b between any two joined frames.
-  template <class B, class A>
-    requires answers<Level::rotation, B, A, A>
-  auto rotation(To<B>, From<A>) const& { return kept().template rotation<B, A>(); }
-  template <class B, class A>
-    requires answers<Level::rotation, B, A, A>
-  auto rotation(To<B>, From<A>) && { return fresh().template rotation<B, A>(); }
+  template <class B, class A, Answered<Level::rotation, B, A, A> = 0> auto rotation(To<B>, From<A>) const& {
+    return kept().template rotation<B, A>();
+  }
+  template <class B, class A, Answered<Level::rotation, B, A, A> = 0> auto rotation(To<B>, From<A>) && {
+    return fresh().template rotation<B, A>();
+  }
 
   /// w_ab^c, of b relative to a, expressed in c: needs the rate on every edge from a to b.
-  template <class B, class A, class C>
-    requires answers<Level::rate, B, A, C>
+  template <class B, class A, class C, Answered<Level::rate, B, A, C> = 0>
   auto angular_velocity(Of<B>, RelativeTo<A>, In<C>) const& {
     return kept().template angular_velocity<B, A, C>();
   }
-  template <class B, class A, class C>
-    requires answers<Level::rate, B, A, C>
+  template <class B, class A, class C, Answered<Level::rate, B, A, C> = 0>
   auto angular_velocity(Of<B>, RelativeTo<A>, In<C>) && {
     return fresh().template angular_velocity<B, A, C>();
   }
 
   /// alpha_ab^c, of b relative to a, expressed in c: needs the acceleration on every edge from a to b.
-  template <class B, class A, class C>
-    requires answers<Level::acceleration, B, A, C>
+  template <class B, class A, class C, Answered<Level::acceleration, B, A, C> = 0>
   auto angular_acceleration(Of<B>, RelativeTo<A>, In<C>) const& {
     return kept().template angular_acceleration<B, A, C>();
   }
-  template <class B, class A, class C>
-    requires answers<Level::acceleration, B, A, C>
+  template <class B, class A, class C, Answered<Level::acceleration, B, A, C> = 0>
   auto angular_acceleration(Of<B>, RelativeTo<A>, In<C>) && {
     return fresh().template angular_acceleration<B, A, C>();
   }
@@ -177,28 +210,30 @@ template <class Instant, class... Edges> class GraphSnapshot {
 
   template <class B, class A, class Lacking = LackingForTransform<B, A>>
     requires(!std::is_same_v<Lacking, Nothing>)
-  void transform(To<B>, From<A>) const = delete;  // the graph lacks something to answer: see Lacking
+  auto transform(To<B>, From<A>) const
+      -> Refused = delete;  // the graph lacks something to answer: see Lacking
   template <class Q, class P, class C, class Lacking = NotPlaced<Level::rotation, Q, P, P, C>>
-  void position(Of<Q>,  // the graph lacks something to answer: see Lacking
-                RelativeTo<P>, In<C>) const = delete;
+  auto position(Of<Q>,  // the graph lacks something to answer: see Lacking
+                RelativeTo<P>, In<C>) const -> Refused = delete;
   template <class Q, class P, class A, class C, class Lacking = NotPlaced<Level::rate, Q, P, A, C>>
-  void velocity(Of<Q>,  // the graph lacks something to answer: see Lacking
-                RelativeTo<P>, ObservedFrom<A>, In<C>) const = delete;
+  auto velocity(Of<Q>,  // the graph lacks something to answer: see Lacking
+                RelativeTo<P>, ObservedFrom<A>, In<C>) const -> Refused = delete;
   template <class Q, class P, class A, class C, class Lacking = NotPlaced<Level::acceleration, Q, P, A, C>>
-  void acceleration(Of<Q>,  // the graph lacks something to answer: see Lacking
-                    RelativeTo<P>, ObservedFrom<A>, In<C>) const = delete;
+  auto acceleration(Of<Q>,  // the graph lacks something to answer: see Lacking
+                    RelativeTo<P>, ObservedFrom<A>, In<C>) const -> Refused = delete;
 
   template <class B, class A, class Lacking = LackingFor<Level::rotation, B, A, A>>
     requires(!answers<Level::rotation, B, A, A>)
-  void rotation(To<B>, From<A>) const = delete;  // the graph lacks something to answer: see Lacking
+  auto rotation(  // the graph lacks something to answer: see Lacking
+      To<B>, From<A>) const -> Refused = delete;
   template <class B, class A, class C, class Lacking = LackingFor<Level::rate, B, A, C>>
     requires(!answers<Level::rate, B, A, C>)
-  void angular_velocity(Of<B>,  // the graph lacks something to answer: see Lacking
-                        RelativeTo<A>, In<C>) const = delete;
+  auto angular_velocity(  // the graph lacks something to answer: see Lacking
+      Of<B>, RelativeTo<A>, In<C>) const -> Refused = delete;
   template <class B, class A, class C, class Lacking = LackingFor<Level::acceleration, B, A, C>>
     requires(!answers<Level::acceleration, B, A, C>)
-  void angular_acceleration(Of<B>,  // the graph lacks something to answer: see Lacking
-                            RelativeTo<A>, In<C>) const = delete;
+  auto angular_acceleration(  // the graph lacks something to answer: see Lacking
+      Of<B>, RelativeTo<A>, In<C>) const -> Refused = delete;
 
  private:
   auto fresh() const {
@@ -223,20 +258,22 @@ template <class Instant, class... Edges> class GraphSnapshot {
 /// The path is found at compile time. An unknown frame, no path, two paths, or asking an edge for more than
 /// it knows does not compile.
 template <class... Edges> class FrameGraph {
+  template <class Instant>
+  using Snapshot = std::enable_if_t<std::is_void_v<detail::FirstRefusing<Instant, Edges...>>,
+                                    GraphSnapshot<detail::InstantOf<Instant>, Edges...>>;
+
  public:
   explicit FrameGraph(Edges... edges) : edges_(std::move(edges)...) {}
 
-  template <class Instant> GraphSnapshot<Instant, Edges...> at(const Instant& instant) const& {
-    return {edges_, instant};
+  template <class Instant> Snapshot<Instant> at(const Instant& instant) const& {
+    return {edges_, detail::InstantOf<Instant>{instant}};
   }
-  template <class BoostUnit, class S>
-  GraphSnapshot<detail::QuantityInstant<unit_tag<BoostUnit>, S>, Edges...> at(
-      const AnyQuantity<BoostUnit, S>& instant) const& {
-    return {edges_, {instant}};
-  }
+  template <class Instant, class RefusingEdge = detail::RefusingEdge<Instant, Edges...>>
+  auto at(  // the function on this edge does not take this instant
+      const Instant&) const& -> RefusedSnapshot = delete;
   template <class Instant>
-  GraphSnapshot<Instant, Edges...> at(  // the snapshot refers to the graph: give the graph a name first
-      const Instant&) const&& = delete;
+  auto at(  // the snapshot refers to the graph: give the graph a name first
+      const Instant&) const&& -> RefusedSnapshot = delete;
 
  private:
   std::tuple<Edges...> edges_;
@@ -244,18 +281,48 @@ template <class... Edges> class FrameGraph {
 
 namespace detail {
 
-template <class... Edges> inline constexpr bool is_tree = Topology<Edges...>::closing_edge() == nowhere;
+template <class E>
+concept GraphEdge = requires {
+  typename E::value_type;
+};
+
+/// What is wrong with the edges; Nothing when they are a forest in one scalar.
+template <class... Edges> constexpr auto fault() {
+  if constexpr (constexpr std::size_t bad = first_of<!GraphEdge<Edges>...>(); bad != nowhere) {
+    using Given = std::tuple_element_t<bad, std::tuple<Edges...>>;
+    return std::conditional<std::is_same_v<Given, Refused>, Refused, NotAnEdge<Given>>{};
+  } else {
+    using All = Topology<Edges...>;
+    using S = typename All::scalar;
+    constexpr std::size_t other = first_of<!std::is_same_v<S, ScalarOf<Edges>>...>();
+    constexpr std::size_t loop = first_of<std::is_same_v<FirstOf<Edges>, SecondOf<Edges>>...>();
+    if constexpr (other != nowhere) {
+      return std::type_identity<
+          ScalarsDiffer<S, ScalarOf<std::tuple_element_t<other, std::tuple<Edges...>>>>>{};
+    } else if constexpr (loop != nowhere) {
+      return std::type_identity<OneFrameTwice<FirstOf<std::tuple_element_t<loop, std::tuple<Edges...>>>>>{};
+    } else if constexpr (All::closing_edge() != nowhere) {
+      return std::type_identity<TwoPathsOver<typename All::template LinkAt<All::closing_edge()>>>{};
+    } else {
+      return std::type_identity<Nothing>{};
+    }
+  }
+}
+template <class... Edges> using FaultOf = typename decltype(fault<Edges...>())::type;
+
+template <class Fault, class... Edges> struct GraphUnless {};
+template <class... Edges> struct GraphUnless<Nothing, Edges...> : std::type_identity<FrameGraph<Edges...>> {};
+template <class... Edges> struct GraphUnless<Refused, Edges...> : std::type_identity<Refused> {};
+template <class... Edges> using GraphOf = typename GraphUnless<FaultOf<Edges...>, Edges...>::type;
 
 }  // namespace detail
 
-template <class... Edges>
-  requires(sizeof...(Edges) > 0 && detail::is_tree<Edges...>)
-FrameGraph<Edges...> frame_graph(Edges... edges) {
-  return FrameGraph<Edges...>{std::move(edges)...};
+template <class First, class... Edges>
+detail::GraphOf<First, Edges...> frame_graph(First first, Edges... edges) {
+  return detail::GraphOf<First, Edges...>{std::move(first), std::move(edges)...};
 }
-template <class... Edges, class ClosingEdge = typename detail::Topology<Edges...>::template LinkAt<
-                              detail::Topology<Edges...>::closing_edge()>>
-  requires(sizeof...(Edges) > 0 && !detail::is_tree<Edges...>)
-void frame_graph(Edges... edges) = delete;  // two paths between the frames of the closing edge
+template <class First, class... Edges, class Fault = detail::FaultOf<First, Edges...>>
+  requires(!std::is_same_v<Fault, Nothing> && !std::is_same_v<Fault, Refused>)
+auto frame_graph(First, Edges...) -> Refused = delete;  // a tree of frames, in one scalar: see Fault
 
 }  // namespace vectrix

@@ -18,6 +18,7 @@ inline constexpr std::size_t nowhere = static_cast<std::size_t>(-1);
 
 template <class Edge> using FirstOf = typename LevelOf<typename Edge::value_type>::first;
 template <class Edge> using SecondOf = typename LevelOf<typename Edge::value_type>::second;
+template <class Edge> using ScalarOf = typename LevelOf<typename Edge::value_type>::scalar;
 template <class Edge> using LinkOf = Link<FirstOf<Edge>, SecondOf<Edge>>;
 
 /// The edges to walk from one node to another; `reversed[i]` when the i-th is walked from its second to its
@@ -28,9 +29,17 @@ template <std::size_t N> struct Path {
   std::array<bool, N> reversed{};
 };
 
+/// The place of the first that is true; `nowhere` when none is.
+template <bool... are> constexpr std::size_t first_of() {
+  constexpr std::array<bool, sizeof...(are)> all{are...};
+  const auto found = std::find(all.begin(), all.end(), true);
+  return found == all.end() ? nowhere : static_cast<std::size_t>(found - all.begin());
+}
+
 /// The graph as numbers, at compile time: nodes are numbered by their first appearance in the list of edges.
 template <class... Edges> struct Topology {
   static constexpr std::size_t size = sizeof...(Edges);
+  using scalar = ScalarOf<std::tuple_element_t<0, std::tuple<Edges...>>>;
 
   template <class F> static constexpr std::size_t node() {
     constexpr std::array<bool, 2 * size> same = [] {

@@ -75,7 +75,8 @@ template <class Topology, class Values> class GraphWalk {
   // R_a^b
   template <class B, class A> auto rotation() const {
     if constexpr (std::is_same_v<A, B>) {
-      return Dcm<B, A>{trusted, Square<double>::Identity()};
+      using S = typename Topology::scalar;
+      return Dcm<B, A, S>{trusted, Square<S>::Identity()};
     } else {
       return product<B, A, Topology::template path_between<B, A>.length>(
           [](const auto& value) -> decltype(auto) { return rotation_of(value); });

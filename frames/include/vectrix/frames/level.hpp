@@ -9,25 +9,26 @@ namespace vectrix {
 /// default of zero.
 enum class Level { rotation, rate, acceleration };
 
-/// Frames and level of a type that a graph edge may carry, and whether it knows where the second frame's
-/// origin is. Specialised beside each such type.
+/// Frames, scalar and level of a type that a graph edge may carry, and whether it knows where the second
+/// frame's origin is. Specialised beside each such type.
 template <class Value> struct LevelOf;
 
 namespace detail {
 
-template <class A, class B, Level known, bool has_place> struct EdgeLevel {
+template <class A, class B, class S, Level known, bool has_place> struct EdgeLevel {
   using first = A;
   using second = B;
+  using scalar = S;
   static constexpr Level level = known;
   static constexpr bool placed = has_place;
 };
-template <class A, class B, Level known> struct TurningLevel : EdgeLevel<A, B, known, false> {};
-template <class A, class B, Level known> struct PlacedLevel : EdgeLevel<A, B, known, true> {};
+template <class A, class B, class S, Level known> struct TurningLevel : EdgeLevel<A, B, S, known, false> {};
+template <class A, class B, class S, Level known> struct PlacedLevel : EdgeLevel<A, B, S, known, true> {};
 
 }  // namespace detail
 
 template <class A, class B, class S>
-struct LevelOf<Dcm<A, B, S>> : detail::TurningLevel<A, B, Level::rotation> {};
+struct LevelOf<Dcm<A, B, S>> : detail::TurningLevel<A, B, S, Level::rotation> {};
 
 template <class Value>
 concept EdgeValue = requires {

@@ -1,65 +1,156 @@
 #pragma once
 
+#include <type_traits>
+#include <utility>
+
 namespace vectrix {
+
+/// What a refused call would return. It stands for a value of any type, so that the compiler complains once.
+struct Refused {
+  Refused() = default;
+  template <class... Given> explicit Refused(const Given&...) {}
+  template <class T> operator T() const;
+};
+template <class Right> Refused product(const Refused&, const Right&);
+template <class Left> Refused product(const Left&, const Refused&);
+template <class Right> Refused quotient(const Refused&, const Right&);
+template <class Left> Refused quotient(const Left&, const Refused&);
+template <class Right> Refused sum(const Refused&, const Right&);
+template <class Left> Refused sum(const Left&, const Refused&);
+template <class Right> Refused difference(const Refused&, const Right&);
+template <class Left> Refused difference(const Left&, const Refused&);
+template <class Right> Refused dot_product(const Refused&, const Right&);
+template <class Left> Refused dot_product(const Left&, const Refused&);
+template <class Right> Refused cross_product(const Refused&, const Right&);
+template <class Left> Refused cross_product(const Left&, const Refused&);
+
 namespace detail {
 
 /// Types whose products and sums the frames decide. Each is named beside its class.
 template <class T> inline constexpr bool is_framed = false;
 
 template <class Left, class Right>
-inline constexpr bool has_product = requires(const Left& left, const Right& right) {
-  product(left, right);
-};
+concept FramedPair = is_framed<Left> || is_framed<Right>;
+
 template <class Left, class Right>
-inline constexpr bool has_sum = requires(const Left& left, const Right& right) {
-  sum(left, right);
-};
+using ProductOf = decltype(product(std::declval<const Left&>(), std::declval<const Right&>()));
 template <class Left, class Right>
-inline constexpr bool has_difference = requires(const Left& left, const Right& right) {
-  difference(left, right);
+using QuotientOf = decltype(quotient(std::declval<const Left&>(), std::declval<const Right&>()));
+template <class Left, class Right>
+using SumOf = decltype(sum(std::declval<const Left&>(), std::declval<const Right&>()));
+template <class Left, class Right>
+using DifferenceOf = decltype(difference(std::declval<const Left&>(), std::declval<const Right&>()));
+template <class Left, class Right>
+using DotOf = decltype(dot_product(std::declval<const Left&>(), std::declval<const Right&>()));
+template <class Left, class Right>
+using CrossOf = decltype(cross_product(std::declval<const Left&>(), std::declval<const Right&>()));
+
+/// The left operand's type, when it is that of the result: what can be done in place.
+template <class Result, class Left> using InPlace = std::enable_if_t<std::is_same_v<Result, Left>, Left&>;
+
+template <template <class, class> class ResultOf, class Left, class Right>
+concept Lawful = requires {
+  typename ResultOf<Left, Right>;
 };
-template <class Operand> inline constexpr bool has_negative = requires(const Operand& operand) {
-  negative(operand);
+template <template <class, class> class ResultOf, class Left, class Right>
+concept LawfulInPlace = requires {
+  typename InPlace<ResultOf<Left, Right>, Left>;
 };
-template <class Left, class Right> inline constexpr bool is_framed_pair = is_framed<Left> || is_framed<Right>;
 template <class... Operands> inline constexpr bool any_framed = (is_framed<Operands> || ...);
 
 }  // namespace detail
 
 // One operator for all types of the library, so that the compiler that refuses an expression lists two
-// candidates and not thirty. What is multiplied with what is said beside each type, by product(), sum(),
-// difference() and negative().
+// candidates and not thirty. What is multiplied with what is said beside each type, by product(), quotient(),
+// sum(), difference(), dot_product() and cross_product(). What is lawful is told by the type of the result
+// and not by a constraint: clang explains the former in one note, the latter in two.
+
 template <class Left, class Right>
-  requires(detail::has_product<Left, Right>)
-auto operator*(const Left& left, const Right& right) {
+detail::ProductOf<Left, Right> operator*(const Left& left, const Right& right) {
   return product(left, right);
 }
 template <class Left, class Right>
-  requires(detail::is_framed_pair<Left, Right> && !detail::has_product<Left, Right>)
-void operator*(const Left&, const Right&) = delete;  // the inner frames cancel: R_c_from_b * R_b_from_a * r_a
+  requires(detail::FramedPair<Left, Right> && !detail::Lawful<detail::ProductOf, Left, Right>)
+auto operator*(  // the inner frames cancel: R_c_from_b * R_b_from_a * r_a, J_b * w_ab_b
+    const Left&, const Right&) -> Refused = delete;
 
 template <class Left, class Right>
-  requires(detail::has_sum<Left, Right>)
-auto operator+(const Left& left, const Right& right) {
+detail::QuotientOf<Left, Right> operator/(const Left& left, const Right& right) {
+  return quotient(left, right);
+}
+template <class Left, class Right>
+  requires(detail::FramedPair<Left, Right> && !detail::Lawful<detail::QuotientOf, Left, Right>)
+auto operator/(const Left&, const Right&) -> Refused = delete;  // a vector over a number or a quantity
+
+template <class Left, class Right>
+detail::SumOf<Left, Right> operator+(const Left& left, const Right& right) {
   return sum(left, right);
 }
 template <class Left, class Right>
-  requires(detail::is_framed_pair<Left, Right> && !detail::has_sum<Left, Right>)
-void operator+(const Left&, const Right&) = delete;  // one frame and one unit: r_a + s_a, w_ab_c + w_bd_c
+  requires(detail::FramedPair<Left, Right> && !detail::Lawful<detail::SumOf, Left, Right>)
+auto operator+(  // one frame and one unit: r_a + s_a, w_ab_c + w_bd_c
+    const Left&, const Right&) -> Refused = delete;
 
+// The unary minus is a member of its types, or deleted in them: no candidate of other types' differences.
 template <class Left, class Right>
-  requires(detail::has_difference<Left, Right>)
-auto operator-(const Left& left, const Right& right) {
+detail::DifferenceOf<Left, Right> operator-(const Left& left, const Right& right) {
   return difference(left, right);
 }
 template <class Left, class Right>
-  requires(detail::is_framed_pair<Left, Right> && !detail::has_difference<Left, Right>)
-void operator-(const Left&, const Right&) = delete;  // one frame and one unit: r_a - s_a, w_ab_c + -w_db_c
+  requires(detail::FramedPair<Left, Right> && !detail::Lawful<detail::DifferenceOf, Left, Right>)
+auto operator-(  // one frame and one unit: r_a - s_a, w_ab_c + -w_db_c
+    const Left&, const Right&) -> Refused = delete;
 
-template <class Operand>
-  requires(detail::has_negative<Operand>)
-auto operator-(const Operand& operand) {
-  return negative(operand);
+// In place, where the result has the type of the left operand: r_a += s_a, r_a *= 2.0. A chain of rates has
+// not: w_ab_c + w_bd_c is w_ad_c.
+template <class Left, class Right>
+detail::InPlace<detail::SumOf<Left, Right>, Left> operator+=(Left& left, const Right& right) {
+  return left = sum(left, right);
 }
+template <class Left, class Right>
+  requires(detail::is_framed<Left> && !detail::LawfulInPlace<detail::SumOf, Left, Right>)
+auto operator+=(  // a sum of the same type: r_a += s_a; a chain is another, w_ad_c = w_ab_c + w_bd_c
+    Left&, const Right&) -> Refused = delete;
+
+template <class Left, class Right>
+detail::InPlace<detail::DifferenceOf<Left, Right>, Left> operator-=(Left& left, const Right& right) {
+  return left = difference(left, right);
+}
+template <class Left, class Right>
+  requires(detail::is_framed<Left> && !detail::LawfulInPlace<detail::DifferenceOf, Left, Right>)
+auto operator-=(Left&, const Right&) -> Refused = delete;  // a difference of the same type: r_a -= s_a
+
+template <class Left, class Right>
+detail::InPlace<detail::ProductOf<Left, Right>, Left> operator*=(Left& left, const Right& right) {
+  return left = product(left, right);
+}
+template <class Left, class Right>
+  requires(detail::is_framed<Left> && !detail::LawfulInPlace<detail::ProductOf, Left, Right>)
+auto operator*=(Left&, const Right&) -> Refused = delete;  // a product of the same type: r_a *= 2.0
+
+template <class Left, class Right>
+detail::InPlace<detail::QuotientOf<Left, Right>, Left> operator/=(Left& left, const Right& right) {
+  return left = quotient(left, right);
+}
+template <class Left, class Right>
+  requires(detail::is_framed<Left> && !detail::LawfulInPlace<detail::QuotientOf, Left, Right>)
+auto operator/=(Left&, const Right&) -> Refused = delete;  // a quotient of the same type: r_a /= 2.0
+
+/// r . s, in the exact product of the units: F . v is a power, tau . w too, and w . H an energy.
+template <class Left, class Right> detail::DotOf<Left, Right> dot(const Left& left, const Right& right) {
+  return dot_product(left, right);
+}
+template <class Left, class Right>
+  requires(detail::FramedPair<Left, Right> && !detail::Lawful<detail::DotOf, Left, Right>)
+auto dot(const Left&, const Right&) -> Refused = delete;  // r_a . s_a: two vectors in one frame
+
+/// r x s, the radian counting as 1: r x F is a torque, w x r a velocity, w x H a torque.
+template <class Left, class Right> detail::CrossOf<Left, Right> cross(const Left& left, const Right& right) {
+  return cross_product(left, right);
+}
+template <class Left, class Right>
+  requires(detail::FramedPair<Left, Right> && !detail::Lawful<detail::CrossOf, Left, Right>)
+auto cross(  // r_a x s_a, w_ab_a x r_a: expressed in one frame
+    const Left&, const Right&) -> Refused = delete;
 
 }  // namespace vectrix

@@ -111,13 +111,18 @@ auto trust_transform(To<B>, From<A>, const Eigen::MatrixBase<Derived>& matrix) {
 }
 
 template <class A, class B, class S>
-struct LevelOf<Transform<A, B, S>> : detail::PlacedLevel<A, B, Level::rotation> {};
+struct LevelOf<Transform<A, B, S>> : detail::PlacedLevel<A, B, S, Level::rotation> {};
 template <class A, class B, class S> const Dcm<A, B, S>& rotation_of(const Transform<A, B, S>& X_a_from_b) {
   return X_a_from_b.rotation;
 }
 /// The place without its motion.
 template <class A, class B, class S> const Transform<A, B, S>& transform_of(const Transform<A, B, S>& value) {
   return value;
+}
+
+template <class B, class A, class S>
+std::ostream& print_framed(std::ostream& out, const Transform<B, A, S>& value) {
+  return out << value.rotation << "; " << value.translation;
 }
 
 }  // namespace vectrix

@@ -7,6 +7,7 @@
 #include <vectrix/frames/errors.hpp>
 #include <vectrix/frames/frame.hpp>
 #include <vectrix/frames/operators.hpp>
+#include <vectrix/frames/print.hpp>
 #include <vectrix/frames/units.hpp>
 
 namespace vectrix {
@@ -54,6 +55,8 @@ template <Frame F, VectorUnit U, class S = double> class Vector {
   const detail::Column<S>& coordinates() const& { return coordinates_; }
   detail::Column<S> coordinates() && { return coordinates_; }
 
+  Vector operator-() const { return {detail::trusted, -coordinates_}; }
+
   Quantity<U, S> x() const { return Quantity<U, S>::from_value(coordinates_.x()); }
   Quantity<U, S> y() const { return Quantity<U, S>::from_value(coordinates_.y()); }
   Quantity<U, S> z() const { return Quantity<U, S>::from_value(coordinates_.z()); }
@@ -88,15 +91,15 @@ struct UnitOf<AnyQuantity<BoostUnit, S>> : std::type_identity<unit_tag<BoostUnit
 
 /// The vector with coordinates x, y, z in F. Throws BadInput when one is not finite.
 template <Frame F, class BoostUnit, class S>
-  requires(VectorUnit<unit_tag<BoostUnit>> && !std::is_integral_v<S>)
-Vector<F, unit_tag<BoostUnit>, S> vector(In<F>, const AnyQuantity<BoostUnit, S>& x,
-                                         const AnyQuantity<BoostUnit, S>& y,
-                                         const AnyQuantity<BoostUnit, S>& z) {
+std::enable_if_t<!std::is_integral_v<S>, Vector<F, unit_tag<BoostUnit>, S>> vector(
+    In<F>, const AnyQuantity<BoostUnit, S>& x, const AnyQuantity<BoostUnit, S>& y,
+    const AnyQuantity<BoostUnit, S>& z) {
   return detail::checked_vector<F, unit_tag<BoostUnit>, S>({x.value(), y.value(), z.value()});
 }
 
 template <class F, class X, class Y, class Z, class UnitGiven = typename detail::UnitOf<X>::type>
-void vector(In<F>, const X&, const Y&, const Z&) = delete;  // one SI vector unit for all: convert<U>()
+auto vector(  // one SI vector unit for all: convert<U>()
+    In<F>, const X&, const Y&, const Z&) -> Refused = delete;
 
 /// Claims that the three bare numbers are coordinates in F, in the coherent SI unit U:
 /// vector<si::length>(in<F>, m). Throws BadInput when one is not finite.
@@ -129,9 +132,6 @@ template <class F, class U, class S>
 Vector<F, U, S> difference(const Vector<F, U, S>& r, const Vector<F, U, S>& s) {
   return {detail::trusted, r.coordinates() - s.coordinates()};
 }
-template <class F, class U, class S> Vector<F, U, S> negative(const Vector<F, U, S>& r) {
-  return {detail::trusted, -r.coordinates()};
-}
 
 template <class F, class U, class S>
 Vector<F, U, S> product(const std::type_identity_t<S>& k, const Vector<F, U, S>& r) {
@@ -142,7 +142,7 @@ Vector<F, U, S> product(const Vector<F, U, S>& r, const std::type_identity_t<S>&
   return {detail::trusted, r.coordinates() * k};
 }
 template <class F, class U, class S>
-Vector<F, U, S> operator/(const Vector<F, U, S>& r, const std::type_identity_t<S>& k) {
+Vector<F, U, S> quotient(const Vector<F, U, S>& r, const std::type_identity_t<S>& k) {
   return {detail::trusted, r.coordinates() / k};
 }
 
@@ -157,30 +157,21 @@ Vector<F, unit_of_scaled_vector<unit_product<U, unit_tag<BoostUnit>>, U>, S> pro
   return {detail::trusted, r.coordinates() * k.value()};
 }
 template <class F, class U, class S, class BoostUnit>
-Vector<F, unit_of_scaled_vector<unit_quotient<U, unit_tag<BoostUnit>>, U>, S> operator/(
+Vector<F, unit_of_scaled_vector<unit_quotient<U, unit_tag<BoostUnit>>, U>, S> quotient(
     const Vector<F, U, S>& r, const AnyQuantity<BoostUnit, S>& k) {
   return {detail::trusted, r.coordinates() / k.value()};
 }
 
-/// r . s, in the exact product of the units: F . v is a power, tau . w too.
+// r . s
 template <class F, class U, class V, class S>
-Quantity<unit_product<U, V>, S> dot(const Vector<F, U, S>& r, const Vector<F, V, S>& s) {
+Quantity<unit_product<U, V>, S> dot_product(const Vector<F, U, S>& r, const Vector<F, V, S>& s) {
   return Quantity<unit_product<U, V>, S>::from_value(r.coordinates().dot(s.coordinates()));
 }
-template <class LeftFrame, class RightFrame, class U, class V, class S>
-  requires(!std::same_as<LeftFrame, RightFrame>)
-void dot(const Vector<LeftFrame, U, S>&,  // r_a . s_a: one frame
-         const Vector<RightFrame, V, S>&) = delete;
-
-/// r x s, the radian counting as 1: r x F is a torque, w x r a velocity, w x H a torque.
+// r x s
 template <class F, class U, class V, class S>
-Vector<F, unit_of_vector_product<U, V>, S> cross(const Vector<F, U, S>& r, const Vector<F, V, S>& s) {
+Vector<F, unit_of_vector_product<U, V>, S> cross_product(const Vector<F, U, S>& r, const Vector<F, V, S>& s) {
   return {detail::trusted, r.coordinates().cross(s.coordinates())};
 }
-template <class LeftFrame, class RightFrame, class U, class V, class S>
-  requires(!std::same_as<LeftFrame, RightFrame>)
-void cross(const Vector<LeftFrame, U, S>&,  // r_a x s_a: one frame
-           const Vector<RightFrame, V, S>&) = delete;
 
 /// |r|, in the unit of r.
 template <class F, class U, class S> Quantity<U, S> norm(const Vector<F, U, S>& r) {
@@ -201,6 +192,10 @@ template <class F, class U, class S> Vector<F, si::dimensionless, S> direction(c
                    "; a zero vector has no direction");
   }
   return {detail::trusted, (r.coordinates() / largest).normalized()};
+}
+
+template <class F, class U, class S> std::ostream& print_framed(std::ostream& out, const Vector<F, U, S>& r) {
+  return detail::print_column(out, r.coordinates(), detail::unit_symbol<U>) << " in " << frame_name<F>();
 }
 
 }  // namespace vectrix

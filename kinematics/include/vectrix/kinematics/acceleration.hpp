@@ -22,6 +22,11 @@ class Acceleration<P, Q, ObservedFrom<A>, In<C>, S> : public detail::ChainedVect
   template <class D> using Expressed = Acceleration<P, Q, ObservedFrom<A>, In<D>, S>;
 
   using detail::ChainedVector<C, si::acceleration, S>::ChainedVector;
+
+  /// a_qp|a^c = -a_pq|a^c
+  Acceleration<Q, P, ObservedFrom<A>, In<C>, S> operator-() const {
+    return Acceleration<Q, P, ObservedFrom<A>, In<C>, S>{detail::trusted, -this->coordinates()};
+  }
 };
 
 template <class P, class Q, class A, class C, class S>
@@ -35,8 +40,8 @@ Acceleration<P, Q, ObservedFrom<A>, In<C>, S> acceleration(Of<Q>, RelativeTo<P>,
 }
 template <class Q, class P, class A, class C, class UnitGiven, class S>
   requires(!std::same_as<UnitGiven, si::acceleration>)
-void acceleration(Of<Q>, RelativeTo<P>, ObservedFrom<A>,  // needs m/s^2
-                  const Vector<C, UnitGiven, S>&) = delete;
+auto acceleration(Of<Q>, RelativeTo<P>, ObservedFrom<A>,  // needs m/s^2
+                  const Vector<C, UnitGiven, S>&) -> Refused = delete;
 
 /// Claims that a sees no acceleration of q relative to p.
 template <Point Q, Point P, Frame A, Frame C, class S = double>
@@ -68,18 +73,18 @@ Vector<C, si::acceleration, S> centrifugal_acceleration(const AngularVelocity<A,
   return {detail::trusted, w.cross(r_pq_c.coordinates().cross(w))};
 }
 template <class Motion, class Place>
-  requires detail::is_framed_pair<Motion, Place>
-void euler_acceleration(const Motion&,  // euler_acceleration(alpha_ab_c, r_pq_c): expressed in one frame
-                        const Place&) = delete;
+  requires detail::FramedPair<Motion, Place>
+auto euler_acceleration(const Motion&,  // euler_acceleration(alpha_ab_c, r_pq_c): expressed in one frame
+                        const Place&) -> Refused = delete;
 template <class Rate, class VelocityOf>
-  requires detail::is_framed_pair<Rate, VelocityOf>
-void coriolis_acceleration(const Rate&,  // coriolis_acceleration(w_ab_c, v_pq_b_c): v as b sees it, both in c
-                           const VelocityOf&) = delete;
+  requires detail::FramedPair<Rate, VelocityOf>
+auto coriolis_acceleration(const Rate&,  // coriolis_acceleration(w_ab_c, v_pq_b_c): v as b sees it, both in c
+                           const VelocityOf&) -> Refused = delete;
 template <class Rate, class Place>
-  requires detail::is_framed_pair<Rate, Place>
-void centrifugal_acceleration(
+  requires detail::FramedPair<Rate, Place>
+auto centrifugal_acceleration(
     const Rate&,  // centrifugal_acceleration(w_ab_c, r_pq_c): expressed in one frame
-    const Place&) = delete;
+    const Place&) -> Refused = delete;
 
 /// a_pq|a = a_pq|b + alpha_ab x r_pq + 2 w_ab x v_pq|b + w_ab x (w_ab x r_pq), all expressed in c.
 template <class A, class B, class P, class Q, class C, class S>
@@ -92,6 +97,13 @@ Acceleration<P, Q, ObservedFrom<A>, In<C>, S> transport(
   const detail::Column<S> turning = S(2) * v_pq_b_c.coordinates() + w.cross(r);
   return Acceleration<P, Q, ObservedFrom<A>, In<C>, S>{
       detail::trusted, a_pq_b_c.coordinates() + alpha_ab_c.coordinates().cross(r) + w.cross(turning)};
+}
+
+template <class P, class Q, class A, class C, class S>
+std::ostream& print_framed(std::ostream& out, const Acceleration<P, Q, ObservedFrom<A>, In<C>, S>& value) {
+  return detail::print_of_relative_to<Q, P>(
+             detail::print_column(out, value.coordinates(), detail::unit_symbol<si::acceleration>))
+         << " observed from " << frame_name<A>() << " in " << frame_name<C>();
 }
 
 }  // namespace vectrix

@@ -14,6 +14,7 @@ template <Frame A, Frame B, class Expressed, class S = double> class AngularAcce
 
 template <Frame A, Frame B, Frame C, class S> class AngularAcceleration<A, B, In<C>, S> {
  public:
+  AngularAcceleration() = delete;  // angular_acceleration(of<B>, relative_to<A>, alpha_ab_c)
   explicit AngularAcceleration(detail::Trusted, const Vector<C, si::angular_acceleration, S>& vector)
       : vector_(vector) {}
   template <class Derived>
@@ -25,6 +26,11 @@ template <Frame A, Frame B, Frame C, class S> class AngularAcceleration<A, B, In
   const detail::Column<S>& coordinates() const& { return vector_.coordinates(); }
   detail::Column<S> coordinates() && { return vector_.coordinates(); }
 
+  /// alpha_ba^c = -alpha_ab^c
+  AngularAcceleration<B, A, In<C>, S> operator-() const {
+    return AngularAcceleration<B, A, In<C>, S>{detail::trusted, -vector_};
+  }
+
  private:
   Vector<C, si::angular_acceleration, S> vector_;
 };
@@ -34,19 +40,22 @@ inline constexpr bool detail::is_framed<AngularAcceleration<A, B, C, S>> = true;
 
 /// Claims that the vector is the angular acceleration of b relative to a.
 template <Frame B, Frame A, class C, class S>
-AngularAcceleration<A, B, In<C>, S> angular_acceleration(
+detail::OfTwo<B, A, AngularAcceleration<A, B, In<C>, S>> angular_acceleration(
     Of<B>, RelativeTo<A>, const Vector<C, si::angular_acceleration, S>& alpha_ab_c) {
   return AngularAcceleration<A, B, In<C>, S>{detail::trusted, alpha_ab_c};
 }
-template <class B, class A, class C, class UnitGiven, class S>
-  requires(!std::same_as<UnitGiven, si::angular_acceleration>)
-void angular_acceleration(Of<B>, RelativeTo<A>, const Vector<C, UnitGiven, S>&) = delete;  // needs rad/s^2
+template <class OfFrame, class RelativeToFrame, class Given>
+auto angular_acceleration(  // of<B>, relative_to<A>: two frames; a vector in rad/s^2
+    const OfFrame&, const RelativeToFrame&, const Given&) -> Refused = delete;
 
 /// Claims that the rate of b relative to a does not change.
 template <Frame B, Frame A, Frame C, class S = double>
-AngularAcceleration<A, B, In<C>, S> unaccelerated(Of<B>, RelativeTo<A>, In<C>) {
+detail::OfTwo<B, A, AngularAcceleration<A, B, In<C>, S>> unaccelerated(Of<B>, RelativeTo<A>, In<C>) {
   return AngularAcceleration<A, B, In<C>, S>{detail::trusted, zero<si::angular_acceleration, C, S>(in<C>)};
 }
+template <class OfFrame, class RelativeToFrame, class InFrame>
+auto unaccelerated(  // of<B>, relative_to<A>, in<C>: b and a are two frames
+    const OfFrame&, const RelativeToFrame&, const InFrame&) -> Refused = delete;
 
 /// alpha_ad^c = alpha_ab^c + alpha_bd^c + w_ab^c x w_bd^c
 /// All four expressed in c. The cross term is there because b turns while d turns on it.
@@ -59,10 +68,10 @@ AngularAcceleration<A, D, In<C>, S> chain(const AngularAcceleration<A, B, In<C>,
       detail::trusted, alpha_ab_c.vector() + alpha_bd_c.vector() + cross(w_ab_c.vector(), w_bd_c.vector())};
 }
 
-// alpha_ba^c = -alpha_ab^c
+/// |alpha_ab|, rad/s^2.
 template <class A, class B, class C, class S>
-AngularAcceleration<B, A, In<C>, S> negative(const AngularAcceleration<A, B, In<C>, S>& alpha_ab_c) {
-  return AngularAcceleration<B, A, In<C>, S>{detail::trusted, -alpha_ab_c.vector()};
+Quantity<si::angular_acceleration, S> norm(const AngularAcceleration<A, B, C, S>& alpha_ab_c) {
+  return norm(alpha_ab_c.vector());
 }
 
 // alpha_ab^d = R_c^d alpha_ab^c
@@ -70,6 +79,17 @@ template <class D, class C, class A, class B, class S>
 AngularAcceleration<A, B, In<D>, S> product(const Dcm<D, C, S>& R_d_from_c,
                                             const AngularAcceleration<A, B, In<C>, S>& alpha_ab_c) {
   return AngularAcceleration<A, B, In<D>, S>{detail::trusted, R_d_from_c * alpha_ab_c.vector()};
+}
+template <class D, class C, class A, class B, class S>
+AngularAcceleration<A, B, In<D>, S> product(const Quaternion<D, C, S>& q_d_from_c,
+                                            const AngularAcceleration<A, B, In<C>, S>& alpha_ab_c) {
+  return AngularAcceleration<A, B, In<D>, S>{detail::trusted, q_d_from_c * alpha_ab_c.vector()};
+}
+
+template <class A, class B, class C, class S>
+std::ostream& print_framed(std::ostream& out, const AngularAcceleration<A, B, In<C>, S>& alpha_ab_c) {
+  return detail::print_column(out, alpha_ab_c.coordinates(), "rad/s^2")
+         << detail::print_of_relative_to<B, A> << " in " << frame_name<C>();
 }
 
 }  // namespace vectrix

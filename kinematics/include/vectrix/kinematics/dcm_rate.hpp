@@ -5,6 +5,12 @@
 #include <vectrix/kinematics/quaternion.hpp>
 
 namespace vectrix {
+namespace detail {
+
+template <class Rotation, class Rate>
+using DerivativeOf = decltype(attitude_rate(std::declval<const Rotation&>(), std::declval<const Rate&>()));
+
+}  // namespace detail
 
 /// Rdot_b^a, `Rdot_a_from_b`, of type DcmRate<A, B>: the time derivative of R_b^a, 1/s. Not a rotation, and
 /// not convertible to one.
@@ -28,13 +34,11 @@ template <Frame A, Frame B, class S = double> class DcmRate {
 
 template <class A, class B, class S> inline constexpr bool detail::is_framed<DcmRate<A, B, S>> = true;
 
-/// Body form:       d/dt R_b^a = R_b^a [w_ab^b]x
-/// Reference form:  d/dt R_b^a = [w_ab^a]x R_b^a
-/// Any finite input is valid.
+// d/dt R_b^a = R_b^a [w_ab^b]x = [w_ab^a]x R_b^a
 // Inlined by force: g++ finds its two dozen instructions long enough to call.
 template <class A, class B, class S>
-[[gnu::always_inline]] inline DcmRate<A, B, S> rate(const Dcm<A, B, S>& R_a_from_b,
-                                                    const AngularVelocity<A, B, In<B>, S>& w_ab_b) {
+[[gnu::always_inline]] inline DcmRate<A, B, S> attitude_rate(const Dcm<A, B, S>& R_a_from_b,
+                                                             const AngularVelocity<A, B, In<B>, S>& w_ab_b) {
   // The columns of R [w]x, without the zeros of [w]x.
   const auto& R = R_a_from_b.matrix();
   const S x = w_ab_b.coordinates().x();
@@ -45,15 +49,12 @@ template <class A, class B, class S>
 }
 template <class A, class B, class S>
   requires(!std::same_as<A, B>)
-inline DcmRate<A, B, S> rate(const Dcm<A, B, S>& R_a_from_b, const AngularVelocity<A, B, In<A>, S>& w_ab_a) {
+inline DcmRate<A, B, S> attitude_rate(const Dcm<A, B, S>& R_a_from_b,
+                                      const AngularVelocity<A, B, In<A>, S>& w_ab_a) {
   const auto& R = R_a_from_b.matrix();
   const auto& w = w_ab_a.coordinates();
   return {detail::trusted, w.cross(R.col(0)), w.cross(R.col(1)), w.cross(R.col(2))};
 }
-template <class Rotation, class Rate>
-  requires(detail::is_framed_pair<Rotation, Rate>)
-void rate(const Rotation&, const Rate&) = delete;  // rate(R_a_from_b, w_ab_b) or rate(R_a_from_b, w_ab_a)
-
 /// The checked door for a derivative that comes as a matrix: Rdot_b^a = R_b^a [w]x for some w.
 /// Throws BadInput when the matrix is not finite, or R^T Rdot is not skew (see vee()).
 template <class A, class B, class Derived, class S>
@@ -71,7 +72,7 @@ AngularVelocity<A, B, In<C>, S> angular_velocity(const Dcm<A, B, S>& R_a_from_b,
   const auto& R = R_a_from_b.matrix();
   const auto& Rdot = Rdot_a_from_b.matrix();
   const detail::Column<S> w = std::same_as<C, B> ? vee(R.transpose() * Rdot) : vee(Rdot * R.transpose());
-  return angular_velocity(of<B>, relative_to<A>, vector<si::angular_velocity>(in<C>, w));
+  return AngularVelocity<A, B, In<C>, S>{detail::trusted, vector<si::angular_velocity>(in<C>, w)};
 }
 
 // Rdot_b^a r^b, the part of d/dt (R_b^a r^b) that the turning of b makes.
@@ -94,21 +95,43 @@ template <Frame A, Frame B, class S = double> class QuaternionRate {
   Eigen::Quaternion<S> value_;
 };
 
-/// Body form: d/dt q_b^a = 1/2 q_b^a (0, w_ab^b). Reference form: d/dt q_b^a = 1/2 (0, w_ab^a) q_b^a.
+// d/dt q_b^a = 1/2 q_b^a (0, w_ab^b) = 1/2 (0, w_ab^a) q_b^a
 template <class A, class B, class S>
-inline QuaternionRate<A, B, S> rate(const Quaternion<A, B, S>& q_a_from_b,
-                                    const AngularVelocity<A, B, In<B>, S>& w_ab_b) {
+inline QuaternionRate<A, B, S> attitude_rate(const Quaternion<A, B, S>& q_a_from_b,
+                                             const AngularVelocity<A, B, In<B>, S>& w_ab_b) {
   const detail::Column<S> h = w_ab_b.coordinates() / S(2);
   return {detail::trusted,
           [&] { return q_a_from_b.eigen() * Eigen::Quaternion<S>(S(0), h.x(), h.y(), h.z()); }};
 }
 template <class A, class B, class S>
   requires(!std::same_as<A, B>)
-inline QuaternionRate<A, B, S> rate(const Quaternion<A, B, S>& q_a_from_b,
-                                    const AngularVelocity<A, B, In<A>, S>& w_ab_a) {
+inline QuaternionRate<A, B, S> attitude_rate(const Quaternion<A, B, S>& q_a_from_b,
+                                             const AngularVelocity<A, B, In<A>, S>& w_ab_a) {
   const detail::Column<S> h = w_ab_a.coordinates() / S(2);
   return {detail::trusted,
           [&] { return Eigen::Quaternion<S>(S(0), h.x(), h.y(), h.z()) * q_a_from_b.eigen(); }};
+}
+
+/// The derivative of a rotation, a DcmRate or a QuaternionRate:
+///     Body form:       d/dt R_b^a = R_b^a [w_ab^b]x     d/dt q_b^a = 1/2 q_b^a (0, w_ab^b)
+///     Reference form:  d/dt R_b^a = [w_ab^a]x R_b^a     d/dt q_b^a = 1/2 (0, w_ab^a) q_b^a
+/// Any finite input is valid.
+template <class Rotation, class Rate>
+inline detail::DerivativeOf<Rotation, Rate> rate(const Rotation& rotation, const Rate& omega) {
+  return attitude_rate(rotation, omega);
+}
+template <class Rotation, class Rate>
+  requires(detail::FramedPair<Rotation, Rate> && !detail::Lawful<detail::DerivativeOf, Rotation, Rate>)
+auto rate(  // rate(R_a_from_b, w_ab_b) or rate(R_a_from_b, w_ab_a)
+    const Rotation&, const Rate&) -> Refused = delete;
+
+template <class A, class B, class S>
+std::ostream& print_framed(std::ostream& out, const DcmRate<A, B, S>& Rdot_a_from_b) {
+  return detail::print_square(out, Rdot_a_from_b.matrix()) << " 1/s" << detail::print_to_from<A, B>;
+}
+template <class A, class B, class S>
+std::ostream& print_framed(std::ostream& out, const QuaternionRate<A, B, S>& qdot_a_from_b) {
+  return detail::print_quaternion(out, qdot_a_from_b.eigen()) << " 1/s" << detail::print_to_from<A, B>;
 }
 
 }  // namespace vectrix

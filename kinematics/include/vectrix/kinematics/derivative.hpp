@@ -40,7 +40,7 @@ Derivative<A, C, U, S> transport(ObservedFrom<A>, const Derivative<B, C, U, S>& 
 }
 template <class ToObserver, class Change, class... Operands>
   requires detail::any_framed<Change, Operands...>
-void transport(ObservedFrom<ToObserver>,  // transport(observed_from<A>, rdot_c, r_c, w_ab_c), one frame c
-               const Change&, const Operands&...) = delete;
+auto transport(  // transport(observed_from<A>, rdot_c, r_c, w_ab_c), one frame c
+    ObservedFrom<ToObserver>, const Change&, const Operands&...) -> Refused = delete;
 
 }  // namespace vectrix

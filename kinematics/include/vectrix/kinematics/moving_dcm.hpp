@@ -44,8 +44,9 @@ MovingDcm<A, B, S> moving_dcm(const Dcm<A, B, S>& R_a_from_b, const AngularVeloc
 template <class DcmTo, class DcmFrom, class RateRelativeTo, class RateOf, class RateIn, class S>
   requires(!(std::same_as<DcmTo, RateRelativeTo> && std::same_as<DcmFrom, RateOf> &&
              (std::same_as<RateIn, RateOf> || std::same_as<RateIn, RateRelativeTo>)))
-void moving_dcm(const Dcm<DcmTo, DcmFrom, S>&,  // moving_dcm(R_a_from_b, w_ab_b) or (R_a_from_b, w_ab_a)
-                const AngularVelocity<RateRelativeTo, RateOf, In<RateIn>, S>&) = delete;
+auto moving_dcm(  // moving_dcm(R_a_from_b, w_ab_b) or (R_a_from_b, w_ab_a)
+    const Dcm<DcmTo, DcmFrom, S>&, const AngularVelocity<RateRelativeTo, RateOf, In<RateIn>, S>&)
+    -> Refused = delete;
 
 /// Joins a rotation, its rate and its acceleration, the last two expressed in b.
 template <class A, class B, class S>
@@ -122,9 +123,9 @@ AngularVelocity<A, Y, In<A>, S> rate_back_against(const MovingDcm<B, A, S>& ba,
 
 // What a frame graph asks of the values on its edges.
 template <class A, class B, class S>
-struct LevelOf<MovingDcm<A, B, S>> : detail::TurningLevel<A, B, Level::rate> {};
+struct LevelOf<MovingDcm<A, B, S>> : detail::TurningLevel<A, B, S, Level::rate> {};
 template <class A, class B, class S>
-struct LevelOf<AcceleratingDcm<A, B, S>> : detail::TurningLevel<A, B, Level::acceleration> {};
+struct LevelOf<AcceleratingDcm<A, B, S>> : detail::TurningLevel<A, B, S, Level::acceleration> {};
 template <class A, class B, class S> const Dcm<A, B, S>& rotation_of(const MovingDcm<A, B, S>& value) {
   return value.rotation;
 }
@@ -149,6 +150,15 @@ const AngularVelocity<A, B, In<B>, S>& angular_velocity_of(const MovingDcm<A, B,
 template <class A, class B, class S>
 const AngularAcceleration<A, B, In<B>, S>& angular_acceleration_of(const AcceleratingDcm<A, B, S>& value) {
   return value.angular_acceleration;
+}
+
+template <class A, class B, class S>
+std::ostream& print_framed(std::ostream& out, const MovingDcm<A, B, S>& value) {
+  return out << value.rotation << "; " << value.angular_velocity;
+}
+template <class A, class B, class S>
+std::ostream& print_framed(std::ostream& out, const AcceleratingDcm<A, B, S>& value) {
+  return out << value.moving << "; " << value.angular_acceleration;
 }
 
 }  // namespace vectrix

@@ -38,9 +38,9 @@ inline constexpr bool detail::is_framed<AcceleratingTransform<A, B, S>> = true;
 
 // What a frame graph asks of the values on its edges.
 template <class A, class B, class S>
-struct LevelOf<MovingTransform<A, B, S>> : detail::PlacedLevel<A, B, Level::rate> {};
+struct LevelOf<MovingTransform<A, B, S>> : detail::PlacedLevel<A, B, S, Level::rate> {};
 template <class A, class B, class S>
-struct LevelOf<AcceleratingTransform<A, B, S>> : detail::PlacedLevel<A, B, Level::acceleration> {};
+struct LevelOf<AcceleratingTransform<A, B, S>> : detail::PlacedLevel<A, B, S, Level::acceleration> {};
 
 template <class A, class B, class S> const Dcm<A, B, S>& rotation_of(const MovingTransform<A, B, S>& value) {
   return value.turning.rotation;
@@ -113,6 +113,16 @@ AcceleratingTransform<B, A, S> inverse(const AcceleratingTransform<A, B, S>& ab)
   return {inverse(ab.turning), r_ba_b, transport(observed_from<B>, v_ba_a_b, r_ba_b, w_ba_b),
           transport(observed_from<B>, R_b_from_a * -ab.acceleration, v_ba_a_b, r_ba_b,
                     -ab.turning.angular_acceleration, w_ba_b)};
+}
+
+template <class A, class B, class S>
+std::ostream& print_framed(std::ostream& out, const MovingTransform<A, B, S>& value) {
+  return out << value.turning << "; " << value.translation << "; " << value.velocity;
+}
+template <class A, class B, class S>
+std::ostream& print_framed(std::ostream& out, const AcceleratingTransform<A, B, S>& value) {
+  return out << value.turning << "; " << value.translation << "; " << value.velocity << "; "
+             << value.acceleration;
 }
 
 }  // namespace vectrix

@@ -33,6 +33,9 @@ template <Frame ToFrame, Frame FromFrame, class S = double> class Quaternion {
   std::array<S, 4> scalar_first() const { return {value_.w(), value_.x(), value_.y(), value_.z()}; }
   std::array<S, 4> scalar_last() const { return {value_.x(), value_.y(), value_.z(), value_.w()}; }
 
+  template <class Operand = Quaternion>
+  auto operator-() const -> Refused = delete;  // -q is the same rotation: inverse(q_b_from_a)
+
  private:
   Eigen::Quaternion<S> value_;
 };
@@ -75,14 +78,20 @@ Quaternion<B, A, S> unit_quaternion(const Eigen::Quaternion<S>& q, const char* d
 /// The checked doors. Throw BadInput when a number is not finite or | |q| - 1 | exceeds unit_norm_tolerance.
 template <Frame B, Frame A, class S>
   requires(!std::integral<S>)
-Quaternion<B, A, S> quaternion_scalar_first(To<B>, From<A>, S w, S x, S y, S z) {
+detail::OfTwo<B, A, Quaternion<B, A, S>> quaternion_scalar_first(To<B>, From<A>, S w, S x, S y, S z) {
   return detail::unit_quaternion<B, A, S>({w, x, y, z}, "quaternion_scalar_first");
 }
+template <class ToFrame, class FromFrame, class W, class X, class Y, class Z>
+auto quaternion_scalar_first(  // to<B>, from<A>: two frames; four numbers of one floating type
+    ToFrame, FromFrame, W, X, Y, Z) -> Refused = delete;
 template <Frame B, Frame A, class S>
   requires(!std::integral<S>)
-Quaternion<B, A, S> quaternion_scalar_last(To<B>, From<A>, S x, S y, S z, S w) {
+detail::OfTwo<B, A, Quaternion<B, A, S>> quaternion_scalar_last(To<B>, From<A>, S x, S y, S z, S w) {
   return detail::unit_quaternion<B, A, S>({w, x, y, z}, "quaternion_scalar_last");
 }
+template <class ToFrame, class FromFrame, class X, class Y, class Z, class W>
+auto quaternion_scalar_last(  // to<B>, from<A>: two frames; four numbers of one floating type
+    ToFrame, FromFrame, X, Y, Z, W) -> Refused = delete;
 
 template <class B, class A, class S> struct NearestQuaternion {
   Quaternion<B, A, S> quaternion;
@@ -94,7 +103,8 @@ template <class B, class A, class S> struct NearestQuaternion {
 /// quaternion.
 template <Frame B, Frame A, class S>
   requires(!std::integral<S>)
-NearestQuaternion<B, A, S> nearest_quaternion_scalar_first(To<B>, From<A>, S w, S x, S y, S z) {
+detail::OfTwo<B, A, NearestQuaternion<B, A, S>> nearest_quaternion_scalar_first(To<B>, From<A>, S w, S x, S y,
+                                                                                S z) {
   using std::abs;
   const Eigen::Quaternion<S> q{w, x, y, z};
   const S norm = detail::checked_norm<B, A>(q, "nearest_quaternion_scalar_first");
@@ -102,11 +112,18 @@ NearestQuaternion<B, A, S> nearest_quaternion_scalar_first(To<B>, From<A>, S w, 
   const Eigen::Quaternion<S> scaled(q.coeffs() / q.coeffs().cwiseAbs().maxCoeff());
   return {Quaternion<B, A, S>{detail::trusted, scaled.normalized()}, abs(norm - S(1))};
 }
+template <class ToFrame, class FromFrame, class W, class X, class Y, class Z>
+auto nearest_quaternion_scalar_first(  // to<B>, from<A>: two frames; four numbers of one floating type
+    ToFrame, FromFrame, W, X, Y, Z) -> Refused = delete;
 template <Frame B, Frame A, class S>
   requires(!std::integral<S>)
-NearestQuaternion<B, A, S> nearest_quaternion_scalar_last(To<B>, From<A>, S x, S y, S z, S w) {
+detail::OfTwo<B, A, NearestQuaternion<B, A, S>> nearest_quaternion_scalar_last(To<B>, From<A>, S x, S y, S z,
+                                                                               S w) {
   return nearest_quaternion_scalar_first(to<B>, from<A>, w, x, y, z);
 }
+template <class ToFrame, class FromFrame, class X, class Y, class Z, class W>
+auto nearest_quaternion_scalar_last(  // to<B>, from<A>: two frames; four numbers of one floating type
+    ToFrame, FromFrame, X, Y, Z, W) -> Refused = delete;
 
 // q_a^c = q_b^c q_a^b
 template <class C, class B, class A, class S>
@@ -155,6 +172,11 @@ template <class B, class A, class S> Quaternion<B, A, S> quaternion(const Dcm<B,
   const S norm = q.coeffs().norm();
   q.coeffs() /= first_sign(q.coeffs()) < S(0) ? -norm : norm;
   return {detail::trusted, q};
+}
+
+template <class B, class A, class S>
+std::ostream& print_framed(std::ostream& out, const Quaternion<B, A, S>& q_b_from_a) {
+  return detail::print_quaternion(out, q_b_from_a.eigen()) << detail::print_to_from<B, A>;
 }
 
 }  // namespace vectrix

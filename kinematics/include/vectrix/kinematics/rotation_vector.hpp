@@ -25,6 +25,9 @@ template <Frame A, Frame B, class S = double> class RotationVector {
   Vector<A, si::angle, S> in_reference() const { return {detail::trusted, coordinates_}; }
   Vector<B, si::angle, S> in_turned() const { return {detail::trusted, coordinates_}; }
 
+  /// theta_ba = -theta_ab
+  RotationVector<B, A, S> operator-() const { return {detail::trusted, -coordinates_}; }
+
  private:
   detail::Column<S> coordinates_;
 };
@@ -32,19 +35,19 @@ template <Frame A, Frame B, class S = double> class RotationVector {
 /// Claims that turning a by the vector gives b; the vector may be expressed in either.
 template <Frame B, Frame A, class C, class S>
   requires(detail::is_one_of<C, A, B>)
-RotationVector<A, B, S> rotation_vector(Of<B>, RelativeTo<A>, const Vector<C, si::angle, S>& theta) {
+detail::OfTwo<B, A, RotationVector<A, B, S>> rotation_vector(Of<B>, RelativeTo<A>,
+                                                             const Vector<C, si::angle, S>& theta) {
   return {detail::trusted, theta.coordinates()};
 }
 template <class OfFrame, class RelativeFrame, class VectorIn, class UnitGiven, class S>
-  requires(!((std::same_as<VectorIn, OfFrame> ||
-              std::same_as<VectorIn, RelativeFrame>)&&std::same_as<UnitGiven, si::angle>))
-void rotation_vector(Of<OfFrame>, RelativeTo<RelativeFrame>,  // an angle, expressed in one of its two frames
-                     const Vector<VectorIn, UnitGiven, S>&) = delete;
+  requires(std::same_as<OfFrame, RelativeFrame> || !detail::is_one_of<VectorIn, OfFrame, RelativeFrame> ||
+           !std::same_as<UnitGiven, si::angle>)
+auto rotation_vector(  // an angle between two frames, expressed in one of them
+    Of<OfFrame>, RelativeTo<RelativeFrame>, const Vector<VectorIn, UnitGiven, S>&) -> Refused = delete;
 
-// theta_ba = -theta_ab
 template <class A, class B, class S>
-RotationVector<B, A, S> negative(const RotationVector<A, B, S>& theta_ab) {
-  return {detail::trusted, -theta_ab.coordinates()};
+std::ostream& print_framed(std::ostream& out, const RotationVector<A, B, S>& theta_ab) {
+  return detail::print_column(out, theta_ab.coordinates(), "rad") << detail::print_of_relative_to<B, A>;
 }
 
 }  // namespace vectrix

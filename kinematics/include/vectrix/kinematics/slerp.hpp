@@ -26,6 +26,11 @@ template <Frame A, Frame B, class S = double> class Slerp {
     }
   }
 
+  template <class FirstTo, class FirstFrom, class LastTo, class LastFrom>
+  Slerp(  // from one rotation q0_a_from_b to another of the same two frames
+      const Quantity<si::time, S>&, const Quaternion<FirstTo, FirstFrom, S>&, const Quantity<si::time, S>&,
+      const Quaternion<LastTo, LastFrom, S>&) = delete;
+
   MovingDcm<A, B, S> operator()(const Quantity<si::time, S>& t) const {
     const S s = (t.value() - start_) / duration_;
     if (!(s >= S(0) && s <= S(1))) {

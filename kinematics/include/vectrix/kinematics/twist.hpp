@@ -30,6 +30,10 @@ template <Frame A, Frame B, Point P, Frame C, class S> class Twist<A, B, At<P>, 
   /// Of the particle of b at p, as a sees it.
   const Vector<C, si::velocity, S>& velocity() const& { return velocity_; }
   Vector<C, si::velocity, S> velocity() && { return velocity_; }
+  /// V_ba(p)^c = -V_ab(p)^c
+  Twist<B, A, At<P>, In<C>, S> operator-() const {
+    return {detail::trusted, -rate_.coordinates(), -velocity_.coordinates()};
+  }
   /// The bare six numbers, the rate first.
   Eigen::Matrix<S, 6, 1> coordinates() const {
     Eigen::Matrix<S, 6, 1> numbers;
@@ -53,8 +57,8 @@ Twist<A, B, At<P>, In<C>, S> twist(At<P>, const AngularVelocity<A, B, In<C>, S>&
 }
 template <class Place, class Rate, class VelocityOf>
   requires detail::any_framed<Rate, VelocityOf>
-void twist(Place, const Rate&,
-           const VelocityOf&) = delete;  // twist(at<P>, w_ab_c, v_c): expressed in one frame
+auto twist(Place, const Rate&,
+           const VelocityOf&) -> Refused = delete;  // twist(at<P>, w_ab_c, v_c): expressed in one frame
 
 // V_ad(p)^c = V_ab(p)^c + V_bd(p)^c
 template <class A, class B, class D, class P, class C, class S>
@@ -62,11 +66,6 @@ Twist<A, D, At<P>, In<C>, S> sum(const Twist<A, B, At<P>, In<C>, S>& ab,
                                  const Twist<B, D, At<P>, In<C>, S>& bd) {
   return {detail::trusted, ab.angular_velocity().coordinates() + bd.angular_velocity().coordinates(),
           ab.velocity().coordinates() + bd.velocity().coordinates()};
-}
-// V_ba(p)^c = -V_ab(p)^c
-template <class A, class B, class P, class C, class S>
-Twist<B, A, At<P>, In<C>, S> negative(const Twist<A, B, At<P>, In<C>, S>& ab) {
-  return {detail::trusted, -ab.angular_velocity().coordinates(), -ab.velocity().coordinates()};
 }
 // V_ab(p)^d = R_c^d V_ab(p)^c
 template <class D, class C, class A, class B, class P, class S>
@@ -93,8 +92,8 @@ Twist<A, B, At<Q>, In<C>, S> shift(const Twist<A, B, At<P>, In<C>, S>& ab,
 }
 template <class Motion, class By>
   requires detail::is_framed<Motion>
-void shift(const Motion&,  // shift(V(p)_c, r_pq_c): from the point of the twist, expressed in one frame
-           const By&) = delete;
+auto shift(const Motion&,  // shift(V(p)_c, r_pq_c): from the point of the twist, expressed in one frame
+           const By&) -> Refused = delete;
 
 /// Ad(X_a^b), the bare six by six numbers, rates first: [R_a^b 0; [r_ba^b]x R_a^b R_a^b].
 template <class B, class A, class S> Eigen::Matrix<S, 6, 6> adjoint(const Transform<B, A, S>& X_b_from_a) {
@@ -104,6 +103,11 @@ template <class B, class A, class S> Eigen::Matrix<S, 6, 6> adjoint(const Transf
   matrix.template bottomRightCorner<3, 3>() = R;
   matrix.template bottomLeftCorner<3, 3>() = hat(X_b_from_a.translation.coordinates()) * R;
   return matrix;
+}
+
+template <class A, class B, class P, class C, class S>
+std::ostream& print_framed(std::ostream& out, const Twist<A, B, At<P>, In<C>, S>& value) {
+  return out << value.angular_velocity() << "; " << value.velocity() << " at " << frame_name<P>();
 }
 
 }  // namespace vectrix

@@ -22,6 +22,11 @@ class Velocity<P, Q, ObservedFrom<A>, In<C>, S> : public detail::ChainedVector<C
   template <class D> using Expressed = Velocity<P, Q, ObservedFrom<A>, In<D>, S>;
 
   using detail::ChainedVector<C, si::velocity, S>::ChainedVector;
+
+  /// v_qp|a^c = -v_pq|a^c
+  Velocity<Q, P, ObservedFrom<A>, In<C>, S> operator-() const {
+    return Velocity<Q, P, ObservedFrom<A>, In<C>, S>{detail::trusted, -this->coordinates()};
+  }
 };
 
 template <class P, class Q, class A, class C, class S>
@@ -35,7 +40,8 @@ Velocity<P, Q, ObservedFrom<A>, In<C>, S> velocity(Of<Q>, RelativeTo<P>, Observe
 }
 template <class Q, class P, class A, class C, class UnitGiven, class S>
   requires(!std::same_as<UnitGiven, si::velocity>)
-void velocity(Of<Q>, RelativeTo<P>, ObservedFrom<A>, const Vector<C, UnitGiven, S>&) = delete;  // needs m/s
+auto velocity(Of<Q>, RelativeTo<P>, ObservedFrom<A>, const Vector<C, UnitGiven, S>&)
+    -> Refused = delete;  // needs m/s
 
 /// Claims that a sees q at rest relative to p.
 template <Point Q, Point P, Frame A, Frame C, class S = double>
@@ -57,6 +63,13 @@ Velocity<P, Q, ObservedFrom<A>, In<C>, S> transport(ObservedFrom<A>,
 template <class P, class Q, class A, class C, class S>
 Quantity<si::velocity, S> norm(const Velocity<P, Q, A, C, S>& v_pq_a_c) {
   return norm(v_pq_a_c.vector());
+}
+
+template <class P, class Q, class A, class C, class S>
+std::ostream& print_framed(std::ostream& out, const Velocity<P, Q, ObservedFrom<A>, In<C>, S>& value) {
+  return detail::print_of_relative_to<Q, P>(
+             detail::print_column(out, value.coordinates(), detail::unit_symbol<si::velocity>))
+         << " observed from " << frame_name<A>() << " in " << frame_name<C>();
 }
 
 }  // namespace vectrix

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <ostream>
+#include <vectrix/frames/frame.hpp>
+#include <vectrix/frames/units.hpp>
+
+namespace vectrix {
+namespace detail {
+
+/// The unit of a vector as text.
+template <Unit U> inline constexpr const char* unit_symbol = "SI units";
+template <> inline constexpr const char* unit_symbol<si::dimensionless> = "";
+template <> inline constexpr const char* unit_symbol<si::angle> = "rad";
+template <> inline constexpr const char* unit_symbol<si::length> = "m";
+template <> inline constexpr const char* unit_symbol<si::velocity> = "m/s";
+template <> inline constexpr const char* unit_symbol<si::acceleration> = "m/s^2";
+template <> inline constexpr const char* unit_symbol<si::momentum> = "kg m/s";
+template <> inline constexpr const char* unit_symbol<si::force> = "N";
+template <> inline constexpr const char* unit_symbol<si::angular_velocity> = "rad/s";
+template <> inline constexpr const char* unit_symbol<si::angular_acceleration> = "rad/s^2";
+template <> inline constexpr const char* unit_symbol<si::angular_momentum> = "N m s";
+template <> inline constexpr const char* unit_symbol<si::torque> = "N m";
+
+/// (1, 2, 3) m
+template <class Column> std::ostream& print_column(std::ostream& out, const Column& v, const char* unit) {
+  return out << '(' << v(0) << ", " << v(1) << ", " << v(2) << ')' << (*unit ? " " : "") << unit;
+}
+/// [1 2 3; 4 5 6; 7 8 9]
+template <class Square> std::ostream& print_square(std::ostream& out, const Square& m) {
+  for (int row = 0; row < 3; ++row) {
+    out << (row == 0 ? "[" : "; ") << m(row, 0) << ' ' << m(row, 1) << ' ' << m(row, 2);
+  }
+  return out << ']';
+}
+/// (1; 2, 3, 4), scalar first
+template <class Quaternion> std::ostream& print_quaternion(std::ostream& out, const Quaternion& q) {
+  return out << '(' << q.w() << "; " << q.x() << ", " << q.y() << ", " << q.z() << ')';
+}
+template <Frame B, Frame A> std::ostream& print_to_from(std::ostream& out) {
+  return out << " to " << frame_name<B>() << " from " << frame_name<A>();
+}
+template <Frame B, Frame A> std::ostream& print_of_relative_to(std::ostream& out) {
+  return out << " of " << frame_name<B>() << " relative to " << frame_name<A>();
+}
+
+}  // namespace detail
+
+/// What a value is, in the words of its door, with the numbers as the stream is set to write them:
+///     (1, 2, 3) m in Body        [1 0 0; 0 1 0; 0 0 1] to Body from Gcrf
+///     (0, 0, 1) rad/s of Body relative to Gcrf in Body
+/// What is printed is said beside each type, by print_framed().
+template <class Framed>
+auto operator<<(std::ostream& out, const Framed& value) -> decltype(print_framed(out, value)) {
+  return print_framed(out, value);
+}
+
+}  // namespace vectrix
