@@ -11,8 +11,8 @@ using namespace vectrix_test;
 
 namespace {
 
-struct CentreOfMass : point {};
-template <int I> struct Thruster : point {};
+struct CentreOfMass : named_point {};
+template <int I> struct Thruster : named_point {};
 
 template <class P, class Q, class C> Displacement<P, Q, In<C>> any_displacement() {
   return displacement(of<Q>, relative_to<P>, vector<si::length>(in<C>, *triple()));

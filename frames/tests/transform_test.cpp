@@ -10,7 +10,7 @@ using namespace vectrix_test;
 
 namespace {
 
-struct Tip : point {};
+struct Tip : named_point {};
 
 Eigen::Matrix4d homogeneous(const Eigen::Matrix3d& R, const Eigen::Vector3d& r) {
   Eigen::Matrix4d matrix = Eigen::Matrix4d::Identity();
@@ -50,9 +50,9 @@ RC_GTEST_PROP(Transform, Law3TheInverseTakesBack, ()) {
 }
 
 TEST(Transform, TranslationIsThePlaceOfTheOriginOfA) {
-  const Transform X{turned_z(to<Body>, from<Gcrf>, 0.5 * 3.14159265358979 * si::radian),
-                    displacement(of<Gcrf>, relative_to<Body>,
-                                 vector(in<Body>, 1.0 * si::metre, 2.0 * si::metre, 3.0 * si::metre))};
+  const auto X = transform(turned_z(to<Body>, from<Gcrf>, 0.5 * 3.14159265358979 * si::radian),
+                           displacement(of<Gcrf>, relative_to<Body>,
+                                        vector(in<Body>, 1.0 * si::metre, 2.0 * si::metre, 3.0 * si::metre)));
   const auto origin = X * coincident(of<Gcrf>, relative_to<Gcrf>, in<Gcrf>);
   EXPECT_EQ(origin.coordinates(), Eigen::Vector3d(1, 2, 3));
   // Body is Gcrf turned by +90 deg about z: the y axis of Gcrf is the x axis of Body.

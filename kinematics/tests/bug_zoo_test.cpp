@@ -15,7 +15,7 @@ using Eigen::AngleAxisd;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-struct Craft : point {};
+struct Craft : named_point {};
 
 constexpr double now = 0.4;
 constexpr double h = 1e-5;

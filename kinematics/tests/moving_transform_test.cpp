@@ -8,7 +8,7 @@ using namespace vectrix_test;
 
 namespace {
 
-struct Tip : point {};
+struct Tip : named_point {};
 
 /// Derivatives reach 1e3 m/s^2 where three motions are chained; each product adds some ten roundings.
 constexpr double chain_tolerance = 1e-11;

@@ -10,7 +10,7 @@ using namespace vectrix_test;
 
 namespace {
 
-struct Tip : point {};
+struct Tip : named_point {};
 
 template <class A, class B, class P, class C> Twist<A, B, At<P>, In<C>> any_twist() {
   return twist(at<P>, angular_velocity(of<B>, relative_to<A>, vector<si::angular_velocity>(in<C>, *triple())),

@@ -5,8 +5,8 @@
 
 struct Gcrf : vectrix::inertial_frame {};
 struct Body : vectrix::moving_frame {};
-struct CentreOfMass : vectrix::point {};
-struct Thruster : vectrix::point {};
+struct CentreOfMass : vectrix::named_point {};
+struct Thruster : vectrix::named_point {};
 
 using namespace vectrix;
 

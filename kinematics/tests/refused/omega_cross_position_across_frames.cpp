@@ -1,6 +1,6 @@
 // mistake: a rate expressed in the inertial frame crossed with a position expressed in the rotating one
-// expect: deleted function .*cross
-// expect: = Gcrf.*= Body
+// expect: AngularVelocity<
+// expect: In<Gcrf>.*Vector<Body
 #include <vectrix/kinematics.hpp>
 
 struct Gcrf : vectrix::inertial_frame {};

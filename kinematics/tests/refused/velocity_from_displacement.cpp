@@ -4,7 +4,7 @@
 
 struct Gcrf : vectrix::inertial_frame {};
 struct Body : vectrix::moving_frame {};
-struct Tip : vectrix::point {};
+struct Tip : vectrix::named_point {};
 
 using namespace vectrix;
 

@@ -6,7 +6,7 @@
 struct Gcrf : vectrix::inertial_frame {};
 struct Body : vectrix::moving_frame {};
 struct Camera : vectrix::moving_frame {};
-struct Tip : vectrix::point {};
+struct Tip : vectrix::named_point {};
 
 using namespace vectrix;
 

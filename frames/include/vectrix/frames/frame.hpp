@@ -32,12 +32,13 @@ template <class F>
 concept InertialFrame = Frame<F> && std::is_base_of_v<inertial_frame, F>;
 
 /// A point is an empty type of the user's as well, and a frame stands for its own origin:
-///     struct CentreOfMass : vectrix::point {};
-struct point {};
+///     struct CentreOfMass : vectrix::named_point {};
+struct named_point {};
 
 template <class P>
-concept Point = std::is_same_v<P, std::remove_cv_t<P>> && std::is_empty_v<P> && !std::is_same_v<P, point> &&
-                (detail::either_inertial_or_moving<P> || std::is_base_of_v<point, P>);
+concept Point =
+    std::is_same_v<P, std::remove_cv_t<P>> && std::is_empty_v<P> && !std::is_same_v<P, named_point> &&
+    (detail::either_inertial_or_moving<P> || std::is_base_of_v<named_point, P>);
 
 /// The frame's name as the compiler writes it, for messages.
 template <Point F> std::string frame_name() {
