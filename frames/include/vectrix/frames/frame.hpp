@@ -48,12 +48,12 @@ template <Point F> std::string frame_name() {
 }
 
 // The words of the doors and queries: to<B>, from<A>, in<C>, of<B>, relative_to<A>. Motion may be that of a
-// point.
-template <Frame F> struct To {};
-template <Frame F> struct From {};
-template <Frame F> struct In {};
-template <Point P> struct Of {};
-template <Point P> struct RelativeTo {};
+// point. For frames known only at run time: To(b), From(a) and so on, see kinematics/named_frame.hpp.
+template <class F> struct To {};
+template <class F> struct From {};
+template <class F> struct In {};
+template <class F> struct Of {};
+template <class F> struct RelativeTo {};
 template <Frame A> struct ObservedFrom {};
 
 namespace detail {

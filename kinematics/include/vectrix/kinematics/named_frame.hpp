@@ -1,0 +1,86 @@
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vectrix/frames/errors.hpp>
+#include <vectrix/frames/frame.hpp>
+
+namespace vectrix {
+
+/// The motion property of a frame known at run time: what inertial_frame and moving_frame are of a type.
+enum class FrameMotion { inertial, moving };
+
+namespace detail {
+
+struct TreeNode;
+
+/// What a graph keeps of one of its frames, at one address until the graph is destroyed.
+struct FrameRecord {
+  const void* graph;
+  std::string name;
+  FrameMotion motion;
+  std::uint32_t number;
+  /// Its place in its tree. Replaced when two trees are joined.
+  std::atomic<const TreeNode*> node{nullptr};
+};
+
+}  // namespace detail
+
+/// A frame of a NamedGraph, known at run time: wheel k of a file. Made by `graph.add_frame("wheel 3", ...)`
+/// or `graph.frame("wheel 3")`; it belongs to that graph, and neither it nor a value that carries it may
+/// outlive the graph.
+class NamedFrame {
+ public:
+  explicit NamedFrame(const detail::FrameRecord& record) : record_(&record) {}
+
+  const std::string& name() const { return record_->name; }
+  FrameMotion motion() const { return record_->motion; }
+  bool operator==(const NamedFrame&) const = default;
+
+  const detail::FrameRecord& record() const { return *record_; }
+
+ private:
+  const detail::FrameRecord* record_;
+};
+
+namespace detail {
+
+template <class F>
+concept RunTimeFrame = std::same_as<F, NamedFrame> || std::same_as<F, std::string_view>;
+
+template <RunTimeFrame F> struct Word {
+  F frame;
+  explicit Word(F given) : frame(given) {}
+};
+
+inline std::string in_quotes(std::string_view name) {
+  return '"' + std::string{name} + '"';
+}
+inline std::string in_quotes(NamedFrame frame) {
+  return in_quotes(frame.name());
+}
+
+}  // namespace detail
+
+// The words of doors and queries for frames known at run time, by handle or by name: To(camera),
+// From("itrf"). Capitals, because a variable template, to<Camera>, and a function cannot share a name.
+template <detail::RunTimeFrame F> struct To<F> : detail::Word<F> { using detail::Word<F>::Word; };
+template <detail::RunTimeFrame F> struct From<F> : detail::Word<F> { using detail::Word<F>::Word; };
+template <detail::RunTimeFrame F> struct In<F> : detail::Word<F> { using detail::Word<F>::Word; };
+template <detail::RunTimeFrame F> struct Of<F> : detail::Word<F> { using detail::Word<F>::Word; };
+template <detail::RunTimeFrame F> struct RelativeTo<F> : detail::Word<F> { using detail::Word<F>::Word; };
+
+To(NamedFrame)->To<NamedFrame>;
+From(NamedFrame)->From<NamedFrame>;
+In(NamedFrame)->In<NamedFrame>;
+Of(NamedFrame)->Of<NamedFrame>;
+RelativeTo(NamedFrame)->RelativeTo<NamedFrame>;
+To(std::string_view)->To<std::string_view>;
+From(std::string_view)->From<std::string_view>;
+In(std::string_view)->In<std::string_view>;
+Of(std::string_view)->Of<std::string_view>;
+RelativeTo(std::string_view)->RelativeTo<std::string_view>;
+
+}  // namespace vectrix
