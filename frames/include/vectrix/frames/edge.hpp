@@ -76,7 +76,8 @@ template <class Function> using FunctionEdgeOf = typename FunctionEdgeIf<Functio
 }  // namespace detail
 
 /// The edge whose value at an instant is f(instant). f has one call operator, not a template, and returns a
-/// Dcm, a MovingDcm or an AcceleratingDcm: frames and level are read off that type.
+/// Dcm, a MovingDcm or an AcceleratingDcm, or one of these with a place: a Transform, a MovingTransform or an
+/// AcceleratingTransform. Frames and level are read off that type.
 ///     edge([](Quantity<si::time> t) { return turned_z(to<Itrf>, from<Gcrf>, rate * t); })
 template <class Function> detail::FunctionEdgeOf<Function> edge(Function function) {
   return detail::FunctionEdgeOf<Function>{std::move(function)};

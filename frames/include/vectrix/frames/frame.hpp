@@ -32,7 +32,7 @@ template <class F>
 concept InertialFrame = Frame<F> && std::is_base_of_v<inertial_frame, F>;
 
 /// A point is an empty type of the user's as well, and a frame stands for its own origin:
-///     struct CentreOfMass : vectrix::named_point {};
+///     struct StarTrackerMount : vectrix::named_point {};
 struct named_point {};
 
 template <class P>
