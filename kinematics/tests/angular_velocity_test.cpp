@@ -2,6 +2,7 @@
 #include <rapidcheck/gtest.h>
 
 #include <sstream>
+#include <vectrix/kinematics.hpp>
 
 #include "motions.hpp"
 
@@ -215,6 +216,18 @@ TEST(Print, rates_and_quaternions_say_their_frames) {
   const std::string still = "(0, 0, 0) rad/s of " + body + " relative to " + gcrf + " in " + body;
   const auto rest = at_rest(of<Body>, relative_to<Gcrf>, in<Body>);
   EXPECT_EQ(printed(moving_dcm(R, rest)), rotation + "; " + still);
+  const auto place = coincident(of<Body>, relative_to<Gcrf>, in<Gcrf>);
+  const std::string here = "(0, 0, 0) m of " + body + " relative to " + gcrf + " in " + gcrf;
+  EXPECT_EQ(printed(Transform{R, place}), rotation + "; " + here);
+  const auto speed = at_rest(of<Body>, relative_to<Gcrf>, observed_from<Gcrf>, in<Gcrf>);
+  EXPECT_EQ(printed(speed),
+            "(0, 0, 0) m/s of " + body + " relative to " + gcrf + " observed from " + gcrf + " in " + gcrf);
+  EXPECT_EQ(printed(MovingTransform{moving_dcm(R, rest), place, speed}),
+            rotation + "; " + still + "; " + here + "; " + printed(speed));
+  EXPECT_EQ(printed(derivative<si::length>(observed_from<Gcrf>, speed.vector())),
+            "(0, 0, 0) m/s in " + gcrf + " observed from " + gcrf);
+  EXPECT_EQ(printed(twist(at<Camera>, rest, zero<si::velocity>(in<Body>))),
+            still + "; (0, 0, 0) m/s in " + body + " at " + frame_name<Camera>());
   EXPECT_EQ(printed(vectrix::rate(R, rest)), "[0 0 0; 0 0 0; 0 0 0] 1/s to " + gcrf + " from " + body);
 }
 

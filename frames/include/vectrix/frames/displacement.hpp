@@ -23,9 +23,7 @@ class Displacement<P, Q, In<C>, S> : public detail::ChainedVector<C, si::length,
   using detail::ChainedVector<C, si::length, S>::ChainedVector;
 
   /// r_qp^c = -r_pq^c
-  Displacement<Q, P, In<C>, S> operator-() const {
-    return Displacement<Q, P, In<C>, S>{detail::trusted, -this->coordinates()};
-  }
+  Between<Q, P> operator-() const { return Between<Q, P>{detail::trusted, -this->coordinates()}; }
 };
 
 template <class P, class Q, class C, class S>
@@ -38,7 +36,8 @@ Displacement<P, Q, In<C>, S> displacement(Of<Q>, RelativeTo<P>, const Vector<C, 
 }
 template <class Q, class P, class C, class UnitGiven, class S>
   requires(!std::same_as<UnitGiven, si::length>)
-auto displacement(Of<Q>, RelativeTo<P>, const Vector<C, UnitGiven, S>&) -> Refused = delete;  // needs metres
+auto displacement(  // needs metres
+    Of<Q>, RelativeTo<P>, const Vector<C, UnitGiven, S>&) -> Refused = delete;
 
 /// Claims that q is at p.
 template <Point Q, Point P, Frame C, class S = double>
@@ -53,10 +52,9 @@ Quantity<si::length, S> norm(const Displacement<P, Q, C, S>& r_pq_c) {
 }
 
 template <class P, class Q, class C, class S>
-std::ostream& print_framed(std::ostream& out, const Displacement<P, Q, In<C>, S>& value) {
-  return detail::print_of_relative_to<Q, P>(
-             detail::print_column(out, value.coordinates(), detail::unit_symbol<si::length>))
-         << " in " << frame_name<C>();
+std::ostream& print_framed(std::ostream& out, const Displacement<P, Q, In<C>, S>& r_pq_c) {
+  return detail::print_column(out, r_pq_c.coordinates(), "m")
+         << detail::print_of_relative_to<Q, P> << " in " << frame_name<C>();
 }
 
 }  // namespace vectrix

@@ -139,6 +139,9 @@ template <class Instant, class... Edges> class GraphSnapshot {
   using LackingFor = typename decltype(detail::lacks<Topology, level, B, A, C>())::type;
   template <Level level, class B, class A, class C>
   static constexpr bool answers = std::is_same_v<LackingFor<level, B, A, C>, Nothing>;
+  template <Level level, class B, class A, class C>
+  using Answered = std::enable_if_t<answers<level, B, A, C>, int>;
+
   template <Level level, class Q, class P, class A, class C>
   using LackingForPlace = typename decltype(detail::lacks_place<Topology, level, Q, P, A, C>())::type;
   template <Level level, class Q, class P, class A, class C>
@@ -148,8 +151,6 @@ template <class Instant, class... Edges> class GraphSnapshot {
                                      LackingForPlace<level, Q, P, A, C>>;
   template <class B, class A>
   using LackingForTransform = typename decltype(detail::lacks_transform<Topology, B, A>())::type;
-  template <Level level, class B, class A, class C>
-  using Answered = std::enable_if_t<answers<level, B, A, C>, int>;
 
  public:
   GraphSnapshot(const std::tuple<Edges...>& edges, const Instant& instant)
@@ -210,17 +211,17 @@ template <class Instant, class... Edges> class GraphSnapshot {
 
   template <class B, class A, class Lacking = LackingForTransform<B, A>>
     requires(!std::is_same_v<Lacking, Nothing>)
-  auto transform(To<B>, From<A>) const
-      -> Refused = delete;  // the graph lacks something to answer: see Lacking
+  auto transform(  // the graph lacks something to answer: see Lacking
+      To<B>, From<A>) const -> Refused = delete;
   template <class Q, class P, class C, class Lacking = NotPlaced<Level::rotation, Q, P, P, C>>
-  auto position(Of<Q>,  // the graph lacks something to answer: see Lacking
-                RelativeTo<P>, In<C>) const -> Refused = delete;
+  auto position(  // the graph lacks something to answer: see Lacking
+      Of<Q>, RelativeTo<P>, In<C>) const -> Refused = delete;
   template <class Q, class P, class A, class C, class Lacking = NotPlaced<Level::rate, Q, P, A, C>>
-  auto velocity(Of<Q>,  // the graph lacks something to answer: see Lacking
-                RelativeTo<P>, ObservedFrom<A>, In<C>) const -> Refused = delete;
+  auto velocity(  // the graph lacks something to answer: see Lacking
+      Of<Q>, RelativeTo<P>, ObservedFrom<A>, In<C>) const -> Refused = delete;
   template <class Q, class P, class A, class C, class Lacking = NotPlaced<Level::acceleration, Q, P, A, C>>
-  auto acceleration(Of<Q>,  // the graph lacks something to answer: see Lacking
-                    RelativeTo<P>, ObservedFrom<A>, In<C>) const -> Refused = delete;
+  auto acceleration(  // the graph lacks something to answer: see Lacking
+      Of<Q>, RelativeTo<P>, ObservedFrom<A>, In<C>) const -> Refused = delete;
 
   template <class B, class A, class Lacking = LackingFor<Level::rotation, B, A, A>>
     requires(!answers<Level::rotation, B, A, A>)

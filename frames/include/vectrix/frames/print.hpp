@@ -39,7 +39,7 @@ template <class Quaternion> std::ostream& print_quaternion(std::ostream& out, co
 template <Frame B, Frame A> std::ostream& print_to_from(std::ostream& out) {
   return out << " to " << frame_name<B>() << " from " << frame_name<A>();
 }
-template <Frame B, Frame A> std::ostream& print_of_relative_to(std::ostream& out) {
+template <Point B, Point A> std::ostream& print_of_relative_to(std::ostream& out) {
   return out << " of " << frame_name<B>() << " relative to " << frame_name<A>();
 }
 

@@ -16,6 +16,10 @@ template <Frame B, Frame A, class S = double> struct Transform {
   Dcm<B, A, S> rotation;
   Displacement<B, A, In<B>, S> translation;
 };
+// The rotation says which; a translation that does not fit it is refused by its type alone.
+template <class B, class A, class S, class Translation>
+Transform(const Dcm<B, A, S>&, const Translation&) -> Transform<B, A, S>;
+
 template <class B, class A, class S> inline constexpr bool detail::is_framed<Transform<B, A, S>> = true;
 
 /// Joins a rotation and the place of a's origin seen from b's, expressed in b. Any pair is valid.
@@ -58,9 +62,9 @@ Eigen::Matrix<S, 4, 4> homogeneous_matrix(const Transform<B, A, S>& X_b_from_a) 
 
 namespace detail {
 
-template <class Derived>
-concept Matrix4x4 = Derived::RowsAtCompileTime == 4 && Derived::ColsAtCompileTime == 4 &&
-                    !std::integral<typename Derived::Scalar>;
+template <class M>
+concept Matrix4x4 = std::is_base_of_v<Eigen::MatrixBase<M>, M> && M::RowsAtCompileTime == 4 &&
+                    M::ColsAtCompileTime == 4 && !std::is_integral_v<typename M::Scalar>;
 
 template <class B, class A, class S>
 Displacement<B, A, In<B>, S> checked_translation(const char* door, const Eigen::Matrix<S, 4, 4>& matrix) {
@@ -82,14 +86,17 @@ Displacement<B, A, In<B>, S> checked_translation(const char* door, const Eigen::
 
 /// The checked door for a homogeneous matrix, lengths in metres. Throws BadInput when its last row is not
 /// 0 0 0 1, the translation is not finite, or the rotation does not pass dcm().
-template <Frame B, Frame A, class Derived>
-  requires detail::Matrix4x4<Derived>
-auto transform(To<B>, From<A>, const Eigen::MatrixBase<Derived>& matrix) {
-  using S = typename Derived::Scalar;
+template <Frame B, Frame A, detail::Matrix4x4 Matrix>
+detail::OfTwo<B, A, Transform<B, A, typename Matrix::Scalar>> transform(To<B>, From<A>,
+                                                                        const Matrix& matrix) {
+  using S = typename Matrix::Scalar;
   const Eigen::Matrix<S, 4, 4> entries = matrix;
   const auto r_ba_b = detail::checked_translation<B, A, S>("transform", entries);
   return Transform<B, A, S>{dcm(to<B>, from<A>, entries.template topLeftCorner<3, 3>()), r_ba_b};
 }
+template <class ToFrame, class FromFrame, class Given>
+auto transform(  // to<B>, from<A>: two frames; a 4x4 matrix
+    const ToFrame&, const FromFrame&, const Given&) -> Refused = delete;
 
 template <class B, class A, class S = double> struct NearestTransform {
   Transform<B, A, S> transform;
@@ -97,25 +104,31 @@ template <class B, class A, class S = double> struct NearestTransform {
 };
 
 /// The projecting door: the translation as it stands, the rotation by nearest_dcm(). Throws as these do.
-template <Frame B, Frame A, class Derived>
-  requires detail::Matrix4x4<Derived>
-auto nearest_transform(To<B>, From<A>, const Eigen::MatrixBase<Derived>& matrix) {
-  using S = typename Derived::Scalar;
+template <Frame B, Frame A, detail::Matrix4x4 Matrix>
+detail::OfTwo<B, A, NearestTransform<B, A, typename Matrix::Scalar>> nearest_transform(To<B>, From<A>,
+                                                                                       const Matrix& matrix) {
+  using S = typename Matrix::Scalar;
   const Eigen::Matrix<S, 4, 4> entries = matrix;
   const auto r_ba_b = detail::checked_translation<B, A, S>("nearest_transform", entries);
   const auto nearest = nearest_dcm(to<B>, from<A>, entries.template topLeftCorner<3, 3>());
   return NearestTransform<B, A, S>{{nearest.dcm, r_ba_b}, nearest.distance};
 }
+template <class ToFrame, class FromFrame, class Given>
+auto nearest_transform(  // to<B>, from<A>: two frames; a 4x4 matrix
+    const ToFrame&, const FromFrame&, const Given&) -> Refused = delete;
 
 /// The trusted door: no check at all.
-template <Frame B, Frame A, class Derived>
-  requires detail::Matrix4x4<Derived>
-auto trust_transform(To<B>, From<A>, const Eigen::MatrixBase<Derived>& matrix) {
-  using S = typename Derived::Scalar;
+template <Frame B, Frame A, detail::Matrix4x4 Matrix>
+detail::OfTwo<B, A, Transform<B, A, typename Matrix::Scalar>> trust_transform(To<B>, From<A>,
+                                                                              const Matrix& matrix) {
+  using S = typename Matrix::Scalar;
   return Transform<B, A, S>{
       Dcm<B, A, S>{detail::trusted, matrix.template topLeftCorner<3, 3>()},
       Displacement<B, A, In<B>, S>{detail::trusted, matrix.template topRightCorner<3, 1>()}};
 }
+template <class ToFrame, class FromFrame, class Given>
+auto trust_transform(  // to<B>, from<A>: two frames; a 4x4 matrix
+    const ToFrame&, const FromFrame&, const Given&) -> Refused = delete;
 
 template <class A, class B, class S>
 struct LevelOf<Transform<A, B, S>> : detail::PlacedLevel<A, B, S, Level::rotation> {};
@@ -128,8 +141,8 @@ template <class A, class B, class S> const Transform<A, B, S>& transform_of(cons
 }
 
 template <class B, class A, class S>
-std::ostream& print_framed(std::ostream& out, const Transform<B, A, S>& value) {
-  return out << value.rotation << "; " << value.translation;
+std::ostream& print_framed(std::ostream& out, const Transform<B, A, S>& X_b_from_a) {
+  return out << X_b_from_a.rotation << "; " << X_b_from_a.translation;
 }
 
 }  // namespace vectrix

@@ -24,9 +24,7 @@ class Acceleration<P, Q, ObservedFrom<A>, In<C>, S> : public detail::ChainedVect
   using detail::ChainedVector<C, si::acceleration, S>::ChainedVector;
 
   /// a_qp|a^c = -a_pq|a^c
-  Acceleration<Q, P, ObservedFrom<A>, In<C>, S> operator-() const {
-    return Acceleration<Q, P, ObservedFrom<A>, In<C>, S>{detail::trusted, -this->coordinates()};
-  }
+  Between<Q, P> operator-() const { return Between<Q, P>{detail::trusted, -this->coordinates()}; }
 };
 
 template <class P, class Q, class A, class C, class S>
@@ -40,8 +38,8 @@ Acceleration<P, Q, ObservedFrom<A>, In<C>, S> acceleration(Of<Q>, RelativeTo<P>,
 }
 template <class Q, class P, class A, class C, class UnitGiven, class S>
   requires(!std::same_as<UnitGiven, si::acceleration>)
-auto acceleration(Of<Q>, RelativeTo<P>, ObservedFrom<A>,  // needs m/s^2
-                  const Vector<C, UnitGiven, S>&) -> Refused = delete;
+auto acceleration(  // needs m/s^2
+    Of<Q>, RelativeTo<P>, ObservedFrom<A>, const Vector<C, UnitGiven, S>&) -> Refused = delete;
 
 /// Claims that a sees no acceleration of q relative to p.
 template <Point Q, Point P, Frame A, Frame C, class S = double>
@@ -74,21 +72,20 @@ Vector<C, si::acceleration, S> centrifugal_acceleration(const AngularVelocity<A,
 }
 template <class Motion, class Place>
   requires detail::FramedPair<Motion, Place>
-auto euler_acceleration(const Motion&,  // euler_acceleration(alpha_ab_c, r_pq_c): expressed in one frame
-                        const Place&) -> Refused = delete;
+auto euler_acceleration(  // euler_acceleration(alpha_ab_c, r_pq_c): expressed in one frame
+    const Motion&, const Place&) -> Refused = delete;
 template <class Rate, class VelocityOf>
   requires detail::FramedPair<Rate, VelocityOf>
-auto coriolis_acceleration(const Rate&,  // coriolis_acceleration(w_ab_c, v_pq_b_c): v as b sees it, both in c
-                           const VelocityOf&) -> Refused = delete;
+auto coriolis_acceleration(  // coriolis_acceleration(w_ab_c, v_pq_b_c): v as b sees it, both in c
+    const Rate&, const VelocityOf&) -> Refused = delete;
 template <class Rate, class Place>
   requires detail::FramedPair<Rate, Place>
-auto centrifugal_acceleration(
-    const Rate&,  // centrifugal_acceleration(w_ab_c, r_pq_c): expressed in one frame
-    const Place&) -> Refused = delete;
+auto centrifugal_acceleration(  // centrifugal_acceleration(w_ab_c, r_pq_c): expressed in one frame
+    const Rate&, const Place&) -> Refused = delete;
 
 /// a_pq|a = a_pq|b + alpha_ab x r_pq + 2 w_ab x v_pq|b + w_ab x (w_ab x r_pq), all expressed in c.
 template <class A, class B, class P, class Q, class C, class S>
-Acceleration<P, Q, ObservedFrom<A>, In<C>, S> transport(
+Acceleration<P, Q, ObservedFrom<A>, In<C>, S> transported(
     ObservedFrom<A>, const Acceleration<P, Q, ObservedFrom<B>, In<C>, S>& a_pq_b_c,
     const Velocity<P, Q, ObservedFrom<B>, In<C>, S>& v_pq_b_c, const Displacement<P, Q, In<C>, S>& r_pq_c,
     const AngularAcceleration<A, B, In<C>, S>& alpha_ab_c, const AngularVelocity<A, B, In<C>, S>& w_ab_c) {
@@ -100,10 +97,10 @@ Acceleration<P, Q, ObservedFrom<A>, In<C>, S> transport(
 }
 
 template <class P, class Q, class A, class C, class S>
-std::ostream& print_framed(std::ostream& out, const Acceleration<P, Q, ObservedFrom<A>, In<C>, S>& value) {
-  return detail::print_of_relative_to<Q, P>(
-             detail::print_column(out, value.coordinates(), detail::unit_symbol<si::acceleration>))
-         << " observed from " << frame_name<A>() << " in " << frame_name<C>();
+std::ostream& print_framed(std::ostream& out, const Acceleration<P, Q, ObservedFrom<A>, In<C>, S>& a_pq_a_c) {
+  return detail::print_column(out, a_pq_a_c.coordinates(), "m/s^2")
+         << detail::print_of_relative_to<Q, P> << " observed from " << frame_name<A>() << " in "
+         << frame_name<C>();
 }
 
 }  // namespace vectrix

@@ -117,7 +117,8 @@ inline QuaternionRate<A, B, S> attitude_rate(const Quaternion<A, B, S>& q_a_from
 ///     Reference form:  d/dt R_b^a = [w_ab^a]x R_b^a     d/dt q_b^a = 1/2 (0, w_ab^a) q_b^a
 /// Any finite input is valid.
 template <class Rotation, class Rate>
-inline detail::DerivativeOf<Rotation, Rate> rate(const Rotation& rotation, const Rate& omega) {
+[[gnu::always_inline]] inline detail::DerivativeOf<Rotation, Rate> rate(const Rotation& rotation,
+                                                                        const Rate& omega) {
   return attitude_rate(rotation, omega);
 }
 template <class Rotation, class Rate>

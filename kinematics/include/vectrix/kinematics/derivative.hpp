@@ -29,18 +29,43 @@ Derivative<A, C, U, S> derivative(ObservedFrom<A>,
 template <class A, class C, class U, class S>
 inline constexpr bool detail::is_framed<Derivative<A, C, U, S>> = true;
 
-/// The transport of a derivative from the observer b to the observer a, all expressed in one frame c:
-///     d/dt|_a r = d/dt|_b r + w_ab x r
+// d/dt|_a r = d/dt|_b r + w_ab x r
 template <class A, class B, class C, class U, class S>
-Derivative<A, C, U, S> transport(ObservedFrom<A>, const Derivative<B, C, U, S>& rdot_c,
-                                 const Vector<C, U, S>& r_c, const AngularVelocity<A, B, In<C>, S>& w_ab_c) {
+Derivative<A, C, U, S> transported(ObservedFrom<A>, const Derivative<B, C, U, S>& rdot_c,
+                                   const Vector<C, U, S>& r_c,
+                                   const AngularVelocity<A, B, In<C>, S>& w_ab_c) {
   return {detail::trusted, Vector<C, typename Derivative<A, C, U, S>::unit, S>{
                                detail::trusted, rdot_c.vector().coordinates() +
                                                     w_ab_c.coordinates().cross(r_c.coordinates())}};
 }
+
+namespace detail {
+
+template <class ToObserver, class... Given>
+using TransportOf = decltype(transported(std::declval<ToObserver>(), std::declval<const Given&>()...));
+template <class ToObserver, class... Given>
+concept Transports = requires {
+  typename TransportOf<ToObserver, Given...>;
+};
+
+}  // namespace detail
+
+/// What an observer in a sees of what one in b does, all expressed in one frame c:
+///     transport(observed_from<A>, rdot_c, r_c, w_ab_c)
+/// for a Derivative, and likewise for a Velocity or an Acceleration.
 template <class ToObserver, class Change, class... Operands>
-  requires detail::any_framed<Change, Operands...>
+detail::TransportOf<ToObserver, Change, Operands...> transport(ToObserver observer, const Change& change,
+                                                               const Operands&... operands) {
+  return transported(observer, change, operands...);
+}
+template <class ToObserver, class Change, class... Operands>
+  requires(detail::any_framed<Change, Operands...> && !detail::Transports<ToObserver, Change, Operands...>)
 auto transport(  // transport(observed_from<A>, rdot_c, r_c, w_ab_c), one frame c
-    ObservedFrom<ToObserver>, const Change&, const Operands&...) -> Refused = delete;
+    ToObserver, const Change&, const Operands&...) -> Refused = delete;
+
+template <class A, class C, class U, class S>
+std::ostream& print_framed(std::ostream& out, const Derivative<A, C, U, S>& rdot_c) {
+  return out << rdot_c.vector() << " observed from " << frame_name<A>();
+}
 
 }  // namespace vectrix

@@ -14,8 +14,8 @@ template <Frame A, Frame B, class S = double> struct MovingDcm {
   Dcm<A, B, S> rotation;
   AngularVelocity<A, B, In<B>, S> angular_velocity;
 };
-template <class A, class B, class S>
-MovingDcm(Dcm<A, B, S>, AngularVelocity<A, B, In<B>, S>) -> MovingDcm<A, B, S>;
+template <class A, class B, class S, class Rate>
+MovingDcm(const Dcm<A, B, S>&, const Rate&) -> MovingDcm<A, B, S>;
 
 template <class A, class B, class S> inline constexpr bool detail::is_framed<MovingDcm<A, B, S>> = true;
 
@@ -26,8 +26,8 @@ template <Frame A, Frame B, class S = double> struct AcceleratingDcm {
   MovingDcm<A, B, S> moving;
   AngularAcceleration<A, B, In<B>, S> angular_acceleration;
 };
-template <class A, class B, class S>
-AcceleratingDcm(MovingDcm<A, B, S>, AngularAcceleration<A, B, In<B>, S>) -> AcceleratingDcm<A, B, S>;
+template <class A, class B, class S, class Change>
+AcceleratingDcm(const MovingDcm<A, B, S>&, const Change&) -> AcceleratingDcm<A, B, S>;
 
 template <class A, class B, class S> inline constexpr bool detail::is_framed<AcceleratingDcm<A, B, S>> = true;
 

@@ -14,9 +14,8 @@ template <Frame A, Frame B, class S = double> struct MovingTransform {
   Displacement<A, B, In<A>, S> translation;
   Velocity<A, B, ObservedFrom<A>, In<A>, S> velocity;
 };
-template <class A, class B, class S>
-MovingTransform(MovingDcm<A, B, S>, Displacement<A, B, In<A>, S>, Velocity<A, B, ObservedFrom<A>, In<A>, S>)
-    -> MovingTransform<A, B, S>;
+template <class A, class B, class S, class Translation, class Motion>
+MovingTransform(const MovingDcm<A, B, S>&, const Translation&, const Motion&) -> MovingTransform<A, B, S>;
 
 template <class A, class B, class S> inline constexpr bool detail::is_framed<MovingTransform<A, B, S>> = true;
 
@@ -28,10 +27,9 @@ template <Frame A, Frame B, class S = double> struct AcceleratingTransform {
   Velocity<A, B, ObservedFrom<A>, In<A>, S> velocity;
   Acceleration<A, B, ObservedFrom<A>, In<A>, S> acceleration;
 };
-template <class A, class B, class S>
-AcceleratingTransform(AcceleratingDcm<A, B, S>, Displacement<A, B, In<A>, S>,
-                      Velocity<A, B, ObservedFrom<A>, In<A>, S>,
-                      Acceleration<A, B, ObservedFrom<A>, In<A>, S>) -> AcceleratingTransform<A, B, S>;
+template <class A, class B, class S, class Translation, class Motion, class Change>
+AcceleratingTransform(const AcceleratingDcm<A, B, S>&, const Translation&, const Motion&, const Change&)
+    -> AcceleratingTransform<A, B, S>;
 
 template <class A, class B, class S>
 inline constexpr bool detail::is_framed<AcceleratingTransform<A, B, S>> = true;

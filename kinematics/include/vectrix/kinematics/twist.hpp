@@ -30,15 +30,15 @@ template <Frame A, Frame B, Point P, Frame C, class S> class Twist<A, B, At<P>, 
   /// Of the particle of b at p, as a sees it.
   const Vector<C, si::velocity, S>& velocity() const& { return velocity_; }
   Vector<C, si::velocity, S> velocity() && { return velocity_; }
-  /// V_ba(p)^c = -V_ab(p)^c
-  Twist<B, A, At<P>, In<C>, S> operator-() const {
-    return {detail::trusted, -rate_.coordinates(), -velocity_.coordinates()};
-  }
   /// The bare six numbers, the rate first.
   Eigen::Matrix<S, 6, 1> coordinates() const {
     Eigen::Matrix<S, 6, 1> numbers;
     numbers << rate_.coordinates(), velocity_.coordinates();
     return numbers;
+  }
+  /// V_ba(p)^c = -V_ab(p)^c
+  Twist<B, A, At<P>, In<C>, S> operator-() const {
+    return {detail::trusted, -rate_.coordinates(), -velocity_.coordinates()};
   }
 
  private:
@@ -57,8 +57,8 @@ Twist<A, B, At<P>, In<C>, S> twist(At<P>, const AngularVelocity<A, B, In<C>, S>&
 }
 template <class Place, class Rate, class VelocityOf>
   requires detail::any_framed<Rate, VelocityOf>
-auto twist(Place, const Rate&,
-           const VelocityOf&) -> Refused = delete;  // twist(at<P>, w_ab_c, v_c): expressed in one frame
+auto twist(  // twist(at<P>, w_ab_c, v_c): expressed in one frame
+    Place, const Rate&, const VelocityOf&) -> Refused = delete;
 
 // V_ad(p)^c = V_ab(p)^c + V_bd(p)^c
 template <class A, class B, class D, class P, class C, class S>
@@ -92,8 +92,8 @@ Twist<A, B, At<Q>, In<C>, S> shift(const Twist<A, B, At<P>, In<C>, S>& ab,
 }
 template <class Motion, class By>
   requires detail::is_framed<Motion>
-auto shift(const Motion&,  // shift(V(p)_c, r_pq_c): from the point of the twist, expressed in one frame
-           const By&) -> Refused = delete;
+auto shift(  // shift(V(p)_c, r_pq_c): from the point of the twist, expressed in one frame
+    const Motion&, const By&) -> Refused = delete;
 
 /// Ad(X_a^b), the bare six by six numbers, rates first: [R_a^b 0; [r_ba^b]x R_a^b R_a^b].
 template <class B, class A, class S> Eigen::Matrix<S, 6, 6> adjoint(const Transform<B, A, S>& X_b_from_a) {
@@ -106,8 +106,8 @@ template <class B, class A, class S> Eigen::Matrix<S, 6, 6> adjoint(const Transf
 }
 
 template <class A, class B, class P, class C, class S>
-std::ostream& print_framed(std::ostream& out, const Twist<A, B, At<P>, In<C>, S>& value) {
-  return out << value.angular_velocity() << "; " << value.velocity() << " at " << frame_name<P>();
+std::ostream& print_framed(std::ostream& out, const Twist<A, B, At<P>, In<C>, S>& ab) {
+  return out << ab.angular_velocity() << "; " << ab.velocity() << " at " << frame_name<P>();
 }
 
 }  // namespace vectrix

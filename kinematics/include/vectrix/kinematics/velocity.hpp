@@ -24,9 +24,7 @@ class Velocity<P, Q, ObservedFrom<A>, In<C>, S> : public detail::ChainedVector<C
   using detail::ChainedVector<C, si::velocity, S>::ChainedVector;
 
   /// v_qp|a^c = -v_pq|a^c
-  Velocity<Q, P, ObservedFrom<A>, In<C>, S> operator-() const {
-    return Velocity<Q, P, ObservedFrom<A>, In<C>, S>{detail::trusted, -this->coordinates()};
-  }
+  Between<Q, P> operator-() const { return Between<Q, P>{detail::trusted, -this->coordinates()}; }
 };
 
 template <class P, class Q, class A, class C, class S>
@@ -40,8 +38,8 @@ Velocity<P, Q, ObservedFrom<A>, In<C>, S> velocity(Of<Q>, RelativeTo<P>, Observe
 }
 template <class Q, class P, class A, class C, class UnitGiven, class S>
   requires(!std::same_as<UnitGiven, si::velocity>)
-auto velocity(Of<Q>, RelativeTo<P>, ObservedFrom<A>, const Vector<C, UnitGiven, S>&)
-    -> Refused = delete;  // needs m/s
+auto velocity(  // needs m/s
+    Of<Q>, RelativeTo<P>, ObservedFrom<A>, const Vector<C, UnitGiven, S>&) -> Refused = delete;
 
 /// Claims that a sees q at rest relative to p.
 template <Point Q, Point P, Frame A, Frame C, class S = double>
@@ -51,10 +49,9 @@ Velocity<P, Q, ObservedFrom<A>, In<C>, S> at_rest(Of<Q>, RelativeTo<P>, Observed
 
 /// v_pq|a = v_pq|b + w_ab x r_pq, all expressed in c.
 template <class A, class B, class P, class Q, class C, class S>
-Velocity<P, Q, ObservedFrom<A>, In<C>, S> transport(ObservedFrom<A>,
-                                                    const Velocity<P, Q, ObservedFrom<B>, In<C>, S>& v_pq_b_c,
-                                                    const Displacement<P, Q, In<C>, S>& r_pq_c,
-                                                    const AngularVelocity<A, B, In<C>, S>& w_ab_c) {
+Velocity<P, Q, ObservedFrom<A>, In<C>, S> transported(
+    ObservedFrom<A>, const Velocity<P, Q, ObservedFrom<B>, In<C>, S>& v_pq_b_c,
+    const Displacement<P, Q, In<C>, S>& r_pq_c, const AngularVelocity<A, B, In<C>, S>& w_ab_c) {
   return Velocity<P, Q, ObservedFrom<A>, In<C>, S>{
       detail::trusted, v_pq_b_c.coordinates() + w_ab_c.coordinates().cross(r_pq_c.coordinates())};
 }
@@ -66,10 +63,10 @@ Quantity<si::velocity, S> norm(const Velocity<P, Q, A, C, S>& v_pq_a_c) {
 }
 
 template <class P, class Q, class A, class C, class S>
-std::ostream& print_framed(std::ostream& out, const Velocity<P, Q, ObservedFrom<A>, In<C>, S>& value) {
-  return detail::print_of_relative_to<Q, P>(
-             detail::print_column(out, value.coordinates(), detail::unit_symbol<si::velocity>))
-         << " observed from " << frame_name<A>() << " in " << frame_name<C>();
+std::ostream& print_framed(std::ostream& out, const Velocity<P, Q, ObservedFrom<A>, In<C>, S>& v_pq_a_c) {
+  return detail::print_column(out, v_pq_a_c.coordinates(), "m/s")
+         << detail::print_of_relative_to<Q, P> << " observed from " << frame_name<A>() << " in "
+         << frame_name<C>();
 }
 
 }  // namespace vectrix
