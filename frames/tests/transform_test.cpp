@@ -50,9 +50,9 @@ RC_GTEST_PROP(Transform, Law3TheInverseTakesBack, ()) {
 }
 
 TEST(Transform, TranslationIsThePlaceOfTheOriginOfA) {
-  const auto X = transform(turned_z(to<Body>, from<Gcrf>, 0.5 * 3.14159265358979 * si::radian),
-                           displacement(of<Gcrf>, relative_to<Body>,
-                                        vector(in<Body>, 1.0 * si::metre, 2.0 * si::metre, 3.0 * si::metre)));
+  const Transform X{turned_z(to<Body>, from<Gcrf>, 0.5 * 3.14159265358979 * si::radian),
+                    displacement(of<Gcrf>, relative_to<Body>,
+                                 vector(in<Body>, 1.0 * si::metre, 2.0 * si::metre, 3.0 * si::metre))};
   const auto origin = X * coincident(of<Gcrf>, relative_to<Gcrf>, in<Gcrf>);
   EXPECT_EQ(origin.coordinates(), Eigen::Vector3d(1, 2, 3));
   // Body is Gcrf turned by +90 deg about z: the y axis of Gcrf is the x axis of Body.

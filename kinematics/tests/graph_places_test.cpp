@@ -120,10 +120,9 @@ TEST(GraphPlaces, ARigidlyMountedCameraIsCarriedAround) {
                          vector<si::angular_velocity>(in<Body>, Eigen::Vector3d(0, 0, 3))),
         unaccelerated(of<Body>, relative_to<Gcrf>, in<Body>));
   });
-  const auto arm =
-      transform(aligned(to<Body>, from<Camera>),
-                displacement(of<Camera>, relative_to<Body>,
-                             vector(in<Body>, 2.0 * si::metre, 0.0 * si::metre, 0.0 * si::metre)));
+  const Transform arm{aligned(to<Body>, from<Camera>),
+                      displacement(of<Camera>, relative_to<Body>,
+                                   vector(in<Body>, 2.0 * si::metre, 0.0 * si::metre, 0.0 * si::metre))};
   const auto graph = frame_graph(spinning, rigid_edge(arm));
   const auto now = graph.at(0.0 * si::second);
   EXPECT_EQ(now.velocity(of<Camera>, relative_to<Body>, observed_from<Gcrf>, in<Gcrf>).coordinates(),
@@ -137,9 +136,9 @@ TEST(GraphPlaces, ARigidlyMountedCameraIsCarriedAround) {
 // Each edge is evaluated once an instant, also where the walk to the result's frame shares edges.
 TEST(GraphPlaces, EachEdgeIsEvaluatedOnce) {
   int evaluations = 0;
-  const auto place = transform(
+  const Transform place{
       aligned(to<Gcrf>, from<Body>),
-      displacement(of<Body>, relative_to<Gcrf>, vector<si::length>(in<Gcrf>, Eigen::Vector3d(1, 2, 3))));
+      displacement(of<Body>, relative_to<Gcrf>, vector<si::length>(in<Gcrf>, Eigen::Vector3d(1, 2, 3)))};
   const auto value = rigid_edge(place).value();
   const auto graph = frame_graph(edge([&](double) {
                                    ++evaluations;

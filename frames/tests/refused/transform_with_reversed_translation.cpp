@@ -1,6 +1,5 @@
 // mistake: the translation from the wrong origin, in the wrong frame
-// expect: Displacement<Gcrf, Body
-// expect: Dcm<Body, Gcrf
+// expect: Displacement<Gcrf, Body|'Body' vs. 'Gcrf'
 #include <vectrix/frames.hpp>
 
 struct Gcrf : vectrix::inertial_frame {};
@@ -12,8 +11,8 @@ using namespace vectrix;
 
 auto motion(const Dcm<Body, Gcrf>& R_b_from_i, const Displacement<Gcrf, Body, In<Gcrf>>& r_ib_i) {
 #ifdef REPAIRED
-  return transform(R_b_from_i, -(R_b_from_i * r_ib_i));
+  return Transform{R_b_from_i, -(R_b_from_i * r_ib_i)};
 #else
-  return transform(R_b_from_i, r_ib_i);
+  return Transform{R_b_from_i, r_ib_i};
 #endif
 }

@@ -11,7 +11,7 @@ namespace vectrix {
 ///     1.  r_bq^b = R_a^b r_aq^a + r_ba^b      X_b_from_a * r_aq_a
 ///     2.  X_a^c = X_b^c X_a^b                 X_c_from_b * X_b_from_a
 ///     3.  X_b^a = (X_a^b)^-1                  inverse(X_b_from_a)
-/// Made by transform(R_b_from_a, r_ba_b), or from a homogeneous matrix by the doors below.
+/// Any pair is valid, so it is an aggregate: Transform{R_b_from_a, r_ba_b}. transform() takes a matrix.
 template <Frame B, Frame A, class S = double> struct Transform {
   Dcm<B, A, S> rotation;
   Displacement<B, A, In<B>, S> translation;
@@ -21,16 +21,6 @@ template <class B, class A, class S, class Translation>
 Transform(const Dcm<B, A, S>&, const Translation&) -> Transform<B, A, S>;
 
 template <class B, class A, class S> inline constexpr bool detail::is_framed<Transform<B, A, S>> = true;
-
-/// Joins a rotation and the place of a's origin seen from b's, expressed in b. Any pair is valid.
-template <class B, class A, class S>
-Transform<B, A, S> transform(const Dcm<B, A, S>& R_b_from_a, const Displacement<B, A, In<B>, S>& r_ba_b) {
-  return {R_b_from_a, r_ba_b};
-}
-template <class Rotation, class Place>
-  requires detail::FramedPair<Rotation, Place>
-auto transform(  // transform(R_b_from_a, r_ba_b): from b's origin to a's, expressed in b
-    const Rotation&, const Place&) -> Refused = delete;
 
 // r_bq^b = R_a^b r_aq^a + r_ba^b
 template <class B, class A, class Q, class S>
