@@ -171,4 +171,9 @@ static_assert(!KnowsPlace<Turned> && KnowsPlace<Fixed> && KnowsPlace<Moving>);
 static_assert(!KnowsVelocity<Turned> && !KnowsVelocity<Fixed> && KnowsVelocity<Moving>);
 static_assert(!KnowsAcceleration<Moving> && KnowsAcceleration<Whole>);
 
+// The identity has the graph's scalar, too.
+using OfFloats = GraphSnapshot<double, ConstantEdge<Transform<Gcrf, Body, float>>>;
+static_assert(std::is_same_v<decltype(std::declval<const OfFloats&>().transform(to<Gcrf>, from<Gcrf>)),
+                             Transform<Gcrf, Gcrf, float>>);
+
 }  // namespace

@@ -32,8 +32,9 @@ template <class Topology, class Values> class PlaceWalk : public GraphWalk<Topol
   // X_a^b
   template <class B, class A> auto transform() const {
     if constexpr (std::is_same_v<A, B>) {
-      return vectrix::Transform<B, A>{Walk::template rotation<B, A>(),
-                                      coincident(of<A>, relative_to<B>, in<B>)};
+      using S = typename Topology::scalar;
+      return vectrix::Transform<B, A, S>{Walk::template rotation<B, A>(),
+                                         coincident<A, B, B, S>(of<A>, relative_to<B>, in<B>)};
     } else {
       return Walk::template product<B, A, length<B, A>>(
           [](const auto& value) -> decltype(auto) { return transform_of(value); });
