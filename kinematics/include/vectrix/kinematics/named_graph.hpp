@@ -44,6 +44,11 @@ inline void require_answer(const NamedGraphCore& core, const FrameRecord& b, con
   });
 }
 
+/// The result of adding a typed edge: one of time, without a place, which a NamedGraph would forget.
+template <class Edge>
+using KeptWhole =
+    std::enable_if_t<!LevelOf<typename Edge::value_type>::placed && Edge::template takes<Quantity<si::time>>>;
+
 }  // namespace detail
 
 /// A tree of frames known at run time: those of a file, wheel k of N. The words, levels and errors of a
@@ -80,21 +85,23 @@ class NamedGraph {
 
   /// Adds an edge of a FrameGraph, static_edge(R_a_from_b), rigid_edge(R_a_from_b) or edge(f), between the
   /// frames that its types are bound to.
-  template <class V> void add_edge(const ConstantEdge<V>& edge) {
-    core_->add_edge(
-        {detail::trusted, frame<detail::FirstOf<ConstantEdge<V>>>(),
-         frame<detail::SecondOf<ConstantEdge<V>>>(),
-         std::make_unique<detail::ConstantFunction>(detail::level_of<V>, detail::motion_of(edge.value()))});
-  }
-  template <class Function, class V>
-    requires std::invocable < const FunctionEdge<Function, V>
-  &, Quantity < si::time >> void add_edge(FunctionEdge<Function, V> edge) {
-    using Edge = FunctionEdge<Function, V>;
+  template <class Edge> detail::KeptWhole<Edge> add_edge(Edge edge) {
+    using V = typename Edge::value_type;
     const NamedFrame a = frame<detail::FirstOf<Edge>>();
     const NamedFrame b = frame<detail::SecondOf<Edge>>();
-    core_->add_edge(
-        {detail::trusted, a, b, std::make_unique<detail::FunctionOfTime<Edge, V>>(a, b, std::move(edge))});
+    if constexpr (detail::is_constant<Edge>) {
+      core_->add_edge(
+          {detail::trusted, a, b,
+           std::make_unique<detail::ConstantFunction>(detail::level_of<V>, detail::motion_of(edge.value()))});
+    } else {
+      core_->add_edge(
+          {detail::trusted, a, b, std::make_unique<detail::FunctionOfTime<Edge, V>>(a, b, std::move(edge))});
+    }
   }
+  template <class Edge>
+    requires(LevelOf<typename Edge::value_type>::placed)
+  auto add_edge(  // this graph keeps no places: add the rotation of a transform alone
+      const Edge&) -> Refused = delete;
 
   /// The graph at one instant. Throws BadInput when the time is not finite.
   NamedSnapshot at(const Quantity<si::time>& t) const& { return {*core_, t.value()}; }
@@ -106,7 +113,9 @@ class NamedGraph {
   template <Frame F> NamedFrame frame() const { return NamedFrame{core_->record<F>()}; }
   /// An answer of this graph as an edge of a FrameGraph; V, a Dcm<A, B>, MovingDcm or AcceleratingDcm, says
   /// its frames and level. Throws BadInput now when the graph cannot answer. Must not outlive the graph.
-  template <EdgeValue V> auto typed_edge() const& {
+  template <EdgeValue V>
+    requires(!LevelOf<V>::placed)
+  auto typed_edge() const& {
     using A = typename LevelOf<V>::first;
     using B = typename LevelOf<V>::second;
     detail::require_answer(*core_, core_->record<B>(), core_->record<A>(), LevelOf<V>::level);
