@@ -84,7 +84,7 @@ template <class Function> detail::FunctionEdgeOf<Function> edge(Function functio
 }
 template <class Function, class Returned = detail::Result<Function>>
   requires(!EdgeValue<Returned>)
-auto edge(  // of one type of instant; returns a Dcm, a MovingDcm or an AcceleratingDcm
+auto edge(  // of one type of instant; returns a Dcm, MovingDcm, AcceleratingDcm, or one with a place
     Function) -> Refused = delete;
 
 }  // namespace vectrix

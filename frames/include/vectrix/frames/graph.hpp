@@ -77,10 +77,6 @@ template <class Topology, Level level, class B, class A, class C> constexpr auto
   }
 }
 
-}  // namespace detail
-
-namespace detail {
-
 /// What the graph lacks to answer at `level` for the origin of Q relative to that of P, seen from A,
 /// expressed in C; Nothing when it can.
 template <class Topology, Level level, class Q, class P, class A, class C> constexpr auto lacks_place() {
