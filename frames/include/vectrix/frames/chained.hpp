@@ -6,15 +6,15 @@ namespace vectrix {
 namespace detail {
 
 /// What the quantities of q relative to p have in common: a vector, here x_pq^c, and the laws below. A class
-/// derived from it names p, q and c, and by `Between` and `Expressed` the same quantity of others.
-template <class C, class U, class S> class ChainedVector {
+/// derived from it names p and q, and by `Between` and `Expressed` the same quantity of others.
+template <class C, class U, class S> class RelativeVector {
  public:
   using expressed = C;
   using scalar = S;
 
-  explicit ChainedVector(Trusted, const Vector<C, U, S>& vector) : vector_(vector) {}
+  explicit RelativeVector(Trusted, const Vector<C, U, S>& vector) : vector_(vector) {}
   template <class Derived>
-  explicit ChainedVector(Trusted, const Eigen::MatrixBase<Derived>& coordinates)
+  explicit RelativeVector(Trusted, const Eigen::MatrixBase<Derived>& coordinates)
       : vector_(trusted, coordinates) {}
 
   const Vector<C, U, S>& vector() const& { return vector_; }
@@ -26,18 +26,22 @@ template <class C, class U, class S> class ChainedVector {
   Vector<C, U, S> vector_;
 };
 
+/// Known in one frame, it is known in every other.
 template <class X>
-concept Chained = requires {
-  typename X::first;
-  typename X::second;
+concept Reexpressed = requires {
   typename X::template Expressed<typename X::expressed>;
 };
+/// Its sums chain, too: not so accelerations of frames, whose sum needs the rates.
+template <class X>
+concept Chained = requires {
+  typename X::template Between<typename X::first, typename X::second>;
+};
 
+template <class X, class Pair>
+using Like = typename X::template Between<typename Pair::first, typename Pair::second>;
 /// Both are the same quantity, expressed in one frame.
 template <class Left, class Right>
-concept SameQuantity = Chained<Left> && Chained<Right> && std::same_as <
-                       typename Left::template Between<typename Left::first, typename Left::second>,
-typename Right::template Between < typename Left::first, typename Left::second >> ;
+concept SameQuantity = Chained<Left> && Chained<Right> && std::same_as<Like<Left, Left>, Like<Right, Left>>;
 
 }  // namespace detail
 
@@ -58,7 +62,7 @@ auto sum(const Left& x_qs_c, const Right& x_pq_c) {
 }
 
 // x_pq^d = R_c^d x_pq^c
-template <class D, detail::Chained X>
+template <class D, detail::Reexpressed X>
 auto product(const Dcm<D, typename X::expressed, typename X::scalar>& R_d_from_c, const X& x_pq_c) {
   return typename X::template Expressed<D>{detail::trusted, R_d_from_c.matrix() * x_pq_c.coordinates()};
 }

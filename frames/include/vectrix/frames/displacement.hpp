@@ -13,14 +13,14 @@ namespace vectrix {
 template <Point P, Point Q, class ExpressedIn, class S = double> class Displacement;
 
 template <Point P, Point Q, Frame C, class S>
-class Displacement<P, Q, In<C>, S> : public detail::ChainedVector<C, si::length, S> {
+class Displacement<P, Q, In<C>, S> : public detail::RelativeVector<C, si::length, S> {
  public:
   using first = P;
   using second = Q;
   template <class P2, class Q2> using Between = Displacement<P2, Q2, In<C>, S>;
   template <class D> using Expressed = Displacement<P, Q, In<D>, S>;
 
-  using detail::ChainedVector<C, si::length, S>::ChainedVector;
+  using detail::RelativeVector<C, si::length, S>::RelativeVector;
 
   /// r_qp^c = -r_pq^c
   Between<Q, P> operator-() const { return Between<Q, P>{detail::trusted, -this->coordinates()}; }

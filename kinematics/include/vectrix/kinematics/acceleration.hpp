@@ -14,14 +14,14 @@ namespace vectrix {
 template <Point P, Point Q, class Observer, class ExpressedIn, class S = double> class Acceleration;
 
 template <Point P, Point Q, Frame A, Frame C, class S>
-class Acceleration<P, Q, ObservedFrom<A>, In<C>, S> : public detail::ChainedVector<C, si::acceleration, S> {
+class Acceleration<P, Q, ObservedFrom<A>, In<C>, S> : public detail::RelativeVector<C, si::acceleration, S> {
  public:
   using first = P;
   using second = Q;
   template <class P2, class Q2> using Between = Acceleration<P2, Q2, ObservedFrom<A>, In<C>, S>;
   template <class D> using Expressed = Acceleration<P, Q, ObservedFrom<A>, In<D>, S>;
 
-  using detail::ChainedVector<C, si::acceleration, S>::ChainedVector;
+  using detail::RelativeVector<C, si::acceleration, S>::RelativeVector;
 
   /// a_qp|a^c = -a_pq|a^c
   Between<Q, P> operator-() const { return Between<Q, P>{detail::trusted, -this->coordinates()}; }

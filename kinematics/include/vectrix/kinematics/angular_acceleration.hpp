@@ -12,27 +12,18 @@ namespace vectrix {
 /// A sum without the rates does not compile: the transport term would be lost.
 template <Frame A, Frame B, class Expressed, class S = double> class AngularAcceleration;
 
-template <Frame A, Frame B, Frame C, class S> class AngularAcceleration<A, B, In<C>, S> {
+template <Frame A, Frame B, Frame C, class S>
+class AngularAcceleration<A, B, In<C>, S> : public detail::RelativeVector<C, si::angular_acceleration, S> {
  public:
-  AngularAcceleration() = delete;  // angular_acceleration(of<B>, relative_to<A>, alpha_ab_c)
-  explicit AngularAcceleration(detail::Trusted, const Vector<C, si::angular_acceleration, S>& vector)
-      : vector_(vector) {}
-  template <class Derived>
-  explicit AngularAcceleration(detail::Trusted, const Eigen::MatrixBase<Derived>& coordinates)
-      : vector_(detail::trusted, coordinates) {}
+  template <class D> using Expressed = AngularAcceleration<A, B, In<D>, S>;
 
-  const Vector<C, si::angular_acceleration, S>& vector() const& { return vector_; }
-  Vector<C, si::angular_acceleration, S> vector() && { return vector_; }
-  const detail::Column<S>& coordinates() const& { return vector_.coordinates(); }
-  detail::Column<S> coordinates() && { return vector_.coordinates(); }
+  AngularAcceleration() = delete;  // angular_acceleration(of<B>, relative_to<A>, alpha_ab_c)
+  using detail::RelativeVector<C, si::angular_acceleration, S>::RelativeVector;
 
   /// alpha_ba^c = -alpha_ab^c
   AngularAcceleration<B, A, In<C>, S> operator-() const {
-    return AngularAcceleration<B, A, In<C>, S>{detail::trusted, -vector_};
+    return AngularAcceleration<B, A, In<C>, S>{detail::trusted, -this->coordinates()};
   }
-
- private:
-  Vector<C, si::angular_acceleration, S> vector_;
 };
 
 template <class A, class B, class C, class S>
@@ -74,12 +65,7 @@ Quantity<si::angular_acceleration, S> norm(const AngularAcceleration<A, B, C, S>
   return norm(alpha_ab_c.vector());
 }
 
-// alpha_ab^d = R_c^d alpha_ab^c
-template <class D, class C, class A, class B, class S>
-AngularAcceleration<A, B, In<D>, S> product(const Dcm<D, C, S>& R_d_from_c,
-                                            const AngularAcceleration<A, B, In<C>, S>& alpha_ab_c) {
-  return AngularAcceleration<A, B, In<D>, S>{detail::trusted, R_d_from_c * alpha_ab_c.vector()};
-}
+// alpha_ab^d = R_c^d alpha_ab^c, by the quaternion
 template <class D, class C, class A, class B, class S>
 AngularAcceleration<A, B, In<D>, S> product(const Quaternion<D, C, S>& q_d_from_c,
                                             const AngularAcceleration<A, B, In<C>, S>& alpha_ab_c) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <vectrix/frames/chained.hpp>
 #include <vectrix/kinematics/quaternion.hpp>
 
 namespace vectrix {
@@ -12,24 +13,19 @@ namespace vectrix {
 /// Made by angular_velocity(of<B>, relative_to<A>, ...); no default.
 template <Frame A, Frame B, class Expressed, class S = double> class AngularVelocity;
 
-template <Frame A, Frame B, Frame C, class S> class AngularVelocity<A, B, In<C>, S> {
+template <Frame A, Frame B, Frame C, class S>
+class AngularVelocity<A, B, In<C>, S> : public detail::RelativeVector<C, si::angular_velocity, S> {
  public:
-  AngularVelocity() = delete;  // angular_velocity(of<B>, relative_to<A>, w_ab_c), or at_rest(...)
-  explicit AngularVelocity(detail::Trusted, const Vector<C, si::angular_velocity, S>& vector)
-      : vector_(vector) {}
+  using first = A;
+  using second = B;
+  template <class A2, class B2> using Between = AngularVelocity<A2, B2, In<C>, S>;
+  template <class D> using Expressed = AngularVelocity<A, B, In<D>, S>;
 
-  const Vector<C, si::angular_velocity, S>& vector() const& { return vector_; }
-  Vector<C, si::angular_velocity, S> vector() && { return vector_; }
-  const detail::Column<S>& coordinates() const& { return vector_.coordinates(); }
-  detail::Column<S> coordinates() && { return vector_.coordinates(); }
+  AngularVelocity() = delete;  // angular_velocity(of<B>, relative_to<A>, w_ab_c), or at_rest(...)
+  using detail::RelativeVector<C, si::angular_velocity, S>::RelativeVector;
 
   /// w_ba^c = -w_ab^c
-  AngularVelocity<B, A, In<C>, S> operator-() const {
-    return AngularVelocity<B, A, In<C>, S>{detail::trusted, -vector_};
-  }
-
- private:
-  Vector<C, si::angular_velocity, S> vector_;
+  Between<B, A> operator-() const { return Between<B, A>{detail::trusted, -this->coordinates()}; }
 };
 
 template <class A, class B, class C, class S>
@@ -53,20 +49,6 @@ detail::OfTwo<B, A, AngularVelocity<A, B, In<C>, S>> at_rest(Of<B>, RelativeTo<A
 template <class OfFrame, class RelativeToFrame, class InFrame>
 auto at_rest(  // of<B>, relative_to<A>, in<C>: b and a are two frames
     const OfFrame&, const RelativeToFrame&, const InFrame&) -> Refused = delete;
-
-// w_ad^c = w_ab^c + w_bd^c
-template <class A, class B, class D, class C, class S>
-AngularVelocity<A, D, In<C>, S> sum(const AngularVelocity<A, B, In<C>, S>& w_ab_c,
-                                    const AngularVelocity<B, D, In<C>, S>& w_bd_c) {
-  return AngularVelocity<A, D, In<C>, S>{detail::trusted, w_ab_c.vector() + w_bd_c.vector()};
-}
-// The sum commutes: w_bd^c + w_ab^c chains as well.
-template <class A, class B, class D, class C, class S>
-  requires(!std::same_as<A, D>)
-AngularVelocity<A, D, In<C>, S> sum(const AngularVelocity<B, D, In<C>, S>& w_bd_c,
-                                    const AngularVelocity<A, B, In<C>, S>& w_ab_c) {
-  return AngularVelocity<A, D, In<C>, S>{detail::trusted, w_bd_c.vector() + w_ab_c.vector()};
-}
 
 // w_ab^c x r^c, with a position a velocity, with an angular momentum a torque.
 template <class A, class B, class C, class U, class S>
@@ -92,12 +74,7 @@ Quantity<si::angular_velocity, S> norm(const AngularVelocity<A, B, C, S>& w_ab_c
   return norm(w_ab_c.vector());
 }
 
-// w_ab^d = R_c^d w_ab^c
-template <class D, class C, class A, class B, class S>
-AngularVelocity<A, B, In<D>, S> product(const Dcm<D, C, S>& R_d_from_c,
-                                        const AngularVelocity<A, B, In<C>, S>& w_ab_c) {
-  return AngularVelocity<A, B, In<D>, S>{detail::trusted, R_d_from_c * w_ab_c.vector()};
-}
+// w_ab^d = R_c^d w_ab^c, by the quaternion
 template <class D, class C, class A, class B, class S>
 AngularVelocity<A, B, In<D>, S> product(const Quaternion<D, C, S>& q_d_from_c,
                                         const AngularVelocity<A, B, In<C>, S>& w_ab_c) {

@@ -14,14 +14,14 @@ namespace vectrix {
 template <Point P, Point Q, class Observer, class ExpressedIn, class S = double> class Velocity;
 
 template <Point P, Point Q, Frame A, Frame C, class S>
-class Velocity<P, Q, ObservedFrom<A>, In<C>, S> : public detail::ChainedVector<C, si::velocity, S> {
+class Velocity<P, Q, ObservedFrom<A>, In<C>, S> : public detail::RelativeVector<C, si::velocity, S> {
  public:
   using first = P;
   using second = Q;
   template <class P2, class Q2> using Between = Velocity<P2, Q2, ObservedFrom<A>, In<C>, S>;
   template <class D> using Expressed = Velocity<P, Q, ObservedFrom<A>, In<D>, S>;
 
-  using detail::ChainedVector<C, si::velocity, S>::ChainedVector;
+  using detail::RelativeVector<C, si::velocity, S>::RelativeVector;
 
   /// v_qp|a^c = -v_pq|a^c
   Between<Q, P> operator-() const { return Between<Q, P>{detail::trusted, -this->coordinates()}; }
