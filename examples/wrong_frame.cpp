@@ -15,14 +15,25 @@ using namespace vectrix;
 struct Gcrf : inertial_frame {};
 struct Body : moving_frame {};
 
-int main() {
-  const Dcm<Gcrf, Body> R_i_from_b = turned_z(to<Gcrf>, from<Body>, convert<si::angle>(30.0 * si::degree));
-  const auto r_i = vector(in<Gcrf>, 1000.0 * si::metre, 0.0 * si::metre, 0.0 * si::metre);
+namespace {
 
+Dcm<Gcrf, Body> star_tracker() {
+  return turned_z(to<Gcrf>, from<Body>, convert<si::angle>(30.0 * si::degree));
+}
+
+Vector<Gcrf, si::length> target() {
+  return vector(in<Gcrf>, 1000.0 * si::metre, 0.0 * si::metre, 0.0 * si::metre);
+}
+
+}  // namespace
+
+int main() {
+  Dcm<Gcrf, Body> R_i_from_b = star_tracker();  // takes body coordinates to inertial
+  Vector<Gcrf, si::length> r_i = target();
 #ifdef MISTAKE
-  const auto r_b = R_i_from_b * r_i;
+  auto r_b = R_i_from_b * r_i;  // transposed: should be inverse(R_i_from_b) * r_i
 #else
-  const Vector<Body, si::length> r_b = inverse(R_i_from_b) * r_i;
+  Vector<Body, si::length> r_b = inverse(R_i_from_b) * r_i;
 #endif
 
   const Eigen::Vector3d transposed = R_i_from_b.matrix() * r_i.coordinates();
