@@ -1,13 +1,14 @@
 # Checks one program that must not compile:
-#     cmake -D COMPILER=… -D OPTIONS=<folder of plain.options, strict.options> -D LAYER=… -D PROGRAM=… -P …
+#     cmake -D COMPILER=… -D OPTIONS=<folder of plain.options, strict.options> -D LAYER=… -D PROGRAM=… [-D PAGE=…] -P …
 # The program says in its comments what is wrong and what the compiler must say (CMake regular expressions, each of
 # which must match the message), and repairs itself under REPAIRED:
 #     // mistake: a rotation turns a vector expressed in another frame
 #     // expect: VectorIn = Gcrf
 # As it is, it must be refused, for that reason and in at most LINES printed lines; which header included which, and the
 # number of errors, do not count. With -DREPAIRED it must compile without a warning: so nothing but the mistake is
-# refused.
+# refused. A page, docs/refusals.md, must show what the compiler says.
 cmake_minimum_required(VERSION 3.25)
+include(${CMAKE_CURRENT_LIST_DIR}/refusals.cmake)
 set(ENV{LC_ALL} C)
 function(fail why)
   message(NOTICE "${why}")
@@ -46,6 +47,15 @@ string(REGEX MATCHALL "\n" counted "${counted}")
 list(LENGTH counted count)
 if(count GREATER LINES)
   fail("${PROGRAM} is refused in ${count} lines; at most ${LINES} are allowed:\n${said}")
+endif()
+if(DEFINED PAGE)
+  file(READ ${PAGE} page)
+  refusal_message(message "${said}")
+  cmake_path(GET PROGRAM FILENAME name)
+  refusal_shown(shown "${page}" ${LAYER}/tests/refused/${name})
+  if(NOT shown STREQUAL message)
+    fail("${PAGE} does not show what the compiler says of ${name}; run ./dev docs. It says:\n${said}")
+  endif()
 endif()
 
 execute_process(COMMAND ${COMPILER} @${OPTIONS}/strict.options ${precompiled} -fsyntax-only -DREPAIRED ${PROGRAM}

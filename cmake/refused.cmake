@@ -23,9 +23,14 @@ endfunction()
 # A layer's headers are compiled once for all its programs, by the fixture refused.<layer>.
 function(vectrix_refused layer program)
   cmake_path(GET program STEM name)
+  set(page)
+  if(NOT layer STREQUAL "harness" AND "${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION}" MATCHES "^GNU 12[.]")
+    set(page -D PAGE=${PROJECT_SOURCE_DIR}/docs/refusals.md)  # its messages are those of g++ 12
+  endif()
   add_test(NAME refused.${layer}.${name}
            COMMAND ${CMAKE_COMMAND} -D COMPILER=${CMAKE_CXX_COMPILER} -D OPTIONS=${CMAKE_BINARY_DIR}/syntax
-                   -D LAYER=${layer} -D PROGRAM=${program} -P ${PROJECT_SOURCE_DIR}/cmake/check_refused.cmake)
+                   -D LAYER=${layer} -D PROGRAM=${program} ${page}
+                   -P ${PROJECT_SOURCE_DIR}/cmake/check_refused.cmake)
   set_tests_properties(refused.${layer}.${name} PROPERTIES FIXTURES_REQUIRED refused.${layer})
 endfunction()
 
