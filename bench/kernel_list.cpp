@@ -89,6 +89,19 @@ std::vector<Kernel> kernels() {
        form([] { return raw::dcm_product(R1, R2); })},
       {"DCM on a vector", form([] { return typed::dcm_on_vector(R_ba, r_a); }),
        form([] { return raw::dcm_on_vector(R2, v1); })},
+      {"five DCMs on a vector, raw as written", form([] {
+         return typed::dcm_chain_on_vector(chain.R_f_from_e, chain.R_e_from_d, chain.R_d_from_c, R_cb, R_ba,
+                                           r_a);
+       }),
+       form([] { return raw::dcm_chain_on_vector(R1, R3, R2, R1, R2, v1); })},
+      {"five DCMs on a vector, raw vector first", form([] {
+         return typed::dcm_chain_on_vector(chain.R_f_from_e, chain.R_e_from_d, chain.R_d_from_c, R_cb, R_ba,
+                                           r_a);
+       }),
+       form([] { return raw::vector_first(R1, R3, R2, R1, R2, v1); })},
+      {"product of three DCMs",
+       form([] { return typed::dcm_product_of_three(chain.R_d_from_c, R_cb, R_ba); }),
+       form([] { return raw::dcm_product_of_three(R2, R1, R2); })},
       {"rate chain of five", form([] { return typed::rate_chain(chain); }),
        form([] { return raw::rate_chain(raw_chain); })},
       {"Rdot = R [w]x", form([] { return typed::dcm_rate(R_ab, w_ab_b); }),

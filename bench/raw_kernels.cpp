@@ -15,6 +15,22 @@ Vector3d dcm_on_vector(const Matrix3d& R_b_from_a, const Vector3d& r_a) {
   return R_b_from_a * r_a;
 }
 
+Vector3d dcm_chain_on_vector(const Matrix3d& R_f_from_e, const Matrix3d& R_e_from_d,
+                             const Matrix3d& R_d_from_c, const Matrix3d& R_c_from_b,
+                             const Matrix3d& R_b_from_a, const Vector3d& r_a) {
+  return R_f_from_e * R_e_from_d * R_d_from_c * R_c_from_b * R_b_from_a * r_a;
+}
+
+Vector3d vector_first(const Matrix3d& R_f_from_e, const Matrix3d& R_e_from_d, const Matrix3d& R_d_from_c,
+                      const Matrix3d& R_c_from_b, const Matrix3d& R_b_from_a, const Vector3d& r_a) {
+  return R_f_from_e * (R_e_from_d * (R_d_from_c * (R_c_from_b * (R_b_from_a * r_a))));
+}
+
+Matrix3d dcm_product_of_three(const Matrix3d& R_d_from_c, const Matrix3d& R_c_from_b,
+                              const Matrix3d& R_b_from_a) {
+  return R_d_from_c * R_c_from_b * R_b_from_a;
+}
+
 Vector3d rate_chain(const RateChain& chain) {
   const Vector3d w_ac_c = chain.R_c_from_b * chain.w_ab_b + chain.w_bc_c;
   const Vector3d w_ad_d = chain.R_d_from_c * w_ac_c + chain.w_cd_d;

@@ -34,6 +34,13 @@ enum class Attitude { quaternion, dcm };
 
 Matrix3d dcm_product(const Matrix3d& R_c_from_b, const Matrix3d& R_b_from_a);
 Vector3d dcm_on_vector(const Matrix3d& R_b_from_a, const Vector3d& r_a);
+Vector3d dcm_chain_on_vector(const Matrix3d& R_f_from_e, const Matrix3d& R_e_from_d,
+                             const Matrix3d& R_d_from_c, const Matrix3d& R_c_from_b,
+                             const Matrix3d& R_b_from_a, const Vector3d& r_a);
+Vector3d vector_first(const Matrix3d& R_f_from_e, const Matrix3d& R_e_from_d, const Matrix3d& R_d_from_c,
+                      const Matrix3d& R_c_from_b, const Matrix3d& R_b_from_a, const Vector3d& r_a);
+Matrix3d dcm_product_of_three(const Matrix3d& R_d_from_c, const Matrix3d& R_c_from_b,
+                              const Matrix3d& R_b_from_a);
 Vector3d rate_chain(const RateChain& chain);
 Matrix3d dcm_rate(const Matrix3d& R_a_from_b, const Vector3d& w_ab_b);
 Vector3d euler(const Inertia& J_b, const Vector3d& w_ab_b, const Vector3d& torque_b);

@@ -10,6 +10,17 @@ Vector<B, si::length> dcm_on_vector(const Dcm<B, A>& R_b_from_a, const Vector<A,
   return R_b_from_a * r_a;
 }
 
+Vector<F, si::length> dcm_chain_on_vector(const Dcm<F, E>& R_f_from_e, const Dcm<E, D>& R_e_from_d,
+                                          const Dcm<D, C>& R_d_from_c, const Dcm<C, B>& R_c_from_b,
+                                          const Dcm<B, A>& R_b_from_a, const Vector<A, si::length>& r_a) {
+  return R_f_from_e * R_e_from_d * R_d_from_c * R_c_from_b * R_b_from_a * r_a;
+}
+
+Dcm<D, A> dcm_product_of_three(const Dcm<D, C>& R_d_from_c, const Dcm<C, B>& R_c_from_b,
+                               const Dcm<B, A>& R_b_from_a) {
+  return R_d_from_c * R_c_from_b * R_b_from_a;
+}
+
 AngularVelocity<A, F, In<F>> rate_chain(const RateChain& chain) {
   const auto& [w_ab_b, w_bc_c, w_cd_d, w_de_e, w_ef_f, R_c_from_b, R_d_from_c, R_e_from_d, R_f_from_e] =
       chain;

@@ -67,6 +67,11 @@ using namespace bench;
 
 Dcm<C, A> dcm_product(const Dcm<C, B>& R_c_from_b, const Dcm<B, A>& R_b_from_a);
 Vector<B, si::length> dcm_on_vector(const Dcm<B, A>& R_b_from_a, const Vector<A, si::length>& r_a);
+Vector<F, si::length> dcm_chain_on_vector(const Dcm<F, E>& R_f_from_e, const Dcm<E, D>& R_e_from_d,
+                                          const Dcm<D, C>& R_d_from_c, const Dcm<C, B>& R_c_from_b,
+                                          const Dcm<B, A>& R_b_from_a, const Vector<A, si::length>& r_a);
+Dcm<D, A> dcm_product_of_three(const Dcm<D, C>& R_d_from_c, const Dcm<C, B>& R_c_from_b,
+                               const Dcm<B, A>& R_b_from_a);
 AngularVelocity<A, F, In<F>> rate_chain(const RateChain& chain);
 DcmRate<A, B> dcm_rate(const Dcm<A, B>& R_a_from_b, const AngularVelocity<A, B, In<B>>& w_ab_b);
 AngularAcceleration<A, B, In<B>> euler(const Inertia<B>& J_b, const AngularVelocity<A, B, In<B>>& w_ab_b,

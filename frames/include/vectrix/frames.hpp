@@ -2,6 +2,7 @@
 
 #include <vectrix/frames/chained.hpp>
 #include <vectrix/frames/dcm.hpp>
+#include <vectrix/frames/dcm_chain.hpp>
 #include <vectrix/frames/dcm_doors.hpp>
 #include <vectrix/frames/displacement.hpp>
 #include <vectrix/frames/edge.hpp>

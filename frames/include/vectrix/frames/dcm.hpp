@@ -19,12 +19,19 @@ template <class S> double door_tolerance(double wanted) {
   return wanted > rounding ? wanted : rounding;
 }
 
+/// Copies in the widths in which products of matrices write, and products with vectors read.
+template <class S> [[gnu::always_inline]] inline void set_by_columns(Square<S>& to, const Square<S>& from) {
+  for (int column = 0; column < 3; ++column) to.col(column) = from.col(column);
+}
+
 }  // namespace detail
+
+template <Frame ToFrame, Frame FromFrame, std::size_t N, class S> class DcmChain;
 
 /// R_a^b, `R_b_from_a`, of type Dcm<B, A>: the direction cosine matrix that takes coordinates in a to
 /// coordinates in b:
 ///     1.  r^b = R_a^b r^a                     R_b_from_a * r_a
-///     2.  R_a^c = R_b^c R_a^b                 R_c_from_b * R_b_from_a
+///     2.  R_a^c = R_b^c R_a^b                 R_c_from_b * R_b_from_a, a DcmChain
 ///     3.  R_b^a = (R_a^b)^-1 = (R_a^b)^T      inverse(R_b_from_a)
 /// Column i is the i-th basis vector of a in b's coordinates. Made by the doors in dcm_doors.hpp; no default.
 template <Frame ToFrame, Frame FromFrame, class S = double> class Dcm {
@@ -36,6 +43,9 @@ template <Frame ToFrame, Frame FromFrame, class S = double> class Dcm {
   Dcm() = delete;  // dcm(to<B>, from<A>, matrix), or aligned(to<B>, from<A>)
   template <class Derived> Dcm(detail::Trusted, const Eigen::MatrixBase<Derived>& matrix) : matrix_(matrix) {}
   template <detail::Makes<detail::Square<S>> Make> Dcm(detail::Trusted, const Make& make) : matrix_(make()) {}
+  template <std::size_t N> [[gnu::always_inline]] Dcm(DcmChain<ToFrame, FromFrame, N, S>&& chain) {
+    detail::set_by_columns(matrix_, chain.matrix_);
+  }
 
   /// The bare nine numbers: the way out of the typed world.
   const detail::Square<S>& matrix() const& { return matrix_; }
@@ -50,11 +60,13 @@ template <Frame ToFrame, Frame FromFrame, class S = double> class Dcm {
 
 template <class B, class A, class S> inline constexpr bool detail::is_framed<Dcm<B, A, S>> = true;
 
-// R_a^c = R_b^c R_a^b
+namespace detail {
+// R_a^c = R_b^c R_a^b, the nine numbers alone, where they are to stay
 template <class C, class B, class A, class S>
-Dcm<C, A, S> product(const Dcm<C, B, S>& R_c_from_b, const Dcm<B, A, S>& R_b_from_a) {
-  return {detail::trusted, R_c_from_b.matrix() * R_b_from_a.matrix()};
+Dcm<C, A, S> composed(const Dcm<C, B, S>& R_c_from_b, const Dcm<B, A, S>& R_b_from_a) {
+  return {trusted, R_c_from_b.matrix() * R_b_from_a.matrix()};
 }
+}  // namespace detail
 
 // r^b = R_a^b r^a
 template <class B, class A, class U, class S>

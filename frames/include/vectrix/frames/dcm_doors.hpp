@@ -2,7 +2,7 @@
 
 #include <Eigen/SVD>
 #include <cmath>
-#include <vectrix/frames/dcm.hpp>
+#include <vectrix/frames/dcm_chain.hpp>
 
 namespace vectrix {
 

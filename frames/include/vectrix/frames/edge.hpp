@@ -57,7 +57,7 @@ namespace detail {
 
 template <class Signature> struct ResultOf;
 template <class Result, class... Arguments> struct ResultOf<std::function<Result(Arguments...)>> {
-  using type = std::remove_cvref_t<Result>;
+  using type = Evaluated<std::remove_cvref_t<Result>>;
 };
 template <class Function> constexpr auto result_of() {
   if constexpr (requires { std::function{std::declval<Function>()}; }) {

@@ -60,6 +60,11 @@ template <bool reversed, class Value> decltype(auto) times(const Value& value) {
 template <bool reversed, class Value, class Before> auto times(const Value& value, const Before& before) {
   return before * oriented<reversed>(value);
 }
+template <bool reversed, class X, class A, class B, class S>
+  requires(!reversed)
+Dcm<X, B, S> times(const Dcm<A, B, S>& R_a_from_b, const Dcm<X, A, S>& R_x_from_a) {
+  return composed(R_x_from_a, R_a_from_b);
+}
 /// A transposed copy would be stored by numbers and loaded by pairs, which waits.
 template <bool reversed, class X, class A, class B, class S>
   requires reversed Dcm<X, A, S> times(const Dcm<A, B, S>& R_a_from_b, const Dcm<X, B, S>& R_x_from_b) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <vectrix/frames/dcm.hpp>
+#include <vectrix/frames/dcm_chain.hpp>
 
 namespace vectrix {
 

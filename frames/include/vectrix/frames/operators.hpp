@@ -33,7 +33,7 @@ template <class Left, class Right>
 concept FramedPair = is_framed<Left> || is_framed<Right>;
 
 template <class Left, class Right>
-using ProductOf = decltype(product(std::declval<const Left&>(), std::declval<const Right&>()));
+using ProductOf = decltype(product(std::declval<Left>(), std::declval<Right>()));
 template <class Left, class Right>
 using QuotientOf = decltype(quotient(std::declval<const Left&>(), std::declval<const Right&>()));
 template <class Left, class Right>
@@ -45,8 +45,13 @@ using DotOf = decltype(dot_product(std::declval<const Left&>(), std::declval<con
 template <class Left, class Right>
 using CrossOf = decltype(cross_product(std::declval<const Left&>(), std::declval<const Right&>()));
 
+/// The type that an expression stands for, where that is another.
+template <class T> struct EvaluatedType : std::type_identity<T> {};
+template <class T> using Evaluated = typename EvaluatedType<T>::type;
+
 /// The left operand's type, when it is that of the result: what can be done in place.
-template <class Result, class Left> using InPlace = std::enable_if_t<std::is_same_v<Result, Left>, Left&>;
+template <class Result, class Left>
+using InPlace = std::enable_if_t<std::is_same_v<Evaluated<Result>, Left>, Left&>;
 
 template <template <class, class> class ResultOf, class Left, class Right>
 concept Lawful = requires {
@@ -65,9 +70,10 @@ template <class... Operands> inline constexpr bool any_framed = (is_framed<Opera
 // sum(), difference(), dot_product() and cross_product(). What is lawful is told by the type of the result
 // and not by a constraint: clang explains the former in one note, the latter in two.
 
+// An unnamed operand stays one: a chain of rotations applies itself otherwise.
 template <class Left, class Right>
-detail::ProductOf<Left, Right> operator*(const Left& left, const Right& right) {
-  return product(left, right);
+[[gnu::always_inline]] inline detail::ProductOf<Left, Right> operator*(Left&& left, Right&& right) {
+  return product(std::forward<Left>(left), std::forward<Right>(right));
 }
 template <class Left, class Right>
   requires(detail::FramedPair<Left, Right> && !detail::Lawful<detail::ProductOf, Left, Right>)

@@ -32,7 +32,7 @@ Displacement<B, Q, In<B>, S> product(const Transform<B, A, S>& X_b_from_a,
 // X_a^c = X_b^c X_a^b
 template <class C, class B, class A, class S>
 Transform<C, A, S> product(const Transform<C, B, S>& X_c_from_b, const Transform<B, A, S>& X_b_from_a) {
-  return {X_c_from_b.rotation * X_b_from_a.rotation, X_c_from_b * X_b_from_a.translation};
+  return {detail::composed(X_c_from_b.rotation, X_b_from_a.rotation), X_c_from_b * X_b_from_a.translation};
 }
 // r_ab^a = -R_b^a r_ba^b
 template <class B, class A, class S> Transform<A, B, S> inverse(const Transform<B, A, S>& X_b_from_a) {

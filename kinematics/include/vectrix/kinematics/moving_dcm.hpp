@@ -58,13 +58,14 @@ AcceleratingDcm<A, B, S> accelerating_dcm(const Dcm<A, B, S>& R_a_from_b,
 
 template <class A, class B, class D, class S>
 MovingDcm<A, D, S> product(const MovingDcm<A, B, S>& ab, const MovingDcm<B, D, S>& bd) {
-  return {ab.rotation * bd.rotation, inverse(bd.rotation) * ab.angular_velocity + bd.angular_velocity};
+  return {detail::composed(ab.rotation, bd.rotation),
+          inverse(bd.rotation) * ab.angular_velocity + bd.angular_velocity};
 }
 template <class A, class B, class D, class S>
 AcceleratingDcm<A, D, S> product(const AcceleratingDcm<A, B, S>& ab, const AcceleratingDcm<B, D, S>& bd) {
   const auto R_d_from_b = inverse(bd.moving.rotation);
   const auto w_ab_d = R_d_from_b * ab.moving.angular_velocity;
-  return {{ab.moving.rotation * bd.moving.rotation, w_ab_d + bd.moving.angular_velocity},
+  return {{detail::composed(ab.moving.rotation, bd.moving.rotation), w_ab_d + bd.moving.angular_velocity},
           chain(R_d_from_b * ab.angular_acceleration, bd.angular_acceleration, w_ab_d,
                 bd.moving.angular_velocity)};
 }

@@ -1,0 +1,121 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <utility>
+#include <vectrix/frames/chained.hpp>
+
+namespace vectrix {
+namespace detail {
+
+/// A rotation that a chain holds. It is copied by columns, as a product with a vector reads it: the compiler
+/// sees through such copies and none is made.
+template <class S> class Factor {
+ public:
+  [[gnu::always_inline]] explicit Factor(const Square<S>& matrix) { set_by_columns(matrix_, matrix); }
+  [[gnu::always_inline]] Factor(const Factor& other) { set_by_columns(matrix_, other.matrix_); }
+  Factor& operator=(const Factor&) = default;
+
+  const Square<S>& matrix() const { return matrix_; }
+
+ private:
+  Square<S> matrix_;
+};
+
+template <class S> using OneFactor = std::array<Factor<S>, 1>;
+
+template <class S, std::size_t N, std::size_t M, std::size_t... I, std::size_t... J>
+[[gnu::always_inline]] inline std::array<Factor<S>, N + M> joined(const std::array<Factor<S>, N>& left,
+                                                                  const std::array<Factor<S>, M>& right,
+                                                                  std::index_sequence<I...>,
+                                                                  std::index_sequence<J...>) {
+  return {left[I]..., right[J]...};
+}
+
+}  // namespace detail
+
+/// R_a^d = R_c^d R_b^c R_a^b, what a product of N rotations returns: a Dcm<D, A> that, while it has no name,
+/// is applied to a vector factor by factor, the vector first:
+///     R_d_from_c * R_c_from_b * R_b_from_a * r_a      three products with a vector, none of matrices
+/// With a name, `auto R_d_from_a = ...`, it is the Dcm, multiplied once, in every use. It holds copies of its
+/// factors, so it never dangles; `Dcm<D, A> R_d_from_a = ...` keeps the nine numbers alone.
+template <Frame ToFrame, Frame FromFrame, std::size_t N, class S = double>
+class DcmChain : public Dcm<ToFrame, FromFrame, S> {
+ public:
+  template <class B, std::size_t L>
+  [[gnu::always_inline]] DcmChain(detail::Trusted, const Dcm<ToFrame, B, S>& left,
+                                  const std::array<detail::Factor<S>, L>& left_factors,
+                                  const Dcm<B, FromFrame, S>& right,
+                                  const std::array<detail::Factor<S>, N - L>& right_factors)
+      : Dcm<ToFrame, FromFrame, S>(detail::trusted, left.matrix() * right.matrix()),
+        factors_(detail::joined(left_factors, right_factors, std::make_index_sequence<L>{},
+                                std::make_index_sequence<N - L>{})) {}
+
+  const std::array<detail::Factor<S>, N>& factors() const { return factors_; }
+
+ private:
+  std::array<detail::Factor<S>, N> factors_;
+};
+
+template <class B, class A, std::size_t N, class S>
+inline constexpr bool detail::is_framed<DcmChain<B, A, N, S>> = true;
+
+namespace detail {
+
+template <class B, class A, std::size_t N, class S>
+struct EvaluatedType<DcmChain<B, A, N, S>> : std::type_identity<Dcm<B, A, S>> {};
+
+template <class B, class A, class S>
+[[gnu::always_inline]] inline OneFactor<S> factors(const Dcm<B, A, S>& R_b_from_a) {
+  return {Factor<S>{R_b_from_a.matrix()}};
+}
+
+// R1 (R2 (... (Rn x)))
+template <std::size_t first = 0, class S, std::size_t N, class Derived>
+[[gnu::always_inline]] inline Column<S> applied(const std::array<Factor<S>, N>& factors,
+                                                const Eigen::MatrixBase<Derived>& x) {
+  if constexpr (first + 1 == N) {
+    return factors[first].matrix() * x;
+  } else {
+    return factors[first].matrix() * applied<first + 1>(factors, x);
+  }
+}
+
+}  // namespace detail
+
+// R_a^c = R_b^c R_a^b, each side one rotation or an unnamed chain
+template <class C, class B, class A, class S>
+[[gnu::always_inline]] inline DcmChain<C, A, 2, S> product(const Dcm<C, B, S>& R_c_from_b,
+                                                           const Dcm<B, A, S>& R_b_from_a) {
+  return {detail::trusted, R_c_from_b, detail::factors(R_c_from_b), R_b_from_a, detail::factors(R_b_from_a)};
+}
+template <class C, class B, class A, std::size_t N, class S>
+[[gnu::always_inline]] inline DcmChain<C, A, N + 1, S> product(DcmChain<C, B, N, S>&& R_c_from_b,
+                                                               const Dcm<B, A, S>& R_b_from_a) {
+  return {detail::trusted, R_c_from_b, R_c_from_b.factors(), R_b_from_a, detail::factors(R_b_from_a)};
+}
+template <class C, class B, class A, std::size_t N, class S>
+[[gnu::always_inline]] inline DcmChain<C, A, 1 + N, S> product(const Dcm<C, B, S>& R_c_from_b,
+                                                               DcmChain<B, A, N, S>&& R_b_from_a) {
+  return {detail::trusted, R_c_from_b, detail::factors(R_c_from_b), R_b_from_a, R_b_from_a.factors()};
+}
+template <class C, class B, class A, std::size_t N, std::size_t M, class S>
+[[gnu::always_inline]] inline DcmChain<C, A, N + M, S> product(DcmChain<C, B, N, S>&& R_c_from_b,
+                                                               DcmChain<B, A, M, S>&& R_b_from_a) {
+  return {detail::trusted, R_c_from_b, R_c_from_b.factors(), R_b_from_a, R_b_from_a.factors()};
+}
+
+// r^b = R_a^b r^a and x_pq^b = R_a^b x_pq^a, the vector first
+template <class B, class A, std::size_t N, class U, class S>
+[[gnu::always_inline]] inline Vector<B, U, S> product(DcmChain<B, A, N, S>&& R_b_from_a,
+                                                      const Vector<A, U, S>& r_a) {
+  return {detail::trusted, [&] { return detail::applied(R_b_from_a.factors(), r_a.coordinates()); }};
+}
+template <class B, class A, std::size_t N, class S, detail::Reexpressed X>
+  requires(std::same_as<typename X::expressed, A>&& std::same_as<typename X::scalar, S>)
+[[gnu::always_inline]] inline auto product(DcmChain<B, A, N, S>&& R_b_from_a, const X& x_pq_a) {
+  return typename X::template Expressed<B>{detail::trusted,
+                                           detail::applied(R_b_from_a.factors(), x_pq_a.coordinates())};
+}
+
+}  // namespace vectrix
