@@ -1,6 +1,7 @@
 #pragma once
 
 #include <vectrix/frames/chained.hpp>
+#include <vectrix/frames/covariance.hpp>
 #include <vectrix/frames/dcm.hpp>
 #include <vectrix/frames/dcm_chain.hpp>
 #include <vectrix/frames/dcm_doors.hpp>

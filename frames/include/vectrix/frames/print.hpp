@@ -1,6 +1,7 @@
 #pragma once
 
 #include <ostream>
+#include <string_view>
 #include <vectrix/frames/frame.hpp>
 #include <vectrix/frames/units.hpp>
 
@@ -38,6 +39,12 @@ template <class Quaternion> std::ostream& print_quaternion(std::ostream& out, co
 }
 template <Frame B, Frame A> std::ostream& print_to_from(std::ostream& out) {
   return out << " to " << frame_name<B>() << " from " << frame_name<A>();
+}
+/// The square of a vector's unit: m^2, (m/s)^2
+template <Unit U> std::ostream& print_squared(std::ostream& out) {
+  const std::string_view unit = unit_symbol<U>;
+  if (unit.empty()) return out;
+  return unit.find_first_of(" /^") == unit.npos ? out << ' ' << unit << "^2" : out << " (" << unit << ")^2";
 }
 template <Point B, Point A> std::ostream& print_of_relative_to(std::ostream& out) {
   return out << " of " << frame_name<B>() << " relative to " << frame_name<A>();

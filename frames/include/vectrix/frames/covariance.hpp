@@ -1,0 +1,182 @@
+#pragma once
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <vectrix/frames/dcm_doors.hpp>
+
+namespace vectrix {
+
+/// P^a, `P_a`, of type Covariance<A, U>: the covariance, in the axes of a, of a vector r in the unit U; its
+/// entries have the unit U^2. Its laws:
+///     1.  P^b = R_a^b P^a (R_a^b)^T          R_b_from_a * P_a
+///     2.  cov(r + s) = cov(r) + cov(s)       P_a + Q_a: r and s are independent, which the sum claims
+///     3.  var(n . r) = n^T P n               variance_along(P_a, n_a)
+/// R_b_from_a * is the word for a change of axes of every quantity; here it multiplies from both sides.
+/// Made by covariance() or covariance_from_standard_deviations(); no default.
+template <Frame F, VectorUnit U, class S = double> class Covariance {
+ public:
+  using frame = F;
+  using unit = U;
+  using scalar = S;
+
+  Covariance() = delete;  // covariance<U>(in<F>, matrix)
+  template <class Derived>
+  Covariance(detail::Trusted, const Eigen::MatrixBase<Derived>& matrix) : matrix_(matrix) {}
+
+  template <class Operand = Covariance>
+  auto operator-() const -> Refused = delete;  // a covariance has no negative
+
+  /// The bare nine numbers, in the square of the coherent SI unit: the way out of the typed world.
+  const detail::Square<S>& matrix() const& { return matrix_; }
+  detail::Square<S> matrix() && { return matrix_; }
+
+ private:
+  detail::Square<S> matrix_;
+};
+
+template <class F, class U, class S> inline constexpr bool detail::is_framed<Covariance<F, U, S>> = true;
+
+/// Rounding that covariance() lets in: of the asymmetry, relative to the largest entry, and of a negative
+/// principal variance, relative to the largest one. What mahalanobis_distance() needs as well: the share of a
+/// variance that the other axes leave unexplained.
+inline constexpr double covariance_tolerance = 1e-12;
+
+namespace detail {
+
+template <class F, class S> void require_covariance(const Square<S>& matrix) {
+  const std::string place = "covariance(in<" + frame_name<F>() + ">): ";
+  for (Eigen::Index row = 0; row < 3; ++row) {
+    for (Eigen::Index column = 0; column < 3; ++column) {
+      const S entry = matrix(row, column);
+      if (!(entry - entry == S(0))) {
+        throw BadInput(place + "entry (" + text(row + 1) + ", " + text(column + 1) + ") is " + text(entry));
+      }
+    }
+  }
+  const S tolerance = S(door_tolerance<S>(covariance_tolerance));
+  const S largest = matrix.cwiseAbs().maxCoeff();
+  const S asymmetry = (matrix - matrix.transpose()).cwiseAbs().maxCoeff();
+  if (!(asymmetry <= tolerance * largest)) {
+    throw BadInput(place + "the matrix is not symmetric: it differs from its transpose by " +
+                   text(asymmetry));
+  }
+  const Eigen::SelfAdjointEigenSolver<Square<S>> solver(matrix, Eigen::EigenvaluesOnly);
+  const Column<S> variances = solver.eigenvalues();  // in increasing order
+  if (!(variances(0) >= -tolerance * variances(2))) {
+    throw BadInput(place + "the principal variances (" + text(variances(0)) + ", " + text(variances(1)) +
+                   ", " + text(variances(2)) + ") are not all positive or zero");
+  }
+}
+
+template <class F, class S> [[noreturn, gnu::cold, gnu::noinline]] void refuse_distance(const S& share) {
+  throw BadInput("mahalanobis_distance(covariance in " + frame_name<F>() +
+                 "): the covariance is singular: the share of a variance that the other axes leave open is " +
+                 text(share));
+}
+
+}  // namespace detail
+
+/// The checked door: claims that `matrix` is the covariance of a vector's coordinates in F, in the square of
+/// the coherent SI unit U: covariance<si::length>(in<F>, P).
+/// Throws BadInput when an entry is not finite, the matrix is not symmetric, or a principal variance is
+/// negative.
+template <VectorUnit U, Frame F, class Derived>
+  requires detail::Matrix3x3<Derived>
+auto covariance(In<F>, const Eigen::MatrixBase<Derived>& matrix) {
+  using S = typename Derived::Scalar;
+  const detail::Square<S> entries = matrix;
+  detail::require_covariance<F, S>(entries);
+  return Covariance<F, U, S>{detail::trusted, entries};
+}
+
+/// The trusted door: no check at all. The caller vouches for a symmetric matrix without negative variances.
+template <VectorUnit U, Frame F, class Derived>
+  requires detail::Matrix3x3<Derived>
+auto trust_covariance(In<F>, const Eigen::MatrixBase<Derived>& matrix) {
+  return Covariance<F, U, typename Derived::Scalar>{detail::trusted, matrix};
+}
+
+/// The covariance of a vector with independent coordinates in F, whose standard deviations are given.
+/// Throws BadInput when one is not finite, negative, or too large to be squared.
+template <Frame F, class BoostUnit, class S>
+  requires(VectorUnit<unit_tag<BoostUnit>> && !std::is_integral_v<S>)
+Covariance<F, unit_tag<BoostUnit>, S> covariance_from_standard_deviations(
+    In<F>, const AnyQuantity<BoostUnit, S>& x, const AnyQuantity<BoostUnit, S>& y,
+    const AnyQuantity<BoostUnit, S>& z) {
+  const detail::Column<S> deviations{x.value(), y.value(), z.value()};
+  const detail::Column<S> variances = deviations.cwiseAbs2();
+  if (!(deviations.minCoeff() >= S(0) && variances.allFinite())) {
+    throw BadInput("covariance_from_standard_deviations(in<" + frame_name<F>() + ">): (" +
+                   detail::text(x.value()) + ", " + detail::text(y.value()) + ", " + detail::text(z.value()) +
+                   ") are not all finite and positive or zero");
+  }
+  return {detail::trusted, detail::Square<S>(variances.asDiagonal())};
+}
+template <class F, class X, class Y, class Z, class UnitGiven = typename detail::UnitOf<X>::type>
+auto covariance_from_standard_deviations(  // one SI vector unit for all: convert<U>()
+    In<F>, const X&, const Y&, const Z&) -> Refused = delete;
+
+// P^b = R_a^b P^a (R_a^b)^T
+template <class B, class A, class U, class S>
+Covariance<B, U, S> product(const Dcm<B, A, S>& R_b_from_a, const Covariance<A, U, S>& P_a) {
+  return {detail::trusted, R_b_from_a.matrix() * P_a.matrix() * R_b_from_a.matrix().transpose()};
+}
+
+// cov(r + s) = P + Q for independent r and s
+template <class F, class U, class S>
+Covariance<F, U, S> sum(const Covariance<F, U, S>& P_a, const Covariance<F, U, S>& Q_a) {
+  return {detail::trusted, P_a.matrix() + Q_a.matrix()};
+}
+
+/// n^T P n: the variance of the component along the direction n. Throws BadInput when |n| differs from 1 by
+/// more than orthonormality_tolerance.
+template <class F, class U, class S>
+Quantity<unit_product<U, U>, S> variance_along(const Covariance<F, U, S>& P_a,
+                                               const Vector<F, si::dimensionless, S>& n_a) {
+  const S length = n_a.coordinates().norm();
+  const S tolerance = S(detail::door_tolerance<S>(orthonormality_tolerance));
+  if (!(length - S(1) <= tolerance && S(1) - length <= tolerance)) {
+    throw BadInput("variance_along(covariance in " + frame_name<F>() + "): |n| is " + detail::text(length) +
+                   "; direction() has length 1");
+  }
+  return Quantity<unit_product<U, U>, S>::from_value(n_a.coordinates().dot(P_a.matrix() * n_a.coordinates()));
+}
+template <class CovarianceIn, class DirectionIn, class U, class UnitGiven, class S>
+  requires(!(std::same_as<CovarianceIn, DirectionIn> && std::same_as<UnitGiven, si::dimensionless>))
+auto variance_along(  // variance_along(P_a, n_a): one frame; n is a direction
+    const Covariance<CovarianceIn, U, S>&, const Vector<DirectionIn, UnitGiven, S>&) -> Refused = delete;
+
+/// The Mahalanobis distance sqrt(r^T P^-1 r): the length of r in standard deviations. Throws BadInput when P
+/// is singular, so that rounding would decide.
+template <class F, class U, class S>
+Quantity<si::dimensionless, S> mahalanobis_distance(const Covariance<F, U, S>& P_a,
+                                                    const Vector<F, U, S>& r_a) {
+  const S open = S(detail::door_tolerance<S>(covariance_tolerance));
+  const detail::Column<S> variances = P_a.matrix().diagonal();
+  if (!(variances.minCoeff() > S(0))) {
+    detail::refuse_distance<F, S>(S(0));
+  }
+  // In units of the axes' own standard deviations, so that their ratio does not count as singular.
+  const detail::Column<S> scale = variances.cwiseSqrt().cwiseInverse();
+  const Eigen::LLT<detail::Square<S>> factor(
+      detail::Square<S>(scale.asDiagonal() * P_a.matrix() * scale.asDiagonal()));
+  const S share = factor.matrixLLT().diagonal().cwiseAbs2().minCoeff();
+  if (factor.info() != Eigen::Success || !(share > open)) {
+    detail::refuse_distance<F, S>(factor.info() == Eigen::Success ? share : S(0));
+  }
+  const detail::Column<S> normal = factor.matrixL().solve(scale.cwiseProduct(r_a.coordinates()));
+  return Quantity<si::dimensionless, S>::from_value(normal.norm());
+}
+template <class CovarianceIn, class CovarianceUnit, class VectorIn, class UnitGiven, class S>
+  requires(!(std::same_as<CovarianceIn, VectorIn> && std::same_as<CovarianceUnit, UnitGiven>))
+auto mahalanobis_distance(  // mahalanobis_distance(P_a, r_a): one frame, one unit
+    const Covariance<CovarianceIn, CovarianceUnit, S>&, const Vector<VectorIn, UnitGiven, S>&)
+    -> Refused = delete;
+
+/// [4 0 0; 0 4 0; 0 0 9] (m/s)^2 in Body
+template <class F, class U, class S>
+std::ostream& print_framed(std::ostream& out, const Covariance<F, U, S>& P_a) {
+  return detail::print_square(out, P_a.matrix()) << detail::print_squared<U> << " in " << frame_name<F>();
+}
+
+}  // namespace vectrix
