@@ -1,5 +1,6 @@
 #pragma once
 
+#include <vectrix/dynamics/about.hpp>
 #include <vectrix/dynamics/conservation.hpp>
 #include <vectrix/dynamics/csv_table.hpp>
 #include <vectrix/dynamics/earth_orientation.hpp>
@@ -9,9 +10,11 @@
 #include <vectrix/dynamics/gravity.hpp>
 #include <vectrix/dynamics/hermite.hpp>
 #include <vectrix/dynamics/inertia.hpp>
+#include <vectrix/dynamics/moment.hpp>
 #include <vectrix/dynamics/ode.hpp>
 #include <vectrix/dynamics/propagate.hpp>
 #include <vectrix/dynamics/scenario.hpp>
 #include <vectrix/dynamics/state.hpp>
 #include <vectrix/dynamics/trajectory.hpp>
+#include <vectrix/dynamics/wrench.hpp>
 #include <vectrix/kinematics.hpp>

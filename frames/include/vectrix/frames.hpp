@@ -12,6 +12,7 @@
 #include <vectrix/frames/graph.hpp>
 #include <vectrix/frames/level.hpp>
 #include <vectrix/frames/operators.hpp>
+#include <vectrix/frames/shift.hpp>
 #include <vectrix/frames/transform.hpp>
 #include <vectrix/frames/units.hpp>
 #include <vectrix/frames/vector.hpp>

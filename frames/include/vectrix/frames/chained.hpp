@@ -6,10 +6,12 @@ namespace vectrix {
 namespace detail {
 
 /// What the quantities of q relative to p have in common: a vector, here x_pq^c, and the laws below. A class
-/// derived from it names p and q, and by `Between` and `Expressed` the same quantity of others.
+/// derived from it names p and q, and by `Between` and `Expressed` the same quantity of others. One that has
+/// a point p alone, as a torque, has only the change of axes from here.
 template <class C, class U, class S> class RelativeVector {
  public:
   using expressed = C;
+  using unit = U;
   using scalar = S;
 
   explicit RelativeVector(Trusted, const Vector<C, U, S>& vector) : vector_(vector) {}

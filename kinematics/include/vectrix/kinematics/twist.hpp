@@ -1,12 +1,13 @@
 #pragma once
 
+#include <vectrix/frames/shift.hpp>
 #include <vectrix/frames/transform.hpp>
 #include <vectrix/kinematics/angular_velocity.hpp>
 #include <vectrix/kinematics/hat.hpp>
 
 namespace vectrix {
 
-/// The point at which a twist or a wrench is taken: at<P>.
+/// The point at which a twist is taken: at<P>.
 template <Point P> struct At {};
 template <Point P> inline constexpr At<P> at{};
 
@@ -15,7 +16,7 @@ template <Point P> inline constexpr At<P> at{};
 ///     1.  V_ab(p)^c + V_bd(p)^c = V_ad(p)^c          twists chain at one point
 ///     2.  V_ba(p)^c = -V_ab(p)^c
 ///     3.  V_ab(p)^d = R_c^d V_ab(p)^c
-///     4.  v(q) = v(p) + w_ab x r_pq                  shift() to another point
+///     4.  v(q) = v(p) + w_ab x r_pq                  shift(V_c, r_pq_c) to another point
 ///     5.  V_ab(c)^c = Ad(X_b^c) V_ab(b)^b            X_c_from_b * V: 3 and 4 at once
 template <Frame A, Frame B, class Place, class ExpressedIn, class S = double> class Twist;
 
@@ -83,17 +84,13 @@ Twist<A, B, At<C>, In<C>, S> product(const Transform<C, D, S>& X_c_from_d,
               X_c_from_d.translation.coordinates().cross(w_c)};
 }
 
-/// The same motion at another point: v(q) = v(p) + w_ab x r_pq.
+// v(q) = v(p) + w_ab x r_pq
 template <class A, class B, class P, class Q, class C, class S>
-Twist<A, B, At<Q>, In<C>, S> shift(const Twist<A, B, At<P>, In<C>, S>& ab,
-                                   const Displacement<P, Q, In<C>, S>& r_pq_c) {
+Twist<A, B, At<Q>, In<C>, S> shifted(const Twist<A, B, At<P>, In<C>, S>& ab,
+                                     const Displacement<P, Q, In<C>, S>& r_pq_c) {
   const detail::Column<S> w = ab.angular_velocity().coordinates();
   return {detail::trusted, w, ab.velocity().coordinates() + w.cross(r_pq_c.coordinates())};
 }
-template <class Motion, class By>
-  requires detail::is_framed<Motion>
-auto shift(  // shift(V(p)_c, r_pq_c): from the point of the twist, expressed in one frame
-    const Motion&, const By&) -> Refused = delete;
 
 /// Ad(X_a^b), the bare six by six numbers, rates first: [R_a^b 0; [r_ba^b]x R_a^b R_a^b].
 template <class B, class A, class S> Eigen::Matrix<S, 6, 6> adjoint(const Transform<B, A, S>& X_b_from_a) {
