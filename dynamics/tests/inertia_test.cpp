@@ -99,7 +99,7 @@ TEST(Inertia, momentum_and_energy_are_those_of_the_turning_masses) {
 }
 
 TEST(Inertia, results_have_the_units_of_mechanics_and_the_scalar_of_the_operands) {
-  using J = Inertia<Body, float>;
+  using J = Inertia<Body, CentreOfMassOf<Body>, In<Body>, float>;
   using W = AngularVelocity<Gcrf, Body, In<Body>, float>;
   using Torque = Vector<Body, si::torque, float>;
   static_assert(std::same_as<decltype(std::declval<J>() * std::declval<W>()),

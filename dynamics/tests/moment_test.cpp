@@ -1,5 +1,5 @@
 #include <sstream>
-#include <vectrix/dynamics/moment.hpp>
+#include <vectrix/dynamics/euler.hpp>
 
 #include "forces.hpp"
 
@@ -91,6 +91,15 @@ TEST(Moment, the_momentum_of_a_rigid_body_about_any_point) {
   }
 }
 
+TEST(Moment, a_torque_about_the_centre_of_mass_drives_euler) {
+  Draw draw(5);
+  const Inertia<Body> J_b = tensor(3.0, 4.0, 5.0, 0.1, 0.2, -0.3);
+  const BodyRate w_b = rate_body(draw.triple());
+  const auto M_b = newton_metres(draw.triple());
+  EXPECT_EQ(euler(J_b, w_b, torque_about<CentreOfMassOf<Body>>(M_b)).coordinates(),
+            euler(J_b, w_b, M_b).coordinates());
+}
+
 template <class T> std::string printed(const T& value) {
   std::ostringstream out;
   out << value;
@@ -118,6 +127,10 @@ template <class... Given>
 concept Shifts = requires(const Given&... given) {
   shift(given...);
 };
+template <class... Given>
+concept Drives = requires(const Given&... given) {
+  euler(given...);
+};
 template <class R, class F>
 concept HasMoment = requires(const R& r, const F& f) {
   moment(r, f);
@@ -143,6 +156,14 @@ static_assert(!Shifts<AngularMomentum<Thruster, In<Body>>, ToHinge, Force>);
 static_assert(HasMoment<Arm, Force>);
 static_assert(!HasMoment<Arm, Vector<Camera, si::force>>);
 static_assert(!HasMoment<Arm, Vector<Body, si::torque>>);
+static_assert(Drives<Inertia<Body>, BodyRate, TorqueAt<CentreOfMassOf<Body>>>);
+static_assert(!Drives<Inertia<Body>, BodyRate, TorqueAt<Hinge>>);
+static_assert(!Drives<Inertia<Body>, BodyRate, TorqueAt<CentreOfMassOf<Camera>>>);
+static_assert(!Drives<Inertia<Body>, BodyRate, TorqueAt<CentreOfMassOf<Body>, Camera>>);
+static_assert(!Drives<Inertia<Body>, BodyRate, AngularMomentum<CentreOfMassOf<Body>, In<Body>>>);
+static_assert(!Drives<Inertia<Body, Hinge>, BodyRate, TorqueAt<Hinge>>);
+static_assert(
+    !Drives<Inertia<Body, CentreOfMassOf<Body>, In<Camera>>, BodyRate, TorqueAt<CentreOfMassOf<Body>>>);
 static_assert(!std::is_default_constructible_v<BodyTorque>);
 static_assert(!std::is_convertible_v<Vector<Body, si::torque>, BodyTorque>);
 

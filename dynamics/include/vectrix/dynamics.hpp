@@ -10,8 +10,10 @@
 #include <vectrix/dynamics/gravity.hpp>
 #include <vectrix/dynamics/hermite.hpp>
 #include <vectrix/dynamics/inertia.hpp>
+#include <vectrix/dynamics/join.hpp>
 #include <vectrix/dynamics/moment.hpp>
 #include <vectrix/dynamics/ode.hpp>
+#include <vectrix/dynamics/parallel_axes.hpp>
 #include <vectrix/dynamics/propagate.hpp>
 #include <vectrix/dynamics/scenario.hpp>
 #include <vectrix/dynamics/state.hpp>

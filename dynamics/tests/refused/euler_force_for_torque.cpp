@@ -1,5 +1,5 @@
 // mistake: Euler's equation driven by a force
-// expect: TorqueUnit = (vectrix::)?si::force
+// expect: TorqueGiven = (vectrix::)?Vector<Body, (vectrix::)?si::force
 #include <vectrix/dynamics.hpp>
 
 struct Eci : vectrix::inertial_frame {};

@@ -1,5 +1,5 @@
 // mistake: Euler's equation in the body's axes with a torque in inertial ones
-// expect: TorqueIn = Eci
+// expect: TorqueGiven = (vectrix::)?Vector<Eci
 // expect: InertiaOf = Body
 #include <vectrix/dynamics.hpp>
 

@@ -33,17 +33,19 @@ Vector<I, si::acceleration, S> point_mass_gravity(const Quantity<si::gravitation
 /// Throws BadInput when |r|^3 is zero.
 template <class B, class S>
 Vector<B, si::torque, S> gravity_gradient_torque(const Quantity<si::gravitational_parameter, S>& mu,
-                                                 const Inertia<B, S>& J_b,
+                                                 const Inertia<B, CentreOfMassOf<B>, In<B>, S>& J_b,
                                                  const Vector<B, si::length, S>& r_b) {
   const S distance = detail::checked_distance("gravity_gradient_torque", r_b);
   const detail::Column<S> direction = r_b.coordinates() / distance;
   const S strength = S(3) * mu.value() / (distance * distance * distance);
   return {detail::trusted, strength * direction.cross(J_b.matrix() * direction)};
 }
-template <class InertiaOf, class PositionIn, class S>
-  requires(!std::same_as<InertiaOf, PositionIn>)
-auto gravity_gradient_torque(  // J_b and r_b: both in the body's frame
-    const Quantity<si::gravitational_parameter, S>&, const Inertia<InertiaOf, S>&,
-    const Vector<PositionIn, si::length, S>&) -> Refused = delete;
+template <class InertiaOf, class InertiaAbout, class InertiaIn, class PositionIn, class S>
+  requires(!(std::same_as<InertiaOf, PositionIn> && std::same_as<InertiaOf, InertiaIn> &&
+             std::same_as<InertiaAbout, CentreOfMassOf<InertiaOf>>))
+auto gravity_gradient_torque(  // J_b about the centre of mass and r_b: both in the body's frame
+    const Quantity<si::gravitational_parameter, S>&,
+    const Inertia<InertiaOf, InertiaAbout, In<InertiaIn>, S>&, const Vector<PositionIn, si::length, S>&)
+    -> Refused = delete;
 
 }  // namespace vectrix
