@@ -11,6 +11,7 @@
 #include <vectrix/dynamics/hermite.hpp>
 #include <vectrix/dynamics/inertia.hpp>
 #include <vectrix/dynamics/join.hpp>
+#include <vectrix/dynamics/mass_properties.hpp>
 #include <vectrix/dynamics/moment.hpp>
 #include <vectrix/dynamics/ode.hpp>
 #include <vectrix/dynamics/parallel_axes.hpp>
