@@ -13,6 +13,7 @@ set(frames_subjects
     "Rotations|dcm_|nearest_dcm_|trust_dcm_|aligned_|turned_|rotate_"
     "Vectors and units|vector_|quantity_"
     "Frames and places|frame_|displacement_|transform_"
+    "Covariances|covariance_"
     "The frame graph|.")
 set(kinematics_subjects
     "Angular velocity|omega_|at_rest_"
@@ -22,9 +23,9 @@ set(kinematics_subjects
     "The frame graph with motion|graph_|named_graph_"
     "Velocities and accelerations of points|.")
 set(dynamics_subjects
-    "Inertia|inertia_|momentum_|energy_"
+    "Inertia and mass properties|inertia_|momentum_|energy_|mass_properties_"
     "Euler's equation|euler_|angular_acceleration_"
-    "Torques|custom_torque_|pulse_|gravity_"
+    "Torques|custom_torque_|pulse_|gravity_|torque_|moment_|wrench_|shift_"
     "Scenario and trajectory|.")
 
 # What a message says: its errors and what explains them. Left out are the places, `vectrix::`, and Boost's way of writing
