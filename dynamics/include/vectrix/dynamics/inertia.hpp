@@ -9,7 +9,7 @@
 namespace vectrix {
 
 /// J_p^c, `J_p_c`, of type Inertia<B, P, In<C>>: the inertia tensor of the rigid body b about the point p,
-/// expressed in c, kg m^2. Inertia<B>, `J_b`, is the one about its centre of mass in its own axes.
+/// expressed in c, kg m^2. `Inertia<B>`, `J_b`, is the one about its centre of mass in its own axes.
 ///     J = [ Jxx Jxy Jxz; Jxy Jyy Jyz; Jxz Jyz Jzz ],  Jxx = int (y^2 + z^2) dm,  Jxy = - int x y dm
 /// Its laws, with the parallel axes in parallel_axes.hpp and the sum of parts in join.hpp:
 ///     1.  J_p^d = R_c^d J_p^c (R_c^d)^T      R_d_from_c * J_p_c

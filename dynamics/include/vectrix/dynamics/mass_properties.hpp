@@ -6,7 +6,7 @@
 namespace vectrix {
 
 /// m, r_oc^d and J_c^d of a rigid body b, of type MassProperties<B, O, In<D>>: its mass, the position of its
-/// centre of mass c relative to the point o, and its inertia about c. MassProperties<B> is given from the
+/// centre of mass c relative to the point o, and its inertia about c. `MassProperties<B>` is given from the
 /// origin of b, in the axes of b. Its laws:
 ///     1.  (m, R r_oc, R J_c R^T)                     R_e_from_d * body
 ///     2.  (m, r_oc - r_op, J_c)                      shift(body, r_op_d)
