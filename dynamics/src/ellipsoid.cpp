@@ -28,6 +28,10 @@ Geodetic geodetic(const Vector<earth::Itrf, si::length>& r_itrf) {
   double latitude = 0.0;
   double height = 0.0;
   eraGc2gd(ERFA_WGS84, r.data(), &longitude, &latitude, &height);  // fails only for an unknown ellipsoid
+  if (!(std::isfinite(latitude) && std::isfinite(height))) {
+    throw BadInput("wgs84::geodetic: a position of |r| = " + detail::text(detail::scaled_norm(r)) +
+                   " m is too far out for its latitude and height to be found");
+  }
   return {latitude * si::radian, longitude * si::radian, height * si::metre};
 }
 

@@ -116,6 +116,9 @@ TEST(Ellipsoid, AnOriginOnTheSurfaceIsTheAnswer) {
 TEST(Ellipsoid, RefusesBadInput) {
   EXPECT_EQ(complaint([] { wgs84::geodetic(r(0.0, 0.0, 0.0)); }),
             "wgs84::geodetic: the centre of the Earth has no latitude");
+  EXPECT_EQ(
+      complaint([] { wgs84::geodetic(r(1e200, 0.0, 0.0)); }),
+      "wgs84::geodetic: a position of |r| = 1e+200 m is too far out for its latitude and height to be found");
   EXPECT_EQ(complaint([] { wgs84::first_intersection(r(0.0, 0.0, 0.0), d(1.0, 0.0, 0.0)); }),
             "wgs84::first_intersection: the origin lies inside the ellipsoid, at a height of -6378137 m");
   EXPECT_THROW(wgs84::first_intersection(r(a - 1.0, 0.0, 0.0), d(1.0, 0.0, 0.0)), BadInput);
