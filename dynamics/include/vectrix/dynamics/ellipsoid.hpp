@@ -17,7 +17,8 @@ struct Geodetic {
 /// The reference ellipsoid WGS-84: semi-major axis a = 6378137 m, flattening 1/298.257223563.
 namespace wgs84 {
 
-/// Throws BadInput for the centre of the Earth, which has no latitude, and for a position too far out for ERFA, beyond 1e25 m.
+/// Throws BadInput for the centre of the Earth, which has no latitude, and for a position too far out for
+/// ERFA, beyond 1e25 m.
 VECTRIX_EXPORT Geodetic geodetic(const Vector<earth::Itrf, si::length>& r_itrf);
 
 /// The inverse. Throws BadInput when a number is not finite or the latitude is beyond a pole.
