@@ -1,0 +1,167 @@
+/// The same tasks by Vectrix, raw Eigen, Simbody, KDL and tf2 on the same numbers, side by side:
+///     peers <title>    prints the table of one build under that title
+/// Fails when a library's result differs from raw Eigen's.
+#include "peers.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <random>
+#include <string>
+
+namespace bench {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr std::size_t rounds = 1001;
+constexpr double round_ns = 10'000.0;
+constexpr double same =
+    1e-12;  // numbers of order 1; the ways to a logarithm or a quaternion round differently
+
+const std::vector<std::pair<Task, const char*>> tasks{
+    {Task::dcm_product, "DCM product"},
+    {Task::dcm_on_vector, "DCM on a vector"},
+    {Task::chain_on_vector, "five DCMs on a vector, as written"},
+    {Task::rate_chain, "angular velocities, chain of five"},
+    {Task::quaternion_product, "quaternion product"},
+    {Task::transform_product, "transform product, SE(3)"},
+    {Task::dcm_to_quaternion_below, "DCM to quaternion, 1.3 rad"},
+    {Task::dcm_to_quaternion_above, "DCM to quaternion, 2.7 rad"},
+    {Task::exp_to_quaternion, "exp to quaternion, 1.3 rad"},
+    {Task::exp_to_quaternion_small, "exp to quaternion, 1.3e-6 rad"},
+    {Task::exp_to_dcm, "exp to DCM, 1.3 rad"},
+    {Task::log_of_dcm, "log of a DCM, 1.3 rad"}};
+
+Given given() {
+  Given made{};
+  const auto put = [](const auto& from, auto& to) {
+    std::copy(from.data(), from.data() + from.size(), to.data());
+  };
+  const auto rows = [&](const Eigen::Quaterniond& q, Nine& m) {
+    put(Eigen::Matrix3d(q.toRotationMatrix().transpose()), m);
+  };
+  const std::array<Eigen::Quaterniond, 5> q{Eigen::Quaterniond(-0.1, 0.9, 0.3, 0.2).normalized(),
+                                            Eigen::Quaterniond(0.4, -0.2, 0.5, 0.7).normalized(),
+                                            Eigen::Quaterniond(0.5, 0.1, -0.8, 0.3).normalized(),
+                                            Eigen::Quaterniond(0.2, -0.6, -0.3, 0.7).normalized(),
+                                            Eigen::Quaterniond(-0.7, 0.3, 0.4, -0.5).normalized()};
+  const Eigen::Vector3d axis = Eigen::Vector3d(0.3, -1.1, 0.7).normalized();
+  for (std::size_t i = 0; i < 5; ++i) {
+    rows(q[i], made.R[i]);
+    put(Eigen::Vector3d(q[i].vec() + axis), made.w[i]);
+  }
+  for (std::size_t i = 0; i < 2; ++i) {
+    made.q[i] = {q[i].w(), q[i].x(), q[i].y(), q[i].z()};
+    put(Eigen::Vector3d(2.0 * q[i + 1].vec()), made.r[i]);
+  }
+  put(Eigen::Vector3d(0.2, -0.5, 1.4), made.r_a);
+  put(Eigen::Vector3d(1.3 * axis), made.theta);
+  put(Eigen::Vector3d(1.3e-6 * axis), made.small_theta);
+  rows(Eigen::Quaterniond(Eigen::AngleAxisd(1.3, axis)), made.R_below);
+  rows(Eigen::Quaterniond(Eigen::AngleAxisd(2.7, axis)), made.R_above);
+  return made;
+}
+
+/// The largest difference; q and -q are one rotation.
+double difference(const Numbers& one, const Numbers& other) {
+  const auto largest = [&](double sign) {
+    double found = one.size() == other.size() ? 0.0 : 1.0;
+    for (std::size_t i = 0; i < std::min(one.size(), other.size()); ++i)
+      found = std::max(found, std::abs(one[i] - sign * other[i]));
+    return found;
+  };
+  return one.size() == 4 ? std::min(largest(1.0), largest(-1.0)) : largest(1.0);
+}
+
+/// One batch, its stack `down` bytes lower: where a result lies can cost equal code half its time.
+[[gnu::noinline]] double nanoseconds(const Way& way, long calls, std::size_t down) {
+  keep(*static_cast<char*>(__builtin_alloca(down)));
+  const auto start = Clock::now();
+  way.repeat(calls);
+  return std::chrono::duration<double, std::nano>(Clock::now() - start).count() / static_cast<double>(calls);
+}
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// Rounds of one batch of each library in random order: what slows the machine slows all.
+std::vector<std::vector<double>> measure(const std::vector<const Way*>& ways) {
+  std::mt19937 generator(20240229);
+  std::vector<std::vector<double>> ns(ways.size());
+  std::vector<long> calls;
+  std::vector<std::size_t> order;
+  for (const Way* way : ways) {
+    constexpr long probe = 1000;
+    nanoseconds(*way, probe, 64);
+    calls.push_back(1 + static_cast<long>(round_ns / nanoseconds(*way, probe, 64)));
+    order.push_back(order.size());
+  }
+  for (std::size_t round = 0; round < rounds; ++round) {
+    std::shuffle(order.begin(), order.end(), generator);
+    const std::size_t down = 64 * (1 + generator() % 64);
+    for (const std::size_t i : order) ns[i].push_back(nanoseconds(*ways[i], calls[i], down));
+  }
+  return ns;
+}
+
+bool run(const char* title) {
+  const Given numbers = given();
+  const std::vector<std::pair<const char*, Peer>> peers{{"Vectrix", vectrix_peer(numbers)},
+                                                        {"raw Eigen", eigen_peer(numbers)},
+                                                        {"Simbody", simbody_peer(numbers)},
+                                                        {"KDL", kdl_peer(numbers)},
+                                                        {"tf2", tf2_peer(numbers)}};
+  std::string head = "| " + std::string(title), rule = "| ---";
+  for (const auto& [name, peer] : peers) {
+    head += " | " + std::string(name);
+    rule += " | ---";
+  }
+  std::printf("%s |\n%s |\n", head.c_str(), rule.c_str());
+  bool agree = true;
+  for (const auto& [task, name] : tasks) {
+    const Numbers expected = peers[1].second.at(task).result();
+    std::vector<const Way*> ways;
+    for (const auto& [library, peer] : peers) {
+      const auto found = peer.find(task);
+      if (found == peer.end()) continue;
+      ways.push_back(&found->second);
+      const double error = difference(found->second.result(), expected);
+      if (error <= same) continue;
+      std::fprintf(stderr, "peers: %s: %s and raw Eigen differ by %g\n", name, library, error);
+      agree = false;
+    }
+    const auto ns = measure(ways);
+    std::printf("| %s | %.1f", name, median(ns[0]));
+    std::size_t measured = 1;
+    for (std::size_t i = 1; i < peers.size(); ++i) {
+      if (peers[i].second.count(task) == 0) {
+        std::printf(" | -");
+        continue;
+      }
+      std::vector<double> ratios(rounds);
+      std::transform(ns[measured].begin(), ns[measured].end(), ns[0].begin(), ratios.begin(),
+                     std::divides<>());
+      std::printf(" | %.1f (%.2f)", median(ns[measured]), median(ratios));
+      ++measured;
+    }
+    std::printf(" |\n");
+  }
+  std::printf("\n");
+  return agree;
+}
+
+}  // namespace
+}  // namespace bench
+
+int main(int argc, char** argv) {
+  if (argc != 2) {
+    std::fprintf(stderr, "peers <title>\n");
+    return 2;
+  }
+  return bench::run(argv[1]) ? 0 : 1;
+}
