@@ -3,10 +3,11 @@
 /// Fails when a library's result differs from raw Eigen's.
 #include "peers.hpp"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
+#include <limits>
 #include <random>
 #include <string>
 
@@ -34,42 +35,50 @@ const std::vector<std::pair<Task, const char*>> tasks{
     {Task::exp_to_dcm, "exp to DCM, 1.3 rad"},
     {Task::log_of_dcm, "log of a DCM, 1.3 rad"}};
 
-Given given() {
-  Given made{};
-  const auto put = [](const auto& from, auto& to) {
-    std::copy(from.data(), from.data() + from.size(), to.data());
-  };
-  const auto rows = [&](const Eigen::Quaterniond& q, Nine& m) {
-    put(Eigen::Matrix3d(q.toRotationMatrix().transpose()), m);
-  };
-  const std::array<Eigen::Quaterniond, 5> q{Eigen::Quaterniond(-0.1, 0.9, 0.3, 0.2).normalized(),
-                                            Eigen::Quaterniond(0.4, -0.2, 0.5, 0.7).normalized(),
-                                            Eigen::Quaterniond(0.5, 0.1, -0.8, 0.3).normalized(),
-                                            Eigen::Quaterniond(0.2, -0.6, -0.3, 0.7).normalized(),
-                                            Eigen::Quaterniond(-0.7, 0.3, 0.4, -0.5).normalized()};
-  const Eigen::Vector3d axis = Eigen::Vector3d(0.3, -1.1, 0.7).normalized();
-  for (std::size_t i = 0; i < 5; ++i) {
-    rows(q[i], made.R[i]);
-    put(Eigen::Vector3d(q[i].vec() + axis), made.w[i]);
-  }
-  for (std::size_t i = 0; i < 2; ++i) {
-    made.q[i] = {q[i].w(), q[i].x(), q[i].y(), q[i].z()};
-    put(Eigen::Vector3d(2.0 * q[i + 1].vec()), made.r[i]);
-  }
-  put(Eigen::Vector3d(0.2, -0.5, 1.4), made.r_a);
-  put(Eigen::Vector3d(1.3 * axis), made.theta);
-  put(Eigen::Vector3d(1.3e-6 * axis), made.small_theta);
-  rows(Eigen::Quaterniond(Eigen::AngleAxisd(1.3, axis)), made.R_below);
-  rows(Eigen::Quaterniond(Eigen::AngleAxisd(2.7, axis)), made.R_above);
-  return made;
+Four unit(const Four& q) {
+  const double norm = std::sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
+  return {q[0] / norm, q[1] / norm, q[2] / norm, q[3] / norm};
 }
 
-/// The largest difference; q and -q are one rotation.
+Nine rows(const Four& quaternion) {
+  const auto [w, x, y, z] = quaternion;
+  return {1.0 - 2.0 * (y * y + z * z), 2.0 * (x * y - w * z),       2.0 * (x * z + w * y),
+          2.0 * (x * y + w * z),       1.0 - 2.0 * (x * x + z * z), 2.0 * (y * z - w * x),
+          2.0 * (x * z - w * y),       2.0 * (y * z + w * x),       1.0 - 2.0 * (x * x + y * y)};
+}
+
+Given given() {
+  const Three axis{0.48, -0.6, 0.64};
+  const auto along_axis = [&](double angle) {
+    return Three{angle * axis[0], angle * axis[1], angle * axis[2]};
+  };
+  const auto turned = [&](double angle) {
+    const auto [x, y, z] = along_axis(std::sin(angle / 2.0));
+    return rows({std::cos(angle / 2.0), x, y, z});
+  };
+  const std::array<Four, 5> q{unit({-0.1, 0.9, 0.3, 0.2}), unit({0.4, -0.2, 0.5, 0.7}),
+                              unit({0.5, 0.1, -0.8, 0.3}), unit({0.2, -0.6, -0.3, 0.7}),
+                              unit({-0.7, 0.3, 0.4, -0.5})};
+  return {{rows(q[0]), rows(q[1]), rows(q[2]), rows(q[3]), rows(q[4])},
+          {{{0.3, -1.1, 0.7}, {-0.2, 0.4, 0.9}, {0.8, 0.1, -0.6}, {-0.5, -0.3, 0.2}, {0.6, 1.2, -0.4}}},
+          {q[0], q[1]},
+          {{{1.3, -0.4, 0.2}, {-0.7, 0.9, 1.1}}},
+          {0.2, -0.5, 1.4},
+          along_axis(1.3),
+          along_axis(1.3e-6),
+          turned(1.3),
+          turned(2.7)};
+}
+
+/// The largest difference, infinite for what is no number; q and -q are one rotation.
 double difference(const Numbers& one, const Numbers& other) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
   const auto largest = [&](double sign) {
-    double found = one.size() == other.size() ? 0.0 : 1.0;
-    for (std::size_t i = 0; i < std::min(one.size(), other.size()); ++i)
-      found = std::max(found, std::abs(one[i] - sign * other[i]));
+    double found = one.size() == other.size() ? 0.0 : infinity;
+    for (std::size_t i = 0; i < std::min(one.size(), other.size()); ++i) {
+      const double entry = std::abs(one[i] - sign * other[i]);
+      if (!(entry <= found)) found = std::isfinite(entry) ? entry : infinity;
+    }
     return found;
   };
   return one.size() == 4 ? std::min(largest(1.0), largest(-1.0)) : largest(1.0);
