@@ -10,7 +10,7 @@ namespace detail {
 template <class F, class S> S checked_distance(const char* action, const Vector<F, si::length, S>& r) {
   const S distance = r.coordinates().norm();
   // Its cube divides.
-  if (!(distance * distance * distance > S(0))) {
+  if (!all(distance * distance * distance > S(0))) {
     throw BadInput(std::string{action} + "(r in " + frame_name<F>() + "): |r| is " + text(distance) + " m");
   }
   return distance;

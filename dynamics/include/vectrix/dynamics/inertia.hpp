@@ -111,6 +111,13 @@ template <class J, class S> J checked_inertia(const char* door, const Square<S>&
   }
   return inertia;
 }
+/// The solver branches: lane by lane.
+template <class B, Batch S> Inertia<B, S> checked_inertia(const char* door, const Square<S>& tensor) {
+  for (std::size_t i = 0; i < S::size(); ++i) {
+    checked_inertia<B, typename S::value_type>(door, lane(tensor, i));
+  }
+  return {trusted, tensor};
+}
 
 template <class S>
 Square<S> symmetric(const S& xx, const S& yy, const S& zz, const S& xy, const S& xz, const S& yz) {

@@ -23,7 +23,7 @@ template <class B, class A, class S> void require_finite(const Square<S>& matrix
   for (Eigen::Index row = 0; row < 3; ++row) {
     for (Eigen::Index column = 0; column < 3; ++column) {
       const S entry = matrix(row, column);
-      if (!(entry - entry == S(0))) {
+      if (!all(entry - entry == S(0))) {
         throw BadInput(dcm_door<B, A>(door) + "entry (" + text(row + 1) + ", " + text(column + 1) + ") is " +
                        text(entry));
       }
@@ -33,7 +33,7 @@ template <class B, class A, class S> void require_finite(const Square<S>& matrix
 
 template <class B, class A, class S> void require_right_handed(const Square<S>& matrix, const char* door) {
   const S determinant = matrix.determinant();
-  if (!(determinant > S(0))) {
+  if (!all(determinant > S(0))) {
     throw BadInput(dcm_door<B, A>(door) + "the determinant is " + text(determinant) +
                    "; a rotation is right-handed");
   }
@@ -51,7 +51,7 @@ detail::OfTwo<B, A, Dcm<B, A, typename Matrix::Scalar>> dcm(To<B>, From<A>, cons
   detail::require_finite<B, A>(entries, "dcm");
   const S error = (entries.transpose() * entries - detail::Square<S>::Identity()).cwiseAbs().maxCoeff();
   const double tolerance = detail::door_tolerance<S>(orthonormality_tolerance);
-  if (!(error <= S(tolerance))) {
+  if (!detail::all(error <= S(tolerance))) {
     throw BadInput(detail::dcm_door<B, A>("dcm") + "M^T M differs from the identity by " +
                    detail::text(error) + ", tolerance " + detail::text(tolerance) +
                    "; nearest_dcm() projects");
@@ -94,6 +94,25 @@ detail::OfTwo<B, A, NearestDcm<B, A, typename Matrix::Scalar>> nearest_dcm(To<B>
   const detail::Square<S> correction = rotation - entries;
   return NearestDcm<B, A, S>{Dcm<B, A, S>{detail::trusted, rotation}, detail::scaled_norm(correction)};
 }
+/// Of a batch, lane by lane: the decomposition branches.
+template <Frame B, Frame A, detail::Matrix3x3 Matrix>
+  requires detail::Batch<typename Matrix::Scalar>
+      detail::OfTwo<B, A, NearestDcm<B, A, typename Matrix::Scalar>> nearest_dcm(To<B>, From<A>,
+                                                                                 const Matrix& matrix) {
+    using S = typename Matrix::Scalar;
+    detail::Square<S> rotation;
+    S distance;
+    for (std::size_t lane = 0; lane < S::size(); ++lane) {
+      const auto nearest = nearest_dcm(to<B>, from<A>, detail::lane(matrix, lane));
+      for (Eigen::Index i = 0; i < 9; ++i) rotation.data()[i][lane] = nearest.dcm.matrix().data()[i];
+      distance[lane] = nearest.distance;
+    }
+    return NearestDcm<B, A, S>{Dcm<B, A, S>{detail::trusted, rotation}, distance};
+  }
+template <class B, class A, detail::Matrix3x3 Matrix>
+  requires detail::Differentiated<typename Matrix::Scalar>
+auto nearest_dcm(  // an iteration stops at values, before its derivatives: project numbers without them
+    To<B>, From<A>, const Matrix&) -> Refused = delete;
 template <class ToFrame, class FromFrame, class Given>
 auto nearest_dcm(  // to<B>, from<A>: two frames; a 3x3 matrix
     const ToFrame&, const FromFrame&, const Given&) -> Refused = delete;
@@ -131,12 +150,10 @@ template <class B, class A, class S>
 
 template <Eigen::Index axis, class B, class A, class S>
 Dcm<B, A, S> turned(const char* door, const Quantity<si::angle, S>& angle) {
-  using std::cos;
-  using std::sin;
   const S theta = angle.value();
-  const S c = cos(theta);
-  const S s = sin(theta);
-  if (!(c == c)) {  // the cosine of an infinity is no number
+  const S c = cosine(theta);
+  const S s = sine(theta);
+  if (!all(c == c)) {  // the cosine of an infinity is no number
     refuse_angle<B, A>(door, theta);
   }
   return {trusted, [&] {

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <string>
 #include <type_traits>
+#include <vectrix/frames/batch.hpp>
 
 namespace vectrix {
 
@@ -18,12 +19,18 @@ class __attribute__((visibility("default"))) BadInput : public std::invalid_argu
 
 namespace detail {
 
-/// The shortest text that reads back as the same number.
+/// The shortest text that reads back as the same number; of a batch, of each lane: {1, 2.5}.
 template <class Number> std::string text(const Number& value) {
   if constexpr (std::is_arithmetic_v<Number>) {
     std::array<char, 64> buffer{};
     const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr;
     return {buffer.data(), end};
+  } else if constexpr (Batch<Number>) {
+    std::string lanes;
+    for (std::size_t i = 0; i < Number::size(); ++i) {
+      lanes += (i == 0 ? "{" : ", ") + text(typename Number::value_type(value[i]));
+    }
+    return lanes + "}";
   } else {
     std::ostringstream out;
     out << value;

@@ -61,12 +61,12 @@ Displacement<B, A, In<B>, S> checked_translation(const char* door, const Eigen::
   const auto refuse = [&](const std::string& why) { throw BadInput(dcm_door<B, A>(door) + why); };
   for (Eigen::Index i = 0; i < 4; ++i) {
     const S expected = i == 3 ? S(1) : S(0);
-    if (!(matrix(3, i) == expected)) {
+    if (!all(matrix(3, i) == expected)) {
       refuse("entry (4, " + text(i + 1) + ") is " + text(matrix(3, i)) + " instead of " + text(expected));
     }
   }
   const Column<S> r = matrix.template topRightCorner<3, 1>();
-  if (!r.allFinite()) {
+  if (!all_finite(r)) {
     refuse("the translation (" + text(r.x()) + ", " + text(r.y()) + ", " + text(r.z()) + ") is not finite");
   }
   return Displacement<B, A, In<B>, S>{trusted, r};

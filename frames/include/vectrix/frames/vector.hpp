@@ -25,7 +25,7 @@ template <class S> using Column = Eigen::Matrix<S, 3, 1>;
 template <class Derived> auto scaled_norm(const Eigen::MatrixBase<Derived>& numbers) {
   using S = typename Derived::Scalar;
   const S largest = numbers.cwiseAbs().maxCoeff();
-  return largest > S(0) ? S(largest * (numbers / largest).norm()) : largest;
+  return select(largest > S(0), S(largest * (numbers / largest).norm()), largest);
 }
 
 /// A function whose result, a T, is built where it is to stay: a T taken by reference would be copied.
@@ -76,7 +76,7 @@ template <Frame F, class S>
 }
 
 template <Frame F, VectorUnit U, class S> Vector<F, U, S> checked_vector(const Column<S>& coordinates) {
-  if (!coordinates.allFinite()) {
+  if (!all_finite(coordinates)) {
     refuse_coordinates<F, S>(coordinates);
   }
   return {trusted, coordinates};
@@ -182,16 +182,17 @@ template <class F, class U, class S> Quantity<U, S> norm(const Vector<F, U, S>& 
 /// and for one whose coordinates overflowed.
 template <class F, class U, class S> Vector<F, si::dimensionless, S> direction(const Vector<F, U, S>& r) {
   const S largest = r.coordinates().cwiseAbs().maxCoeff();
-  if (!r.coordinates().allFinite()) {
+  if (!detail::all_finite(r.coordinates())) {
     throw BadInput("direction(vector in " + frame_name<F>() + "): the coordinates (" +
                    detail::text(r.coordinates().x()) + ", " + detail::text(r.coordinates().y()) + ", " +
                    detail::text(r.coordinates().z()) + ") are not finite");
   }
-  if (!(largest > S(0))) {
+  if (!detail::all(largest > S(0))) {
     throw BadInput("direction(vector in " + frame_name<F>() + "): |r| is " + detail::text(largest) +
                    "; a zero vector has no direction");
   }
-  return {detail::trusted, (r.coordinates() / largest).normalized()};
+  const detail::Column<S> scaled = r.coordinates() / largest;
+  return {detail::trusted, scaled / scaled.norm()};
 }
 
 template <class F, class U, class S> std::ostream& print_framed(std::ostream& out, const Vector<F, U, S>& r) {

@@ -7,6 +7,23 @@
 namespace vectrix {
 namespace detail {
 
+/// cos(h) and sin(h)/(2h) of h = |theta|/2, from |theta|^2.
+template <class S> struct HalfTurn {
+  S scalar;
+  S factor;
+};
+/// By their series; for |theta| < 1e-2 the first terms left out are below 1e-22.
+template <class S> HalfTurn<S> half_turn_series(const S& square) {
+  const S h2 = square / S(4);
+  return {S(1) - h2 / S(2) * (S(1) - h2 / S(12) * (S(1) - h2 / S(30) * (S(1) - h2 / S(56)))),
+          (S(1) - h2 / S(6) * (S(1) - h2 / S(20) * (S(1) - h2 / S(42)))) / S(2)};
+}
+template <class S> HalfTurn<S> half_turn(const S& square) {
+  using std::sqrt;
+  const S angle = sqrt(square);
+  return {cosine<S>(angle / S(2)), sine<S>(angle / S(2)) / angle};
+}
+
 template <class B, class A, class S> [[noreturn, gnu::cold, gnu::noinline]] void refuse_exp(S square) {
   throw BadInput("exp(rotation vector of " + frame_name<B>() + " relative to " + frame_name<A>() +
                  "): |theta|^2 is " + text(square));
@@ -19,28 +36,20 @@ template <class B, class A, class S> [[noreturn, gnu::cold, gnu::noinline]] void
 /// underflow of the square costs nothing. Throws BadInput when theta is not finite or |theta|^2 overflows.
 template <class A, class B, class S>
 Quaternion<A, B, S> exp_quaternion(const RotationVector<A, B, S>& theta_ab) {
-  using std::cos;
-  using std::sin;
-  using std::sqrt;
   const detail::Column<S>& theta = theta_ab.coordinates();
   const S square = theta.squaredNorm();
-  S scalar;
-  S factor;  // sin(|theta|/2) / |theta|
-  if (square < S(1e-4)) {
-    // h = |theta|/2: sin(h)/(2h) and cos(h); the first terms left out are below 1e-22.
-    const S h2 = square / S(4);
-    factor = (S(1) - h2 / S(6) * (S(1) - h2 / S(20) * (S(1) - h2 / S(42)))) / S(2);
-    scalar = S(1) - h2 / S(2) * (S(1) - h2 / S(12) * (S(1) - h2 / S(30) * (S(1) - h2 / S(56))));
-  } else {
-    const S angle = sqrt(square);
-    scalar = cos(angle / S(2));
-    factor = sin(angle / S(2)) / angle;
-    if (!(scalar == scalar)) {  // the cosine of an infinity is no number
+  detail::HalfTurn<S> half = detail::half_turn_series(square);
+  if (const auto small = square < S(1e-4); !detail::all(small)) {
+    const detail::HalfTurn<S> other = detail::half_turn(square);
+    if (!detail::all(other.scalar == other.scalar)) {  // the cosine of an infinity is no number
       detail::refuse_exp<B, A>(square);
     }
+    half = {detail::select(small, half.scalar, other.scalar),
+            detail::select(small, half.factor, other.factor)};
   }
   return {detail::trusted, [&] {
-            return Eigen::Quaternion<S>(scalar, factor * theta.x(), factor * theta.y(), factor * theta.z());
+            return Eigen::Quaternion<S>(half.scalar, half.factor * theta.x(), half.factor * theta.y(),
+                                        half.factor * theta.z());
           }};
 }
 

@@ -24,12 +24,12 @@ template <class Derived> auto vee(const Eigen::MatrixBase<Derived>& matrix) {
   // Far above the rounding of a product of rotations, far below any wrong matrix.
   const double skew_tolerance = detail::door_tolerance<S>(1e-9);
   const detail::Square<S> m = matrix;
-  if (!m.allFinite()) {
+  if (!detail::all_finite(m)) {
     throw BadInput("vee(matrix): an entry is not finite");
   }
   const S symmetric = ((m + m.transpose()) / S(2)).cwiseAbs().maxCoeff();
   const S largest = m.cwiseAbs().maxCoeff();
-  if (!(symmetric <= S(skew_tolerance) * largest)) {
+  if (!detail::all(symmetric <= S(skew_tolerance) * largest)) {
     throw BadInput("vee(matrix): the symmetric part reaches " + detail::text(symmetric) +
                    " beside entries of " + detail::text(largest) + "; the matrix is not skew");
   }

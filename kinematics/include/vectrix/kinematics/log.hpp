@@ -5,33 +5,43 @@
 #include <vectrix/kinematics/rotation_vector.hpp>
 
 namespace vectrix {
+namespace detail {
+
+/// |theta| / |v| of the shortest turn, from q_w >= 0 and |v|^2, where q = (q_w, v).
+template <class S> S turn_factor(const S& scalar, const S& square) {
+  using std::atan2;
+  using std::sqrt;
+  const S length = sqrt(square);
+  return S(2) * atan2(length, scalar) / length;
+}
+/// The same for |v|^2 < 1e-4, 2 atan(t)/t / w with t^2 = |v|^2 / w^2; the first term left out is below 1e-17.
+template <class S> S turn_factor_series(const S& scalar, const S& square) {
+  const S t2 = square / (scalar * scalar);
+  return S(2) / scalar *
+         (S(1) -
+          t2 * (S(1) / S(3) - t2 * (S(1) / S(5) - t2 * (S(1) / S(7) - t2 * (S(1) / S(9) - t2 / S(11))))));
+}
+
+}  // namespace detail
 
 /// log: the rotation vector theta_ab of the shortest turn, |theta| <= pi, with exp(theta_ab) = q_a_from_b.
 /// Accurate to rounding from 1e-300 rad to pi. At exactly pi, where +n and -n are the same turn, the axis is
 /// the one whose first non-zero component is positive. The identity gives zero. Any unit quaternion is valid.
 template <class A, class B, class S> RotationVector<A, B, S> log(const Quaternion<A, B, S>& q_a_from_b) {
-  using std::atan2;
-  using std::sqrt;
+  using detail::select;
   const auto& q = q_a_from_b.eigen();
   const detail::Column<S> v = q.vec();
   const auto first = [](const detail::Column<S>& c) {
-    return c.x() != S(0) ? c.x() : c.y() != S(0) ? c.y() : c.z();
+    return select<S>(c.x() != S(0), c.x(), select<S>(c.y() != S(0), c.y(), c.z()));
   };
-  const bool flipped = q.w() < S(0) || (q.w() == S(0) && first(v) < S(0));
-  const S scalar = flipped ? -q.w() : q.w();
+  const auto flipped = q.w() < S(0) || (q.w() == S(0) && first(v) < S(0));
+  const S scalar = select<S>(flipped, -q.w(), q.w());
   const S square = v.squaredNorm();
-  S factor;  // |theta| / |v|
-  if (square < S(1e-4)) {
-    // 2 atan(t)/t / w with t^2 = |v|^2 / w^2; the first term left out is below 1e-17.
-    const S t2 = square / (scalar * scalar);
-    factor = S(2) / scalar *
-             (S(1) -
-              t2 * (S(1) / S(3) - t2 * (S(1) / S(5) - t2 * (S(1) / S(7) - t2 * (S(1) / S(9) - t2 / S(11))))));
-  } else {
-    const S length = sqrt(square);
-    factor = S(2) * atan2(length, scalar) / length;
+  S factor = detail::turn_factor_series(scalar, square);
+  if (const auto small = square < S(1e-4); !detail::all(small)) {
+    factor = select(small, factor, detail::turn_factor(scalar, square));
   }
-  return {detail::trusted, (flipped ? -factor : factor) * v};
+  return {detail::trusted, select<S>(flipped, -factor, factor) * v};
 }
 
 /// log of a DCM, by way of its quaternion; the same range, accuracy and choice of axis.

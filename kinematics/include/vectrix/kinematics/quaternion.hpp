@@ -49,12 +49,12 @@ template <class B, class A> std::string quaternion_door(const char* door) {
 }
 
 template <class B, class A, class S> S checked_norm(const Eigen::Quaternion<S>& q, const char* door) {
-  if (!q.coeffs().allFinite()) {
+  if (!all_finite(q.coeffs())) {
     throw BadInput(quaternion_door<B, A>(door) + "the numbers, scalar first, (" + text(q.w()) + ", " +
                    text(q.x()) + ", " + text(q.y()) + ", " + text(q.z()) + ") are not finite");
   }
   const S norm = scaled_norm(q.coeffs());
-  if (!(norm > S(0)) || !(norm - norm == S(0))) {
+  if (!all(norm > S(0)) || !all(norm - norm == S(0))) {
     throw BadInput(quaternion_door<B, A>(door) + "the norm is " + text(norm) +
                    "; a zero quaternion turns nothing");
   }
@@ -64,9 +64,9 @@ template <class B, class A, class S> S checked_norm(const Eigen::Quaternion<S>& 
 template <class B, class A, class S>
 Quaternion<B, A, S> unit_quaternion(const Eigen::Quaternion<S>& q, const char* door) {
   const S norm = checked_norm<B, A>(q, door);
-  const S error = norm > S(1) ? norm - S(1) : S(1) - norm;
+  const S error = select(norm > S(1), S(norm - S(1)), S(S(1) - norm));
   const double tolerance = door_tolerance<S>(unit_norm_tolerance);
-  if (!(error <= S(tolerance))) {
+  if (!all(error <= S(tolerance))) {
     throw BadInput(quaternion_door<B, A>(door) + "the norm differs from 1 by " + text(error) +
                    ", tolerance " + text(tolerance) + "; nearest_" + door + "() projects");
   }
@@ -109,8 +109,9 @@ detail::OfTwo<B, A, NearestQuaternion<B, A, S>> nearest_quaternion_scalar_first(
   const Eigen::Quaternion<S> q{w, x, y, z};
   const S norm = detail::checked_norm<B, A>(q, "nearest_quaternion_scalar_first");
   // Scaled first: the square of a tiny or huge component is not a number that can be divided by.
-  const Eigen::Quaternion<S> scaled(q.coeffs() / q.coeffs().cwiseAbs().maxCoeff());
-  return {Quaternion<B, A, S>{detail::trusted, scaled.normalized()}, abs(norm - S(1))};
+  const Eigen::Matrix<S, 4, 1> scaled = q.coeffs() / q.coeffs().cwiseAbs().maxCoeff();
+  const Eigen::Quaternion<S> unit(scaled / scaled.norm());
+  return {Quaternion<B, A, S>{detail::trusted, unit}, abs(norm - S(1))};
 }
 template <class ToFrame, class FromFrame, class W, class X, class Y, class Z>
 auto nearest_quaternion_scalar_first(  // to<B>, from<A>: two frames; four numbers of one floating type
@@ -146,32 +147,63 @@ template <class B, class A, class S> Dcm<B, A, S> dcm(const Quaternion<B, A, S>&
   return {detail::trusted, q_b_from_a.eigen().toRotationMatrix()};
 }
 
+namespace detail {
+
+/// q and -q are one rotation: the one with q_w >= 0, and at q_w = 0 the first non-zero of x, y, z positive.
+template <class S> Eigen::Quaternion<S> unit_of_upper_half(const Eigen::Matrix<S, 4, 1>& xyzw) {
+  const auto or_else = [](const S& first, const S& second) {
+    return select<S>(first != S(0), first, second);
+  };
+  const S sign = or_else(xyzw(3), or_else(xyzw(0), or_else(xyzw(1), xyzw(2))));
+  const S norm = xyzw.norm();
+  return Eigen::Quaternion<S>(xyzw / select<S>(sign < S(0), -norm, norm));
+}
+
+/// A multiple of q by each of the four largest-component formulas, chosen lane by lane.
+template <Batch S> Eigen::Matrix<S, 4, 1> quaternion_multiple(const Square<S>& m) {
+  using Four = Eigen::Matrix<S, 4, 1>;
+  const S w = S(1) + m.trace();
+  const S x = S(1) + m(0, 0) - m(1, 1) - m(2, 2);
+  const S y = S(1) + m(1, 1) - m(2, 2) - m(0, 0);
+  const S z = S(1) + m(2, 2) - m(0, 0) - m(1, 1);
+  const S wx = m(2, 1) - m(1, 2), wy = m(0, 2) - m(2, 0), wz = m(1, 0) - m(0, 1);
+  const S xy = m(0, 1) + m(1, 0), xz = m(0, 2) + m(2, 0), yz = m(1, 2) + m(2, 1);
+  const auto either = [](const auto& condition, const Four& yes, const Four& no) {
+    return Four{select(condition, yes(0), no(0)), select(condition, yes(1), no(1)),
+                select(condition, yes(2), no(2)), select(condition, yes(3), no(3))};
+  };
+  const Four by_y_or_z = either(m(1, 1) >= m(2, 2), Four{xy, y, yz, wy}, Four{xz, yz, z, wz});
+  const S other = select(m(1, 1) >= m(2, 2), m(1, 1), m(2, 2));
+  const Four by_diagonal = either(m(0, 0) >= other, Four{x, xy, xz, wx}, by_y_or_z);
+  return either(m.trace() > select(m(0, 0) >= other, m(0, 0), other), Four{wx, wy, wz, w}, by_diagonal);
+}
+
+/// The same of one number: the largest component is found first.
+template <class S> Eigen::Matrix<S, 4, 1> quaternion_multiple(const Square<S>& m) {
+  const S trace = m.trace();
+  Eigen::Index i;
+  const S diagonal = m.diagonal().maxCoeff(&i);
+  if (trace > diagonal) {
+    return {m(2, 1) - m(1, 2), m(0, 2) - m(2, 0), m(1, 0) - m(0, 1), S(1) + trace};
+  }
+  const Eigen::Index j = (i + 1) % 3;
+  const Eigen::Index k = (i + 2) % 3;
+  Eigen::Matrix<S, 4, 1> xyzw;
+  xyzw(3) = m(k, j) - m(j, k);
+  xyzw(i) = S(1) + m(i, i) - m(j, j) - m(k, k);
+  xyzw(j) = m(i, j) + m(j, i);
+  xyzw(k) = m(i, k) + m(k, i);
+  return xyzw;
+}
+
+}  // namespace detail
+
 /// q_a^b of R_a^b, with q_w >= 0, and at q_w = 0 the first non-zero of x, y, z positive. Accurate for every
 /// rotation: the largest of the four components is taken from the diagonal (Shepperd 1978), the others by
 /// division.
 template <class B, class A, class S> Quaternion<B, A, S> quaternion(const Dcm<B, A, S>& R_b_from_a) {
-  const auto& m = R_b_from_a.matrix();
-  const S trace = m.trace();
-  Eigen::Index largest;
-  const S diagonal = m.diagonal().maxCoeff(&largest);
-  Eigen::Quaternion<S> q;
-  if (trace > diagonal) {
-    q = {S(1) + trace, m(2, 1) - m(1, 2), m(0, 2) - m(2, 0), m(1, 0) - m(0, 1)};
-  } else {
-    const Eigen::Index i = largest;
-    const Eigen::Index j = (i + 1) % 3;
-    const Eigen::Index k = (i + 2) % 3;
-    q.w() = m(k, j) - m(j, k);
-    q.coeffs()(i) = S(1) + m(i, i) - m(j, j) - m(k, k);
-    q.coeffs()(j) = m(i, j) + m(j, i);
-    q.coeffs()(k) = m(i, k) + m(k, i);
-  }
-  const auto first_sign = [](const auto& c) {
-    return c(3) != S(0) ? c(3) : c(0) != S(0) ? c(0) : c(1) != S(0) ? c(1) : c(2);
-  };
-  const S norm = q.coeffs().norm();
-  q.coeffs() /= first_sign(q.coeffs()) < S(0) ? -norm : norm;
-  return {detail::trusted, q};
+  return {detail::trusted,
+          [&] { return detail::unit_of_upper_half<S>(detail::quaternion_multiple<S>(R_b_from_a.matrix())); }};
 }
 
 template <class B, class A, class S>

@@ -20,7 +20,7 @@ template <Frame A, Frame B, class S = double> class Slerp {
         theta_(
             log(Quaternion<A, B, S>{detail::trusted, q0_a_from_b.eigen().conjugate() * q1_a_from_b.eigen()})
                 .coordinates()) {
-    if (!(duration_ > S(0)) || !(duration_ - duration_ == S(0))) {
+    if (!detail::all(duration_ > S(0)) || !detail::all(duration_ - duration_ == S(0))) {
       throw BadInput("Slerp of " + frame_name<B>() + " relative to " + frame_name<A>() + ": the times " +
                      detail::text(start_) + " s and " + detail::text(t1.value()) + " s do not increase");
     }
@@ -33,7 +33,7 @@ template <Frame A, Frame B, class S = double> class Slerp {
 
   MovingDcm<A, B, S> operator()(const Quantity<si::time, S>& t) const {
     const S s = (t.value() - start_) / duration_;
-    if (!(s >= S(0) && s <= S(1))) {
+    if (!detail::all(s >= S(0)) || !detail::all(s <= S(1))) {
       throw BadInput("Slerp of " + frame_name<B>() + " relative to " + frame_name<A>() + ": time " +
                      detail::text(t.value()) + " s is outside [" + detail::text(start_) + ", " +
                      detail::text(start_ + duration_) + "] s");

@@ -1,0 +1,84 @@
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+
+/// What the library asks of a scalar beyond its arithmetic, also of one that is several numbers at once.
+namespace vectrix::detail {
+
+/// Several numbers, one a lane, as std::experimental::simd. What is true of some lanes and false of others is
+/// a mask and no bool: no `if` takes it, so the algebra of batches cannot branch on their numbers.
+template <class S>
+concept Batch = requires(const S& numbers) {
+  typename S::value_type;
+  typename S::mask_type;
+  S::size();
+  numbers[0];
+};
+
+/// A number with its derivatives, as Eigen::AutoDiffScalar.
+template <class S>
+concept Differentiated = requires(const S& number) {
+  number.derivatives();
+};
+
+/// Whether a comparison holds: of one number, or in every lane.
+inline bool all(bool holds) {
+  return holds;
+}
+template <class Mask> bool all(const Mask& holds) {
+  return all_of(holds);
+}
+
+/// `yes` where the condition holds, `no` elsewhere, lane by lane; both are computed.
+template <class S> S select(bool holds, const S& yes, const S& no) {
+  return holds ? yes : no;
+}
+template <Batch S> S select(const typename S::mask_type& holds, const S& yes, const S& no) {
+  S chosen = no;
+  where(holds, chosen) = yes;
+  return chosen;
+}
+
+/// f of each lane alone.
+template <Batch S, class Function> S each_lane(const S& x, const Function& f) {
+  return S([&](auto i) { return f(typename S::value_type(x[i])); });
+}
+
+/// Above it libstdc++'s sine and cosine of a batch go wrong: they count quarter turns in 32 bits.
+inline constexpr double batch_angle_limit = 1e8;
+
+template <class S> S sine(const S& x) {
+  using std::abs;
+  using std::sin;
+  if constexpr (Batch<S>) {
+    if (!all(abs(x) <= S(batch_angle_limit))) return each_lane(x, [](auto angle) { return sin(angle); });
+  }
+  return sin(x);
+}
+template <class S> S cosine(const S& x) {
+  using std::abs;
+  using std::cos;
+  if constexpr (Batch<S>) {
+    if (!all(abs(x) <= S(batch_angle_limit))) return each_lane(x, [](auto angle) { return cos(angle); });
+  }
+  return cos(x);
+}
+
+/// Whether every entry of a matrix is finite, in every lane.
+template <class Matrix> bool all_finite(const Matrix& matrix) {
+  using S = typename Matrix::Scalar;
+  if constexpr (Batch<S>) {
+    return all(S((matrix - matrix).sum()) == S(0));
+  } else {
+    return matrix.allFinite();
+  }
+}
+
+/// A matrix of one lane's numbers.
+template <class Matrix> auto lane(const Matrix& matrix, std::size_t i) {
+  using Number = typename Matrix::Scalar::value_type;
+  return matrix.unaryExpr([i](const auto& x) { return Number(x[i]); }).eval();
+}
+
+}  // namespace vectrix::detail
