@@ -46,6 +46,21 @@ Given<S> converted(const Given<From>& from, const Function& f) {
   return given;
 }
 
+/// Given<S> whose lanes are those of the list.
+template <class S> Given<S> batch_of(const std::vector<Given<double>>& lanes) {
+  Given<S> given;
+  for (std::size_t i = 0; i < S::size(); ++i) {
+    for (std::size_t k = 0; k < given.q.size(); ++k) {
+      for (Eigen::Index n = 0; n < 4; ++n) given.q[k](n)[i] = lanes[i].q[k](n);
+    }
+    for (std::size_t k = 0; k < given.v.size(); ++k) {
+      for (Eigen::Index n = 0; n < 3; ++n) given.v[k](n)[i] = lanes[i].v[k](n);
+    }
+    given.t[i] = lanes[i].t;
+  }
+  return given;
+}
+
 /// A list of numbers.
 template <class S> struct Told {
   std::vector<S> numbers;

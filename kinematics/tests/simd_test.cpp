@@ -41,16 +41,7 @@ TYPED_TEST(Simd, EachLaneIsThatOfADouble) {
   for (int i = 0; i < instances; ++i) {
     std::vector<Given<double>> one;
     for (std::size_t lane = 0; lane < S::size(); ++lane) one.push_back(random_numbers(random));
-    Given<S> batch;
-    for (std::size_t lane = 0; lane < S::size(); ++lane) {
-      for (std::size_t k = 0; k < batch.q.size(); ++k) {
-        for (Eigen::Index n = 0; n < 4; ++n) batch.q[k](n)[lane] = one[lane].q[k](n);
-      }
-      for (std::size_t k = 0; k < batch.v.size(); ++k) {
-        for (Eigen::Index n = 0; n < 3; ++n) batch.v[k](n)[lane] = one[lane].v[k](n);
-      }
-      batch.t[lane] = one[lane].t;
-    }
+    const Given<S> batch = batch_of<S>(one);
     const auto check = [&](const char* law, const std::vector<S>& found, const auto& alone) {
       for (std::size_t lane = 0; lane < S::size(); ++lane) {
         const std::vector<double> wanted = alone(one[lane]);

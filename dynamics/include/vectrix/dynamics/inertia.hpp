@@ -118,6 +118,13 @@ template <class B, Batch S> Inertia<B, S> checked_inertia(const char* door, cons
   }
   return {trusted, tensor};
 }
+/// Whether a body has it, the values say.
+template <class B, Differentiated S>
+Inertia<B, S> checked_inertia(const char* door, const Square<S>& tensor) {
+  using Value = std::remove_cvref_t<decltype(tensor(0, 0).value())>;
+  checked_inertia<B, Value>(door, tensor.unaryExpr([](const S& x) { return Value(x.value()); }));
+  return {trusted, tensor};
+}
 
 template <class S>
 Square<S> symmetric(const S& xx, const S& yy, const S& zz, const S& xy, const S& xz, const S& yz) {
