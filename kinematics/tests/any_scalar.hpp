@@ -228,10 +228,11 @@ template <class S> std::vector<S> graph_answers(const Given<S>& given) {
     return Transform{trust_dcm(to<Body>, from<Itrf>, [&] { return X.turning.moving.rotation.matrix(); }),
                      X.translation};
   };
-  const auto graph = frame_graph(edge([&](const Time& t) { return travel<Gcrf, Body>(given, 0, t); }),
-                                 edge([&](const Time& t) { return travel<Camera, Body>(given, 1, t); }),
-                                 rigid_edge(transform_of(travel<Camera, Wheel<1>>(given, 2, Time{}))),
-                                 edge(trusted), static_edge(dcm(unit<Itrf, Wheel<2>>(given.q[3]))));
+  const auto graph =
+      frame_graph(edge([&](const Time& t) { return travel<Gcrf, Body>(given, 0, t); }),
+                  edge([&](const Time& t) { return travel<Camera, Body>(given, 1, t); }),
+                  rigid_edge(transform_of(travel<Camera, Wheel<1>>(given, 2, instant_of(S(0))))),
+                  edge(trusted), static_edge(dcm(unit<Itrf, Wheel<2>>(given.q[3]))));
   const auto now = graph.at(instant_of(given.t));
   told.add(now.rotation(to<Wheel<2>>, from<Wheel<1>>));
   told.add(now.rotation(to<Gcrf>, from<Gcrf>));
