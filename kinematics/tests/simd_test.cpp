@@ -152,6 +152,14 @@ TYPED_TEST(Simd, ADoorRefusesABadLane) {
   EXPECT_NE(refusal([&] { slerp(instant_of(this->spoilt(1.5))); }), "");
 }
 
+TEST(Simd, PrintsItsLanes) {
+  using S = simd::simd<double, simd::simd_abi::deduce_t<double, 2>>;
+  const S x([](auto lane) { return lane + 0.5; });
+  std::ostringstream out;
+  out << vector<si::length>(in<Body>, detail::Column<S>(x, 1.0, 0.0));
+  EXPECT_EQ(out.str(), "({0.5, 1.5}, {1, 1}, {0, 0}) m in " + frame_name<Body>());
+}
+
 // A comparison of lanes is no bool: what branches on one does not compile.
 static_assert(!std::is_convertible_v<simd::native_simd<double>::mask_type, bool>);
 

@@ -2,6 +2,7 @@
 
 #include <ostream>
 #include <string_view>
+#include <vectrix/frames/errors.hpp>
 #include <vectrix/frames/frame.hpp>
 #include <vectrix/frames/units.hpp>
 
@@ -22,20 +23,32 @@ template <> inline constexpr const char* unit_symbol<si::angular_acceleration> =
 template <> inline constexpr const char* unit_symbol<si::angular_momentum> = "N m s";
 template <> inline constexpr const char* unit_symbol<si::torque> = "N m";
 
+/// A number as the stream writes it; of a batch the text of its lanes.
+template <class S> decltype(auto) printable(const S& number) {
+  if constexpr (Batch<S>) {
+    return text(number);
+  } else {
+    return (number);
+  }
+}
+
 /// (1, 2, 3) m
 template <class Column> std::ostream& print_column(std::ostream& out, const Column& v, const char* unit) {
-  return out << '(' << v(0) << ", " << v(1) << ", " << v(2) << ')' << (*unit ? " " : "") << unit;
+  return out << '(' << printable(v(0)) << ", " << printable(v(1)) << ", " << printable(v(2)) << ')'
+             << (*unit ? " " : "") << unit;
 }
 /// [1 2 3; 4 5 6; 7 8 9]
 template <class Square> std::ostream& print_square(std::ostream& out, const Square& m) {
   for (int row = 0; row < 3; ++row) {
-    out << (row == 0 ? "[" : "; ") << m(row, 0) << ' ' << m(row, 1) << ' ' << m(row, 2);
+    out << (row == 0 ? "[" : "; ") << printable(m(row, 0)) << ' ' << printable(m(row, 1)) << ' '
+        << printable(m(row, 2));
   }
   return out << ']';
 }
 /// (1; 2, 3, 4), scalar first
 template <class Quaternion> std::ostream& print_quaternion(std::ostream& out, const Quaternion& q) {
-  return out << '(' << q.w() << "; " << q.x() << ", " << q.y() << ", " << q.z() << ')';
+  return out << '(' << printable(q.w()) << "; " << printable(q.x()) << ", " << printable(q.y()) << ", "
+             << printable(q.z()) << ')';
 }
 template <Frame B, Frame A> std::ostream& print_to_from(std::ostream& out) {
   return out << " to " << frame_name<B>() << " from " << frame_name<A>();

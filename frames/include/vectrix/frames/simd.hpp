@@ -10,8 +10,9 @@
 ///     Dcm<B, A, Lanes>, Vector<B, si::length, Lanes>, Inertia<B, Lanes>
 /// Each lane is computed as a double is. A door refuses the whole when one lane is bad. What needs more than
 /// a choice between two results, nearest_dcm() and the checked doors of Inertia, goes lane by lane.
-/// clang takes batches wider than the machine's registers only with -DEIGEN_MAX_ALIGN_BYTES=64.
-/// A header of its own, which <vectrix/frames.hpp> does not bring: <experimental/simd> takes long to compile.
+/// clang refuses batches that want more alignment than Eigen's matrices have: fixed_size_simd<double, 4>
+/// without AVX. A header of its own, which <vectrix/frames.hpp> does not bring: <experimental/simd> takes
+/// long to compile.
 template <class Abi>
 struct Eigen::NumTraits<std::experimental::simd<double, Abi>>
     : Eigen::GenericNumTraits<std::experimental::simd<double, Abi>> {

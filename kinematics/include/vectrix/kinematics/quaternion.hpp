@@ -147,63 +147,60 @@ template <class B, class A, class S> Dcm<B, A, S> dcm(const Quaternion<B, A, S>&
   return {detail::trusted, q_b_from_a.eigen().toRotationMatrix()};
 }
 
-namespace detail {
-
-/// q and -q are one rotation: the one with q_w >= 0, and at q_w = 0 the first non-zero of x, y, z positive.
-template <class S> Eigen::Quaternion<S> unit_of_upper_half(const Eigen::Matrix<S, 4, 1>& xyzw) {
-  const auto or_else = [](const S& first, const S& second) {
-    return select<S>(first != S(0), first, second);
+/// q_a^b of R_a^b, with q_w >= 0, and at q_w = 0 the first non-zero of x, y, z positive. Accurate for every
+/// rotation: the largest of the four components is taken from the diagonal (Shepperd 1978), the others by
+/// division.
+template <class B, class A, class S> Quaternion<B, A, S> quaternion(const Dcm<B, A, S>& R_b_from_a) {
+  const auto& m = R_b_from_a.matrix();
+  const S trace = m.trace();
+  Eigen::Index largest;
+  const S diagonal = m.diagonal().maxCoeff(&largest);
+  Eigen::Quaternion<S> q;
+  if (trace > diagonal) {
+    q = {S(1) + trace, m(2, 1) - m(1, 2), m(0, 2) - m(2, 0), m(1, 0) - m(0, 1)};
+  } else {
+    const Eigen::Index i = largest;
+    const Eigen::Index j = (i + 1) % 3;
+    const Eigen::Index k = (i + 2) % 3;
+    q.w() = m(k, j) - m(j, k);
+    q.coeffs()(i) = S(1) + m(i, i) - m(j, j) - m(k, k);
+    q.coeffs()(j) = m(i, j) + m(j, i);
+    q.coeffs()(k) = m(i, k) + m(k, i);
+  }
+  const auto first_sign = [](const auto& c) {
+    return c(3) != S(0) ? c(3) : c(0) != S(0) ? c(0) : c(1) != S(0) ? c(1) : c(2);
   };
-  const S sign = or_else(xyzw(3), or_else(xyzw(0), or_else(xyzw(1), xyzw(2))));
-  const S norm = xyzw.norm();
-  return Eigen::Quaternion<S>(xyzw / select<S>(sign < S(0), -norm, norm));
+  const S norm = q.coeffs().norm();
+  q.coeffs() /= first_sign(q.coeffs()) < S(0) ? -norm : norm;
+  return {detail::trusted, q};
 }
 
-/// A multiple of q by each of the four largest-component formulas, chosen lane by lane.
-template <Batch S> Eigen::Matrix<S, 4, 1> quaternion_multiple(const Square<S>& m) {
+/// Of a batch: every component's formula is computed and one chosen lane by lane.
+template <class B, class A, detail::Batch S> Quaternion<B, A, S> quaternion(const Dcm<B, A, S>& R_b_from_a) {
   using Four = Eigen::Matrix<S, 4, 1>;
+  const auto& m = R_b_from_a.matrix();
   const S w = S(1) + m.trace();
   const S x = S(1) + m(0, 0) - m(1, 1) - m(2, 2);
   const S y = S(1) + m(1, 1) - m(2, 2) - m(0, 0);
   const S z = S(1) + m(2, 2) - m(0, 0) - m(1, 1);
   const S wx = m(2, 1) - m(1, 2), wy = m(0, 2) - m(2, 0), wz = m(1, 0) - m(0, 1);
   const S xy = m(0, 1) + m(1, 0), xz = m(0, 2) + m(2, 0), yz = m(1, 2) + m(2, 1);
-  const auto either = [](const auto& condition, const Four& yes, const Four& no) {
-    return Four{select(condition, yes(0), no(0)), select(condition, yes(1), no(1)),
-                select(condition, yes(2), no(2)), select(condition, yes(3), no(3))};
+  const auto either = [](const auto& holds, const Four& yes, const Four& no) {
+    using detail::select;
+    return Four{select(holds, yes(0), no(0)), select(holds, yes(1), no(1)), select(holds, yes(2), no(2)),
+                select(holds, yes(3), no(3))};
   };
-  const Four by_y_or_z = either(m(1, 1) >= m(2, 2), Four{xy, y, yz, wy}, Four{xz, yz, z, wz});
-  const S other = select(m(1, 1) >= m(2, 2), m(1, 1), m(2, 2));
-  const Four by_diagonal = either(m(0, 0) >= other, Four{x, xy, xz, wx}, by_y_or_z);
-  return either(m.trace() > select(m(0, 0) >= other, m(0, 0), other), Four{wx, wy, wz, w}, by_diagonal);
-}
-
-/// The same of one number: the largest component is found first.
-template <class S> Eigen::Matrix<S, 4, 1> quaternion_multiple(const Square<S>& m) {
-  const S trace = m.trace();
-  Eigen::Index i;
-  const S diagonal = m.diagonal().maxCoeff(&i);
-  if (trace > diagonal) {
-    return {m(2, 1) - m(1, 2), m(0, 2) - m(2, 0), m(1, 0) - m(0, 1), S(1) + trace};
-  }
-  const Eigen::Index j = (i + 1) % 3;
-  const Eigen::Index k = (i + 2) % 3;
-  Eigen::Matrix<S, 4, 1> xyzw;
-  xyzw(3) = m(k, j) - m(j, k);
-  xyzw(i) = S(1) + m(i, i) - m(j, j) - m(k, k);
-  xyzw(j) = m(i, j) + m(j, i);
-  xyzw(k) = m(i, k) + m(k, i);
-  return xyzw;
-}
-
-}  // namespace detail
-
-/// q_a^b of R_a^b, with q_w >= 0, and at q_w = 0 the first non-zero of x, y, z positive. Accurate for every
-/// rotation: the largest of the four components is taken from the diagonal (Shepperd 1978), the others by
-/// division.
-template <class B, class A, class S> Quaternion<B, A, S> quaternion(const Dcm<B, A, S>& R_b_from_a) {
-  return {detail::trusted,
-          [&] { return detail::unit_of_upper_half<S>(detail::quaternion_multiple<S>(R_b_from_a.matrix())); }};
+  const Four y_or_z = either(m(1, 1) >= m(2, 2), Four{xy, y, yz, wy}, Four{xz, yz, z, wz});
+  const S larger = detail::select(m(1, 1) >= m(2, 2), m(1, 1), m(2, 2));
+  const Four by_diagonal = either(m(0, 0) >= larger, Four{x, xy, xz, wx}, y_or_z);
+  const S largest = detail::select(m(0, 0) >= larger, m(0, 0), larger);
+  const Four q = either(m.trace() > largest, Four{wx, wy, wz, w}, by_diagonal);
+  const auto or_else = [](const S& first, const S& second) {
+    return detail::select(first != S(0), first, second);
+  };
+  const S sign = or_else(q(3), or_else(q(0), or_else(q(1), q(2))));
+  const S norm = q.norm();
+  return {detail::trusted, Eigen::Quaternion<S>(q / detail::select<S>(sign < S(0), -norm, norm))};
 }
 
 template <class B, class A, class S>
