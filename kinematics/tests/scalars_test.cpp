@@ -54,6 +54,13 @@ TYPED_TEST(Scalars, GiveWhatLongDoubleGivesToTheirRounding) {
 constexpr long double step = 1e-5L;
 constexpr double difference_tolerance = 1e-6;
 
+// The derivatives of the projecting door would be those of an iteration that has stopped.
+template <class S>
+concept Projects = requires(const Eigen::Matrix<S, 3, 3>& matrix) {
+  nearest_dcm(to<Body>, from<Gcrf>, matrix);
+};
+static_assert(Projects<float> && Projects<long double> && !Projects<Dual> && !Projects<Dual2>);
+
 TEST(Scalars, AutomaticDerivativesAreThoseOfLongDoubleDifferences) {
   std::mt19937_64 random(20260102);
   for (int i = 0; i < instances; ++i) {
@@ -81,6 +88,42 @@ TEST(Scalars, AutomaticDerivativesAreThoseOfLongDoubleDifferences) {
     };
 #define CHECK_DERIVATIVE(law) check(law(dual), law(ahead), law(behind), #law)
     FOR_EACH_LAW(CHECK_DERIVATIVE);
+  }
+}
+
+// w_ab = vee(Rdot R^T) and alpha_ab its derivative: a graph that knows the rates of its edges, at a number,
+// against the second derivatives of a graph that knows rotations alone, at a time with derivatives.
+TEST(Scalars, TheRatesOfAGraphAreTheDerivativesOfItsRotations) {
+  std::mt19937_64 random(20260107);
+  std::uniform_real_distribution<double> number(-1.0, 1.0);
+  for (int i = 0; i < instances; ++i) {
+    const double k[] = {number(random), number(random), number(random), number(random)};
+    const double t = number(random);
+    using Time = Quantity<si::time, Dual2>;
+    const auto rotations =
+        frame_graph(edge([&](const Time& now) { return turning<Gcrf, Body>(k[0], now.value()); }),
+                    edge([&](const Time& now) { return turning<Camera, Body>(k[1], now.value()); }),
+                    edge([&](const Time& now) { return turning<Camera, Wheel<1>>(k[2], now.value()); }),
+                    edge([&](const Time& now) { return turning<Gcrf, Wheel<2>>(k[3], now.value()); }));
+    const auto motions = frame_graph(
+        edge([&](double now) { return Motion(turning<Gcrf, Body>(k[0], instant(now))).accelerating(); }),
+        edge([&](double now) { return Motion(turning<Camera, Body>(k[1], instant(now))).accelerating(); }),
+        edge(
+            [&](double now) { return Motion(turning<Camera, Wheel<1>>(k[2], instant(now))).accelerating(); }),
+        edge([&](double now) { return Motion(turning<Gcrf, Wheel<2>>(k[3], instant(now))).accelerating(); }));
+    const auto check = [&]<class B, class A>(Of<B>, RelativeTo<A>) {
+      const Motion<A, B> exact(attitudes.at(Time::from_value(instant(t))).rotation(to<A>, from<B>));
+      const auto now = motions.at(t);
+      const auto w = now.angular_velocity(of<B>, relative_to<A>, in<A>);
+      const auto alpha = now.angular_acceleration(of<B>, relative_to<A>, in<A>);
+      EXPECT_LE(distance(now.rotation(to<A>, from<B>).matrix(), exact.R), motion_tolerance);
+      EXPECT_LE(distance(w.coordinates(), exact.w_a()), motion_tolerance);
+      EXPECT_LE(distance(alpha.coordinates(), exact.alpha_a()), motion_tolerance);
+    };
+    check(of<Wheel<1>>, relative_to<Gcrf>);
+    check(of<Gcrf>, relative_to<Wheel<1>>);
+    check(of<Camera>, relative_to<Wheel<2>>);
+    check(of<Wheel<2>>, relative_to<Wheel<1>>);
   }
 }
 
