@@ -69,52 +69,52 @@ template <class B, class A, class S> struct NearestDcm {
   S distance;
 };
 
+namespace detail {
+
+template <class B, class A, class S> NearestDcm<B, A, S> nearest(const Square<S>& entries) {
+  require_finite<B, A>(entries, "nearest_dcm");
+  // Scaled by the largest entry, so that the determinant neither under- nor overflows.
+  const S largest = entries.cwiseAbs().maxCoeff();
+  const Square<S> scaled = largest > S(0) ? Square<S>(entries / largest) : entries;
+  const S determinant = scaled.determinant();
+  const S singular = S(door_tolerance<S>(nearly_singular));
+  if (!(determinant > singular || determinant < -singular)) {
+    throw BadInput(dcm_door<B, A>("nearest_dcm") + "the determinant is " + text(determinant) +
+                   " times the cube of the largest entry; no rotation is nearest to a singular matrix");
+  }
+  require_right_handed<B, A>(scaled, "nearest_dcm");
+  const Eigen::JacobiSVD<Square<S>> svd(scaled, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  const Square<S> rotation = svd.matrixU() * svd.matrixV().transpose();
+  const Square<S> correction = rotation - entries;
+  return {Dcm<B, A, S>{trusted, rotation}, scaled_norm(correction)};
+}
+/// The decomposition branches: lane by lane.
+template <class B, class A, Batch S> NearestDcm<B, A, S> nearest(const Square<S>& entries) {
+  Square<S> rotation;
+  S distance;
+  for (std::size_t i = 0; i < S::size(); ++i) {
+    const auto one = nearest<B, A, typename S::value_type>(lane(entries, i));
+    for (Eigen::Index k = 0; k < 9; ++k) rotation.data()[k][i] = one.dcm.matrix().data()[k];
+    distance[i] = one.distance;
+  }
+  return {Dcm<B, A, S>{trusted, rotation}, distance};
+}
+
+}  // namespace detail
+
 /// The projecting door: the rotation nearest to `matrix` in the Frobenius norm, and how far it was.
 ///     M = U Sigma V^T  ->  R = U V^T       (polar factor; Higham, Functions of Matrices, theorem 8.4)
 /// Throws BadInput when an entry is not finite, the matrix is left-handed, or it is so near to singular that
-/// rounding would choose the rotation.
+/// rounding would choose the rotation. Refuses numbers with derivatives: the iteration stops at the values,
+/// before their derivatives stand.
 template <Frame B, Frame A, detail::Matrix3x3 Matrix>
+  requires(!detail::Differentiated<typename Matrix::Scalar>)
 detail::OfTwo<B, A, NearestDcm<B, A, typename Matrix::Scalar>> nearest_dcm(To<B>, From<A>,
                                                                            const Matrix& matrix) {
-  using S = typename Matrix::Scalar;
-  const detail::Square<S> entries = matrix;
-  detail::require_finite<B, A>(entries, "nearest_dcm");
-  // Scaled by the largest entry, so that the determinant neither under- nor overflows.
-  const S largest = entries.cwiseAbs().maxCoeff();
-  const detail::Square<S> scaled = largest > S(0) ? detail::Square<S>(entries / largest) : entries;
-  const S determinant = scaled.determinant();
-  const S singular = S(detail::door_tolerance<S>(nearly_singular));
-  if (!(determinant > singular || determinant < -singular)) {
-    throw BadInput(detail::dcm_door<B, A>("nearest_dcm") + "the determinant is " + detail::text(determinant) +
-                   " times the cube of the largest entry; no rotation is nearest to a singular matrix");
-  }
-  detail::require_right_handed<B, A>(scaled, "nearest_dcm");
-  const Eigen::JacobiSVD<detail::Square<S>> svd(scaled, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  const detail::Square<S> rotation = svd.matrixU() * svd.matrixV().transpose();
-  const detail::Square<S> correction = rotation - entries;
-  return NearestDcm<B, A, S>{Dcm<B, A, S>{detail::trusted, rotation}, detail::scaled_norm(correction)};
+  return detail::nearest<B, A, typename Matrix::Scalar>(matrix);
 }
-/// Of a batch, lane by lane: the decomposition branches.
-template <Frame B, Frame A, detail::Matrix3x3 Matrix>
-  requires detail::Batch<typename Matrix::Scalar>
-      detail::OfTwo<B, A, NearestDcm<B, A, typename Matrix::Scalar>> nearest_dcm(To<B>, From<A>,
-                                                                                 const Matrix& matrix) {
-    using S = typename Matrix::Scalar;
-    detail::Square<S> rotation;
-    S distance;
-    for (std::size_t lane = 0; lane < S::size(); ++lane) {
-      const auto nearest = nearest_dcm(to<B>, from<A>, detail::lane(matrix, lane));
-      for (Eigen::Index i = 0; i < 9; ++i) rotation.data()[i][lane] = nearest.dcm.matrix().data()[i];
-      distance[lane] = nearest.distance;
-    }
-    return NearestDcm<B, A, S>{Dcm<B, A, S>{detail::trusted, rotation}, distance};
-  }
-template <class B, class A, detail::Matrix3x3 Matrix>
-  requires detail::Differentiated<typename Matrix::Scalar>
-auto nearest_dcm(  // an iteration stops at values, before its derivatives: project numbers without them
-    To<B>, From<A>, const Matrix&) -> Refused = delete;
 template <class ToFrame, class FromFrame, class Given>
-auto nearest_dcm(  // to<B>, from<A>: two frames; a 3x3 matrix
+auto nearest_dcm(  // to<B>, from<A>: two frames; a 3x3 matrix, without derivatives
     const ToFrame&, const FromFrame&, const Given&) -> Refused = delete;
 
 /// The trusted door: no check at all. The caller vouches for a rotation that takes a to b.
