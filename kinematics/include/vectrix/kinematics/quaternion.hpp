@@ -147,32 +147,50 @@ template <class B, class A, class S> Dcm<B, A, S> dcm(const Quaternion<B, A, S>&
   return {detail::trusted, q_b_from_a.eigen().toRotationMatrix()};
 }
 
+namespace detail {
+
+/// A quaternion times a number, one component after the other: four that are stored one by one and loaded in
+/// pairs would wait.
+template <class S> struct QuaternionMultiple {
+  S x, y, z, w;
+
+  bool in_upper_half() const {
+    return w != S(0) ? w > S(0) : x != S(0) ? x > S(0) : y != S(0) ? y > S(0) : z > S(0);
+  }
+  Eigen::Quaternion<S> unit() const {
+    using std::sqrt;
+    const S scale = S(in_upper_half() ? 1 : -1) / sqrt(x * x + y * y + z * z + w * w);
+    return {w * scale, x * scale, y * scale, z * scale};
+  }
+};
+
+/// 4 q_i q, from the i-th of the vector part's components, which must not be small.
+template <Eigen::Index i, class S> QuaternionMultiple<S> multiple_by_diagonal(const Square<S>& m) {
+  constexpr Eigen::Index j = (i + 1) % 3;
+  constexpr Eigen::Index k = (i + 2) % 3;
+  S v[3];
+  v[i] = S(1) + m(i, i) - m(j, j) - m(k, k);
+  v[j] = m(i, j) + m(j, i);
+  v[k] = m(i, k) + m(k, i);
+  return {v[0], v[1], v[2], m(k, j) - m(j, k)};
+}
+template <class S> QuaternionMultiple<S> largest_multiple(const Square<S>& m) {
+  const S x = m(0, 0), y = m(1, 1), z = m(2, 2);
+  const S trace = x + y + z;
+  if (trace > x && trace > y && trace > z) {
+    return {m(2, 1) - m(1, 2), m(0, 2) - m(2, 0), m(1, 0) - m(0, 1), S(1) + trace};
+  }
+  if (x >= y && x >= z) return multiple_by_diagonal<0>(m);
+  return y >= z ? multiple_by_diagonal<1>(m) : multiple_by_diagonal<2>(m);
+}
+
+}  // namespace detail
+
 /// q_a^b of R_a^b, with q_w >= 0, and at q_w = 0 the first non-zero of x, y, z positive. Accurate for every
 /// rotation: the largest of the four components is taken from the diagonal (Shepperd 1978), the others by
 /// division.
 template <class B, class A, class S> Quaternion<B, A, S> quaternion(const Dcm<B, A, S>& R_b_from_a) {
-  const auto& m = R_b_from_a.matrix();
-  const S trace = m.trace();
-  Eigen::Index largest;
-  const S diagonal = m.diagonal().maxCoeff(&largest);
-  Eigen::Quaternion<S> q;
-  if (trace > diagonal) {
-    q = {S(1) + trace, m(2, 1) - m(1, 2), m(0, 2) - m(2, 0), m(1, 0) - m(0, 1)};
-  } else {
-    const Eigen::Index i = largest;
-    const Eigen::Index j = (i + 1) % 3;
-    const Eigen::Index k = (i + 2) % 3;
-    q.w() = m(k, j) - m(j, k);
-    q.coeffs()(i) = S(1) + m(i, i) - m(j, j) - m(k, k);
-    q.coeffs()(j) = m(i, j) + m(j, i);
-    q.coeffs()(k) = m(i, k) + m(k, i);
-  }
-  const auto first_sign = [](const auto& c) {
-    return c(3) != S(0) ? c(3) : c(0) != S(0) ? c(0) : c(1) != S(0) ? c(1) : c(2);
-  };
-  const S norm = q.coeffs().norm();
-  q.coeffs() /= first_sign(q.coeffs()) < S(0) ? -norm : norm;
-  return {detail::trusted, q};
+  return {detail::trusted, detail::largest_multiple<S>(R_b_from_a.matrix()).unit()};
 }
 
 /// Of a batch: every component's formula is computed and one chosen lane by lane.
