@@ -113,6 +113,32 @@ TEST(DcmChain, StandsWhereADcmStands) {
   EXPECT_LE(distance(R_a_from_a.matrix(), Eigen::Matrix3d::Identity()), rounding);
 }
 
+void replace(Dcm<Camera, Gcrf>& R_c_from_a) {
+  R_c_from_a = trust_dcm(to<Camera>, from<Gcrf>, rotation_about_z(1.0));
+}
+
+TEST(DcmChain, TakesAnotherRotation) {
+  const auto R_b_from_a = trust_dcm(to<Body>, from<Gcrf>, rotation_about_z(0.3));
+  const auto R_c_from_b = trust_dcm(to<Camera>, from<Body>, rotation_about_z(0.4));
+  const Eigen::Matrix3d other = rotation_about_z(1.0);
+  const auto x = unit_x(in<Gcrf>);
+  auto R_c_from_a = R_c_from_b * R_b_from_a;
+  replace(R_c_from_a);
+  EXPECT_EQ((R_c_from_a * x).coordinates(), other.col(0));
+  const auto copy = [R_c_from_a] { return R_c_from_a; };
+  EXPECT_LE(distance((copy() * x).coordinates(), other.col(0)), rounding);
+  R_c_from_a = R_c_from_b * R_b_from_a;
+  EXPECT_LE(distance((copy() * x).coordinates(), other.col(0)), rounding);
+  EXPECT_LE(distance((R_c_from_a * x).coordinates(), rotation_about_z(0.7).col(0)), rounding);
+  const auto copied_now = [R_c_from_a] { return R_c_from_a; };
+  EXPECT_LE(distance((copied_now() * x).coordinates(), rotation_about_z(0.7).col(0)), rounding);
+  EXPECT_LE(distance((inverse(R_b_from_a) * (inverse(R_c_from_b) * copied_now()) * x).coordinates(),
+                     Eigen::Vector3d::UnitX()),
+            rounding);
+}
+
+static_assert(!std::is_move_constructible_v<DcmChain<Camera, Gcrf, 2>>);
+
 TEST(DcmChain, KeepsTheScalar) {
   using Column = Eigen::Matrix<long double, 3, 1>;
   const Eigen::Matrix<long double, 3, 3> turn{{0.6L, -0.8L, 0.0L}, {0.8L, 0.6L, 0.0L}, {0.0L, 0.0L, 1.0L}};

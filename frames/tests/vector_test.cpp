@@ -49,6 +49,14 @@ RC_GTEST_PROP(Vector, RotationsKeepDotAndCross, ()) {
   RC_ASSERT(std::abs((norm(R * r) - norm(r)).value()) <= of_long);
 }
 
+TEST(Vector, NormOfEverySize) {
+  for (const double size : {5e-324, 1e-200, 1e-160, 1.0, 1e160, 1e200, 1e307}) {
+    const auto r = vector<si::length>(in<Body>, Eigen::Vector3d(0.0, 3.0 * size, -4.0 * size));
+    EXPECT_LE(std::abs(norm(r).value() / size - 5.0), rounding) << size;
+  }
+  EXPECT_EQ(norm(zero<si::length>(in<Body>)).value(), 0.0);
+}
+
 TEST(Vector, CoordinatesKeepTheirUnit) {
   const auto r = vector(in<Body>, 1.0 * si::metre, 2.0 * si::metre, 2.0 * si::metre);
   EXPECT_EQ(r.y(), 2.0 * si::metre);

@@ -7,38 +7,39 @@ namespace vectrix {
 
 namespace detail {
 
-template <class F, class S> S checked_distance(const char* action, const Vector<F, si::length, S>& r) {
-  const S distance = r.coordinates().norm();
-  // Its cube divides.
-  if (!all(distance * distance * distance > S(0))) {
+// mu / |r|^3
+template <class F, class S>
+S checked_pull(const char* action, const Quantity<si::gravitational_parameter, S>& mu, const S& distance) {
+  const S pull = mu.value() / (distance * distance * distance);
+  if (!all(pull - pull == S(0))) {
     throw BadInput(std::string{action} + "(r in " + frame_name<F>() + "): |r| is " + text(distance) + " m");
   }
-  return distance;
+  return pull;
 }
 
 }  // namespace detail
 
-/// Acceleration by a central point mass at the origin: a = - mu r / |r|^3. Throws BadInput when |r|^3 is
-/// zero.
+/// Acceleration by a central point mass at the origin: a = - mu r / |r|^3. Throws BadInput when mu/|r|^3
+/// is not finite.
 template <class I, class S>
 Vector<I, si::acceleration, S> point_mass_gravity(const Quantity<si::gravitational_parameter, S>& mu,
                                                   const Vector<I, si::length, S>& r_i) {
-  const S distance = detail::checked_distance("point_mass_gravity", r_i);
-  return {detail::trusted, (-mu.value() / (distance * distance * distance)) * r_i.coordinates()};
+  const S pull = detail::checked_pull<I>("point_mass_gravity", mu, r_i.coordinates().norm());
+  return {detail::trusted, -pull * r_i.coordinates()};
 }
 
 /// Torque of a central point mass on a rigid body whose centre of mass is at r, to first order in size over
 /// distance:
 ///     tau^b = 3 mu / |r|^5  r^b x (J_b r^b)          (Hughes, Spacecraft Attitude Dynamics, section 8.1)
-/// Throws BadInput when |r|^3 is zero.
+/// Throws BadInput when mu/|r|^3 is not finite.
 template <class B, class S>
 Vector<B, si::torque, S> gravity_gradient_torque(const Quantity<si::gravitational_parameter, S>& mu,
                                                  const Inertia<B, CentreOfMassOf<B>, In<B>, S>& J_b,
                                                  const Vector<B, si::length, S>& r_b) {
-  const S distance = detail::checked_distance("gravity_gradient_torque", r_b);
+  const S distance = r_b.coordinates().norm();
+  const S pull = detail::checked_pull<B>("gravity_gradient_torque", mu, distance);
   const detail::Column<S> direction = r_b.coordinates() / distance;
-  const S strength = S(3) * mu.value() / (distance * distance * distance);
-  return {detail::trusted, strength * direction.cross(J_b.matrix() * direction)};
+  return {detail::trusted, S(3) * pull * direction.cross(J_b.matrix() * direction)};
 }
 template <class InertiaOf, class InertiaAbout, class InertiaIn, class PositionIn, class S>
   requires(!(std::same_as<InertiaOf, PositionIn> && std::same_as<InertiaOf, InertiaIn> &&

@@ -97,7 +97,7 @@ auto trust_covariance(In<F>, const Eigen::MatrixBase<Derived>& matrix) {
 }
 
 /// The covariance of a vector with independent coordinates in F, whose standard deviations are given.
-/// Throws BadInput when one is not finite, negative, or too large to be squared.
+/// Throws BadInput when one is not finite, negative, or too large or too small to be squared.
 template <Frame F, class BoostUnit, class S>
   requires(VectorUnit<unit_tag<BoostUnit>> && !std::is_integral_v<S>)
 Covariance<F, unit_tag<BoostUnit>, S> covariance_from_standard_deviations(
@@ -105,10 +105,11 @@ Covariance<F, unit_tag<BoostUnit>, S> covariance_from_standard_deviations(
     const AnyQuantity<BoostUnit, S>& z) {
   const detail::Column<S> deviations{x.value(), y.value(), z.value()};
   const detail::Column<S> variances = deviations.cwiseAbs2();
-  if (!(deviations.minCoeff() >= S(0) && variances.allFinite())) {
+  const bool underflows = ((deviations.array() > S(0)) && (variances.array() == S(0))).any();
+  if (!(deviations.minCoeff() >= S(0) && variances.allFinite()) || underflows) {
     throw BadInput("covariance_from_standard_deviations(in<" + frame_name<F>() + ">): (" +
                    detail::text(x.value()) + ", " + detail::text(y.value()) + ", " + detail::text(z.value()) +
-                   ") are not all finite and positive or zero");
+                   ") are not all zero, or positive with a square that a number can hold");
   }
   return {detail::trusted, detail::Square<S>(variances.asDiagonal())};
 }

@@ -38,22 +38,44 @@ template <class S, std::size_t N, std::size_t M, std::size_t... I, std::size_t..
 /// is applied to a vector factor by factor, the vector first:
 ///     R_d_from_c * R_c_from_b * R_b_from_a * r_a      three products with a vector, none of matrices
 /// With a name, `auto R_d_from_a = ...`, it is the Dcm, multiplied once, in every use. It holds copies of its
-/// factors, so it never dangles; `Dcm<D, A> R_d_from_a = ...` keeps the nine numbers alone.
+/// factors, so it never dangles; it is not moved, because a name may have been assigned another rotation. To
+/// return it or to keep the nine numbers alone, give it its type: `Dcm<D, A> R_d_from_a = ...`.
 template <Frame ToFrame, Frame FromFrame, std::size_t N, class S = double>
 class DcmChain : public Dcm<ToFrame, FromFrame, S> {
+  using Product = Dcm<ToFrame, FromFrame, S>;
+
  public:
   template <class B, std::size_t L>
   [[gnu::always_inline]] DcmChain(detail::Trusted, const Dcm<ToFrame, B, S>& left,
                                   const std::array<detail::Factor<S>, L>& left_factors,
                                   const Dcm<B, FromFrame, S>& right,
                                   const std::array<detail::Factor<S>, N - L>& right_factors)
-      : Dcm<ToFrame, FromFrame, S>(detail::trusted, left.matrix() * right.matrix()),
+      : Product(detail::trusted, left.matrix() * right.matrix()),
         factors_(detail::joined(left_factors, right_factors, std::make_index_sequence<L>{},
                                 std::make_index_sequence<N - L>{})) {}
+  DcmChain(const DcmChain& named) : DcmChain(static_cast<const Product&>(named)) {}
+  DcmChain(DcmChain&&) = delete;  // give the product a type: Dcm<D, A> R_d_from_a = R_d_from_c * R_c_from_a
+  DcmChain& operator=(const DcmChain& R_d_from_a) { return *this = static_cast<const Product&>(R_d_from_a); }
+  DcmChain& operator=(const Product& R_d_from_a) {
+    Product::operator=(R_d_from_a);
+    factors_ = alone(R_d_from_a);
+    return *this;
+  }
 
   const std::array<detail::Factor<S>, N>& factors() const { return factors_; }
 
  private:
+  explicit DcmChain(const Product& R_d_from_a) : Product(R_d_from_a), factors_(alone(R_d_from_a)) {}
+  // One rotation as a chain: itself, and no further turn.
+  static std::array<detail::Factor<S>, N> alone(const Product& R_d_from_a) {
+    return alone(R_d_from_a, std::make_index_sequence<N - 1>{});
+  }
+  template <std::size_t... I>
+  static std::array<detail::Factor<S>, N> alone(const Product& R_d_from_a, std::index_sequence<I...>) {
+    const detail::Square<S> none = detail::Square<S>::Identity();
+    return {detail::Factor<S>{R_d_from_a.matrix()}, (static_cast<void>(I), detail::Factor<S>{none})...};
+  }
+
   std::array<detail::Factor<S>, N> factors_;
 };
 

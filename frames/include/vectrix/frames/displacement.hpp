@@ -31,12 +31,13 @@ inline constexpr bool detail::is_framed<Displacement<P, Q, C, S>> = true;
 
 /// Claims that the vector is the position of q relative to p.
 template <Point Q, Point P, class C, class S>
-Displacement<P, Q, In<C>, S> displacement(Of<Q>, RelativeTo<P>, const Vector<C, si::length, S>& r_pq_c) {
+detail::OfTwo<P, Q, Displacement<P, Q, In<C>, S>> displacement(Of<Q>, RelativeTo<P>,
+                                                               const Vector<C, si::length, S>& r_pq_c) {
   return Displacement<P, Q, In<C>, S>{detail::trusted, r_pq_c};
 }
 template <class Q, class P, class C, class UnitGiven, class S>
-  requires(!std::same_as<UnitGiven, si::length>)
-auto displacement(  // needs metres
+  requires(!std::same_as<UnitGiven, si::length> || std::same_as<P, Q>)
+auto displacement(  // of<Q>, relative_to<P>: two points; in metres
     Of<Q>, RelativeTo<P>, const Vector<C, UnitGiven, S>&) -> Refused = delete;
 
 /// Claims that q is at p.

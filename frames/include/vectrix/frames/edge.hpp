@@ -16,7 +16,8 @@ template <EdgeValue V> class ConstantEdge {
   template <class Instant> static constexpr bool takes = true;
 
   explicit ConstantEdge(const V& value) : value_(value) {}
-  const V& value() const { return value_; }
+  const V& value() const& { return value_; }
+  V value() && { return value_; }
 
  private:
   V value_;

@@ -211,8 +211,12 @@ inline constexpr degree_per_second_unit degree_per_second{};
 
 /// The quantity in the coherent SI unit: convert<si::length>(7000.0 * si::kilometre) is 7e6 m.
 template <Unit U, class BoostUnit, class S>
-Quantity<U, S> convert(const AnyQuantity<BoostUnit, S>& quantity) {
+std::enable_if_t<!std::is_integral_v<S>, Quantity<U, S>> convert(const AnyQuantity<BoostUnit, S>& quantity) {
   return Quantity<U, S>(quantity);
 }
+template <Unit U, class BoostUnit, class S>
+  requires std::is_integral_v<S>
+auto convert(  // a whole number would be cut: convert<si::angle>(30.0 * si::degree)
+    const AnyQuantity<BoostUnit, S>&) -> Refused = delete;
 
 }  // namespace vectrix

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <vectrix/frames/errors.hpp>
 #include <vectrix/frames/frame.hpp>
@@ -173,9 +174,17 @@ Vector<F, unit_of_vector_product<U, V>, S> cross_product(const Vector<F, U, S>& 
   return {detail::trusted, r.coordinates().cross(s.coordinates())};
 }
 
-/// |r|, in the unit of r.
+/// |r|, in the unit of r; of any size, where r^2 overflows or underflows as well.
 template <class F, class U, class S> Quantity<U, S> norm(const Vector<F, U, S>& r) {
-  return Quantity<U, S>::from_value(r.coordinates().norm());
+  const S square = r.coordinates().squaredNorm();
+  if constexpr (std::is_floating_point_v<S>) {
+    using Limits = std::numeric_limits<S>;
+    if (!(square > Limits::min() / Limits::epsilon() && square <= Limits::max())) [[unlikely]] {
+      return Quantity<U, S>::from_value(detail::scaled_norm(r.coordinates()));
+    }
+  }
+  using std::sqrt;
+  return Quantity<U, S>::from_value(sqrt(square));
 }
 
 /// r / |r|, safe from overflow and underflow. Throws BadInput for the zero vector, which has no direction,

@@ -32,13 +32,13 @@ inline constexpr bool detail::is_framed<Acceleration<P, Q, A, C, S>> = true;
 
 /// Claims that the vector is the acceleration of q relative to p as a sees it.
 template <Point Q, Point P, Frame A, class C, class S>
-Acceleration<P, Q, ObservedFrom<A>, In<C>, S> acceleration(Of<Q>, RelativeTo<P>, ObservedFrom<A>,
-                                                           const Vector<C, si::acceleration, S>& a_pq_a_c) {
+detail::OfTwo<P, Q, Acceleration<P, Q, ObservedFrom<A>, In<C>, S>> acceleration(
+    Of<Q>, RelativeTo<P>, ObservedFrom<A>, const Vector<C, si::acceleration, S>& a_pq_a_c) {
   return Acceleration<P, Q, ObservedFrom<A>, In<C>, S>{detail::trusted, a_pq_a_c};
 }
 template <class Q, class P, class A, class C, class UnitGiven, class S>
-  requires(!std::same_as<UnitGiven, si::acceleration>)
-auto acceleration(  // needs m/s^2
+  requires(!std::same_as<UnitGiven, si::acceleration> || std::same_as<P, Q>)
+auto acceleration(  // of<Q>, relative_to<P>: two points; in m/s^2
     Of<Q>, RelativeTo<P>, ObservedFrom<A>, const Vector<C, UnitGiven, S>&) -> Refused = delete;
 
 /// Claims that a sees no acceleration of q relative to p.

@@ -26,7 +26,8 @@ template <Frame A, Frame B, class S = double> class DcmRate {
     matrix_.col(2) = third_column;
   }
 
-  const detail::Square<S>& matrix() const { return matrix_; }
+  const detail::Square<S>& matrix() const& { return matrix_; }
+  detail::Square<S> matrix() && { return matrix_; }
 
  private:
   detail::Square<S> matrix_;
@@ -88,7 +89,8 @@ template <Frame A, Frame B, class S = double> class QuaternionRate {
   template <detail::Makes<Eigen::Quaternion<S>> Make>
   QuaternionRate(detail::Trusted, const Make& make) : value_(make()) {}
 
-  const Eigen::Quaternion<S>& eigen() const { return value_; }
+  const Eigen::Quaternion<S>& eigen() const& { return value_; }
+  Eigen::Quaternion<S> eigen() && { return value_; }
   std::array<S, 4> scalar_first() const { return {value_.w(), value_.x(), value_.y(), value_.z()}; }
 
  private:

@@ -13,7 +13,8 @@ template <Frame A, Frame C, VectorUnit U, class S = double> class Derivative {
 
   Derivative(detail::Trusted, const Vector<C, unit, S>& vector) : vector_(vector) {}
 
-  const Vector<C, unit, S>& vector() const { return vector_; }
+  const Vector<C, unit, S>& vector() const& { return vector_; }
+  Vector<C, unit, S> vector() && { return vector_; }
 
  private:
   Vector<C, unit, S> vector_;

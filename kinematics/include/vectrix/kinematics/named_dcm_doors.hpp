@@ -15,8 +15,15 @@ inline void replace_all(std::string& text, const std::string& word, const std::s
     text.replace(at, word.size(), by);
 }
 
+inline void require_two(NamedFrame first, NamedFrame second) {
+  if (first == second) {
+    throw BadInput("to " + in_quotes(first) + ", from " + in_quotes(second) +
+                   ": a door takes two frames, and these are one");
+  }
+}
 /// Goes through a typed door: `make()` returns what it makes. Its errors then name the run-time frames.
 template <class Make> auto through_door(NamedFrame first, NamedFrame second, const Make& make) {
+  require_two(first, second);
   try {
     return make();
   } catch (const BadInput& error) {
@@ -64,14 +71,16 @@ NearestNamedDcm nearest_dcm(To<NamedFrame> b, From<NamedFrame> a, const Matrix& 
   return {nearest, distance};
 }
 
-/// Trusted: no check at all.
+/// Trusted: no check of the matrix.
 template <detail::Matrix3x3d Matrix>
 NamedDcm trust_dcm(To<NamedFrame> b, From<NamedFrame> a, const Matrix& matrix) {
+  detail::require_two(b.frame, a.frame);
   return {detail::trusted, b.frame, a.frame, matrix};
 }
 
 /// Claims that the axes of a and b are parallel.
 inline NamedDcm aligned(To<NamedFrame> b, From<NamedFrame> a) {
+  detail::require_two(b.frame, a.frame);
   return {detail::trusted, b.frame, a.frame, detail::Square<double>::Identity()};
 }
 

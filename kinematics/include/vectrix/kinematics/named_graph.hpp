@@ -121,6 +121,8 @@ class NamedGraph {
     detail::require_answer(*core_, core_->record<B>(), core_->record<A>(), LevelOf<V>::level);
     return edge(detail::AnswerOfGraph<V>{core_.get()});
   }
+  template <EdgeValue V>
+  void typed_edge() const&& = delete;  // the edge refers to the graph: give the graph a name first
 
   /// A typed value with the names that its types are bound to.
   template <class B, class A> NamedDcm named(const Dcm<B, A>& R_b_from_a) const {

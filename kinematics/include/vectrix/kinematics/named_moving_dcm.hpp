@@ -12,8 +12,10 @@ class NamedMovingDcm {
   NamedMovingDcm(detail::Trusted, const NamedDcm& R_a_from_b, const NamedAngularVelocity& w_ab_b)
       : rotation_(R_a_from_b), rate_(w_ab_b) {}
 
-  const NamedDcm& rotation() const { return rotation_; }
-  const NamedAngularVelocity& angular_velocity() const { return rate_; }
+  const NamedDcm& rotation() const& { return rotation_; }
+  NamedDcm rotation() && { return rotation_; }
+  const NamedAngularVelocity& angular_velocity() const& { return rate_; }
+  NamedAngularVelocity angular_velocity() && { return rate_; }
 
  private:
   NamedDcm rotation_;
@@ -27,10 +29,14 @@ class NamedAcceleratingDcm {
                        const NamedAngularAcceleration& alpha_ab_b)
       : moving_(moving), acceleration_(alpha_ab_b) {}
 
-  const NamedMovingDcm& moving() const { return moving_; }
-  const NamedDcm& rotation() const { return moving_.rotation(); }
-  const NamedAngularVelocity& angular_velocity() const { return moving_.angular_velocity(); }
-  const NamedAngularAcceleration& angular_acceleration() const { return acceleration_; }
+  const NamedMovingDcm& moving() const& { return moving_; }
+  NamedMovingDcm moving() && { return moving_; }
+  const NamedDcm& rotation() const& { return moving_.rotation(); }
+  NamedDcm rotation() && { return moving_.rotation(); }
+  const NamedAngularVelocity& angular_velocity() const& { return moving_.angular_velocity(); }
+  NamedAngularVelocity angular_velocity() && { return moving_.angular_velocity(); }
+  const NamedAngularAcceleration& angular_acceleration() const& { return acceleration_; }
+  NamedAngularAcceleration angular_acceleration() && { return acceleration_; }
 
  private:
   NamedMovingDcm moving_;

@@ -40,15 +40,27 @@ template <class U> std::string described(const NamedRate<U>& rate) {
          " relative to " + in_quotes(rate.relative_to()) + " in " + in_quotes(rate.in());
 }
 
+inline void require_other(NamedFrame b, NamedFrame a) {
+  if (b == a) {
+    throw BadInput("of " + in_quotes(b) + " relative to " + in_quotes(a) +
+                   ": a frame does not move relative to itself");
+  }
+}
+
 }  // namespace detail
+
+// A chain is a rate of other frames: w_ad = w_ab + w_bd.
+template <class U> auto operator+=(NamedRate<U>&, const NamedRate<U>&) -> Refused = delete;
 
 /// Claims that the vector is the angular velocity (acceleration) of b relative to a.
 inline NamedAngularVelocity angular_velocity(Of<NamedFrame> b, RelativeTo<NamedFrame> a,
                                              const NamedVector<si::angular_velocity>& w_ab_c) {
+  detail::require_other(b.frame, a.frame);
   return {detail::trusted, b.frame, a.frame, w_ab_c};
 }
 inline NamedAngularAcceleration angular_acceleration(
     Of<NamedFrame> b, RelativeTo<NamedFrame> a, const NamedVector<si::angular_acceleration>& alpha_ab_c) {
+  detail::require_other(b.frame, a.frame);
   return {detail::trusted, b.frame, a.frame, alpha_ab_c};
 }
 

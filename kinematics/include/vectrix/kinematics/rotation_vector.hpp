@@ -17,7 +17,8 @@ template <Frame A, Frame B, class S = double> class RotationVector {
   RotationVector(detail::Trusted, const Eigen::MatrixBase<Derived>& coordinates)
       : coordinates_(coordinates) {}
 
-  const detail::Column<S>& coordinates() const { return coordinates_; }
+  const detail::Column<S>& coordinates() const& { return coordinates_; }
+  detail::Column<S> coordinates() && { return coordinates_; }
   /// The angle |theta|, and the vector expressed in a or in b.
   Quantity<si::angle, S> angle() const {
     return Quantity<si::angle, S>::from_value(detail::scaled_norm(coordinates_));

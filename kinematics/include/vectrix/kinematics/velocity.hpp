@@ -32,13 +32,13 @@ inline constexpr bool detail::is_framed<Velocity<P, Q, A, C, S>> = true;
 
 /// Claims that the vector is the velocity of q relative to p as a sees it.
 template <Point Q, Point P, Frame A, class C, class S>
-Velocity<P, Q, ObservedFrom<A>, In<C>, S> velocity(Of<Q>, RelativeTo<P>, ObservedFrom<A>,
-                                                   const Vector<C, si::velocity, S>& v_pq_a_c) {
+detail::OfTwo<P, Q, Velocity<P, Q, ObservedFrom<A>, In<C>, S>> velocity(
+    Of<Q>, RelativeTo<P>, ObservedFrom<A>, const Vector<C, si::velocity, S>& v_pq_a_c) {
   return Velocity<P, Q, ObservedFrom<A>, In<C>, S>{detail::trusted, v_pq_a_c};
 }
 template <class Q, class P, class A, class C, class UnitGiven, class S>
-  requires(!std::same_as<UnitGiven, si::velocity>)
-auto velocity(  // needs m/s
+  requires(!std::same_as<UnitGiven, si::velocity> || std::same_as<P, Q>)
+auto velocity(  // of<Q>, relative_to<P>: two points; in m/s
     Of<Q>, RelativeTo<P>, ObservedFrom<A>, const Vector<C, UnitGiven, S>&) -> Refused = delete;
 
 /// Claims that a sees q at rest relative to p.
