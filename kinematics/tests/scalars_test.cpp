@@ -100,7 +100,7 @@ TEST(Scalars, TheRatesOfAGraphAreTheDerivativesOfItsRotations) {
     const double k[] = {number(random), number(random), number(random), number(random)};
     const double t = number(random);
     using Time = Quantity<si::time, Dual2>;
-    const auto rotations =
+    const auto attitudes =
         frame_graph(edge([&](const Time& now) { return turning<Gcrf, Body>(k[0], now.value()); }),
                     edge([&](const Time& now) { return turning<Camera, Body>(k[1], now.value()); }),
                     edge([&](const Time& now) { return turning<Camera, Wheel<1>>(k[2], now.value()); }),
