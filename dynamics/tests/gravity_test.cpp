@@ -26,6 +26,14 @@ TEST(PointMassGravity, the_centre_is_refused) {
                    "point_mass_gravity(r in " + frame_name<Gcrf>() + "): |r| is 0 m");
 }
 
+TEST(PointMassGravity, a_pull_that_overflows_is_refused) {
+  expect_bad_input(
+      [] {
+        point_mass_gravity(mu_earth, position(in<Gcrf>, {1e-105, 0.0, 0.0}));
+      },
+      "point_mass_gravity(r in " + frame_name<Gcrf>() + "): |r| is 1e-105 m");
+}
+
 /// Eight masses at +-r: their moments of third order vanish, so that the torque is off by (size /
 /// distance)^2.
 struct Dumbbells {

@@ -84,6 +84,13 @@ TEST(ParallelAxes, what_no_body_has_about_its_centre_of_mass_is_refused) {
   EXPECT_NO_THROW(shift(J_p, r_pc, kilograms(0.5)));
 }
 
+TEST(ParallelAxes, an_inertia_that_overflows_is_refused) {
+  const auto J_c = inertia<Body, CentreOfMassOf<Body>, Body>(Vector3d(3.0, 4.0, 5.0).asDiagonal());
+  const auto r_cp = from_to<CentreOfMassOf<Body>, Hinge, Body>({1e200, 0.0, 0.0});
+  expect_bad_input([&] { shift(J_c, r_cp, kilograms(1.0)); },
+                   "shift(" + frame_name<Body>() + "): the inertia overflows at a distance of 1e+200 m");
+}
+
 TEST(ParallelAxes, a_mass_is_positive) {
   const auto J_c = inertia<Body, CentreOfMassOf<Body>, Body>(Vector3d(3.0, 4.0, 5.0).asDiagonal());
   const auto r_cp = from_to<CentreOfMassOf<Body>, Hinge, Body>({0.1, 0.2, 0.3});

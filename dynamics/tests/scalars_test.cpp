@@ -26,7 +26,7 @@ template <class S> Quantity<si::moment_of_inertia, S> moment(const S& number) {
 }
 
 /// A tensor of a body: the sum over two masses and a ball.
-template <class S> Inertia<Body, S> body(const Given<S>& given) {
+template <class S> CentralInertia<Body, S> body(const Given<S>& given) {
   detail::Square<S> J = detail::Square<S>::Identity();
   for (const auto& r : {given.v[0], given.v[1]})
     J += r.squaredNorm() * detail::Square<S>::Identity() - r * r.transpose();

@@ -34,10 +34,7 @@ struct Tree {
 
   // X_f^gcrf(t); the place of far is never asked for.
   template <class F> Transform<Gcrf, F, Dual2> from_gcrf() const {
-    const auto nowhere =
-        displacement(of<Gcrf>, relative_to<Gcrf>,
-                     vector<si::length>(
-                         in<Gcrf>, Eigen::Matrix<Dual2, 3, 1>(constant(0.0), constant(0.0), constant(0.0))));
+    const auto nowhere = coincident<Gcrf, Gcrf, Gcrf, Dual2>(of<Gcrf>, relative_to<Gcrf>, in<Gcrf>);
     if constexpr (std::is_same_v<F, Gcrf>) {
       return {turning<Gcrf, Body>(0.0, t) * inverse(turning<Gcrf, Body>(0.0, t)), nowhere};
     } else if constexpr (std::is_same_v<F, Body>) {

@@ -96,6 +96,33 @@ RC_GTEST_PROP(NamedDcm, DoorsAreThoseOfDcm, ()) {
             R"(vector(in<"a">): the coordinates (0, nan, 1) are not finite)");
 }
 
+RC_GTEST_PROP(NamedDcm, TheDoorsTakeTwoFrames, ()) {
+  const Values x;
+  const std::string one = R"(to "a", from "a": a door takes two frames, and these are one)";
+  RC_ASSERT(refusal([&] { dcm(To(x.a), From(x.a), x.R1); }) == one);
+  RC_ASSERT(refusal([&] { nearest_dcm(To(x.a), From(x.a), x.R1); }) == one);
+  RC_ASSERT(refusal([&] { trust_dcm(To(x.a), From(x.a), x.R1); }) == one);
+  RC_ASSERT(refusal([&] { aligned(To(x.a), From(x.a)); }) == one);
+  RC_ASSERT(refusal([&] { turned_z(To(x.a), From(x.a), 1.0 * si::radian); }) == one);
+  RC_ASSERT(refusal([&] { quaternion_scalar_first(To(x.a), From(x.a), 1.0, 0.0, 0.0, 0.0); }) == one);
+  const std::string still = R"(of "a" relative to "a": a frame does not move relative to itself)";
+  RC_ASSERT(refusal([&] { x.w(x.a, x.a, x.c, x.v1); }) == still);
+  RC_ASSERT(refusal([&] { x.alpha(x.a, x.a, x.c, x.v1); }) == still);
+}
+
+// A chain is another quantity, as between types: w_ab += w_bc would be w_ac.
+template <class Rate>
+concept ChainsInPlace = requires(Rate& rate) {
+  rate += rate;
+};
+static_assert(!ChainsInPlace<NamedAngularVelocity>);
+// An edge refers to its graph, which must have a name.
+template <class Graph>
+concept GivesAnEdge = requires(Graph&& graph) {
+  std::forward<Graph>(graph).template typed_edge<Dcm<Gcrf, Body>>();
+};
+static_assert(GivesAnEdge<const NamedGraph&> && !GivesAnEdge<NamedGraph>);
+
 RC_GTEST_PROP(NamedRate, FollowsTheLawsOfAngularVelocity, ()) {
   const Values x;
   const auto w_ab_c = x.w(x.b, x.a, x.c, x.v1);

@@ -59,10 +59,14 @@ template <Frame B, class S> class Inertia<B, CentreOfMassOf<B>, In<B>, S> {
 template <class B, class P, class C, class S>
 inline constexpr bool detail::is_framed<Inertia<B, P, C, S>> = true;
 
+/// About the centre of mass of b, in the axes of b: `Inertia<B>` of another scalar.
+template <Frame B, class S = double> using CentralInertia = Inertia<B, CentreOfMassOf<B>, In<B>, S>;
+
 namespace detail {
 
-/// About the centre of mass of b, in the axes of b.
-template <class B, class S> using CentralInertia = Inertia<B, CentreOfMassOf<B>, In<B>, S>;
+template <class J, class S> struct WithScalar;
+template <class B, class P, class C, class Old, class S>
+struct WithScalar<Inertia<B, P, C, Old>, S> : std::type_identity<Inertia<B, P, C, S>> {};
 
 template <class J> struct InertiaName;
 template <class B, class P, class C, class S> struct InertiaName<Inertia<B, P, In<C>, S>> {
@@ -112,18 +116,18 @@ template <class J, class S> J checked_inertia(const char* door, const Square<S>&
   return inertia;
 }
 /// The solver branches: lane by lane.
-template <class B, Batch S> Inertia<B, S> checked_inertia(const char* door, const Square<S>& tensor) {
+template <class J, Batch S> J checked_inertia(const char* door, const Square<S>& tensor) {
   for (std::size_t i = 0; i < S::size(); ++i) {
-    checked_inertia<B, typename S::value_type>(door, lane(tensor, i));
+    checked_inertia<typename WithScalar<J, typename S::value_type>::type>(door, lane(tensor, i));
   }
-  return {trusted, tensor};
+  return J{trusted, tensor};
 }
 /// Whether a body has it, the values say.
-template <class B, Differentiated S>
-Inertia<B, S> checked_inertia(const char* door, const Square<S>& tensor) {
+template <class J, Differentiated S> J checked_inertia(const char* door, const Square<S>& tensor) {
   using Value = std::remove_cvref_t<decltype(tensor(0, 0).value())>;
-  checked_inertia<B, Value>(door, tensor.unaryExpr([](const S& x) { return Value(x.value()); }));
-  return {trusted, tensor};
+  const Square<Value> values = tensor.unaryExpr([](const S& x) { return Value(x.value()); });
+  checked_inertia<typename WithScalar<J, Value>::type>(door, values);
+  return J{trusted, tensor};
 }
 
 template <class S>
@@ -151,12 +155,12 @@ Inertia<B, P, In<C>, S> inertia_from_tensor(Of<B>, About<P>, In<C>,
       detail::symmetric<S>(Jxx.value(), Jyy.value(), Jzz.value(), Jxy.value(), Jxz.value(), Jyz.value()));
 }
 template <Frame B, class S>
-detail::CentralInertia<B, S> inertia_from_tensor(In<B>, const Quantity<si::moment_of_inertia, S>& Jxx,
-                                                 const Quantity<si::moment_of_inertia, S>& Jyy,
-                                                 const Quantity<si::moment_of_inertia, S>& Jzz,
-                                                 const Quantity<si::moment_of_inertia, S>& Jxy,
-                                                 const Quantity<si::moment_of_inertia, S>& Jxz,
-                                                 const Quantity<si::moment_of_inertia, S>& Jyz) {
+CentralInertia<B, S> inertia_from_tensor(In<B>, const Quantity<si::moment_of_inertia, S>& Jxx,
+                                         const Quantity<si::moment_of_inertia, S>& Jyy,
+                                         const Quantity<si::moment_of_inertia, S>& Jzz,
+                                         const Quantity<si::moment_of_inertia, S>& Jxy,
+                                         const Quantity<si::moment_of_inertia, S>& Jxz,
+                                         const Quantity<si::moment_of_inertia, S>& Jyz) {
   return inertia_from_tensor(of<B>, about<CentreOfMassOf<B>>, in<B>, Jxx, Jyy, Jzz, Jxy, Jxz, Jyz);
 }
 template <class First, class... Given>
@@ -178,10 +182,12 @@ Inertia<B, P, In<C>, S> inertia_from_moments_and_products(Of<B>, About<P>, In<C>
       detail::symmetric<S>(Jxx.value(), Jyy.value(), Jzz.value(), -Pxy.value(), -Pxz.value(), -Pyz.value()));
 }
 template <Frame B, class S>
-detail::CentralInertia<B, S> inertia_from_moments_and_products(
-    In<B>, const Quantity<si::moment_of_inertia, S>& Jxx, const Quantity<si::moment_of_inertia, S>& Jyy,
-    const Quantity<si::moment_of_inertia, S>& Jzz, const Quantity<si::moment_of_inertia, S>& Pxy,
-    const Quantity<si::moment_of_inertia, S>& Pxz, const Quantity<si::moment_of_inertia, S>& Pyz) {
+CentralInertia<B, S> inertia_from_moments_and_products(In<B>, const Quantity<si::moment_of_inertia, S>& Jxx,
+                                                       const Quantity<si::moment_of_inertia, S>& Jyy,
+                                                       const Quantity<si::moment_of_inertia, S>& Jzz,
+                                                       const Quantity<si::moment_of_inertia, S>& Pxy,
+                                                       const Quantity<si::moment_of_inertia, S>& Pxz,
+                                                       const Quantity<si::moment_of_inertia, S>& Pyz) {
   return inertia_from_moments_and_products(of<B>, about<CentreOfMassOf<B>>, in<B>, Jxx, Jyy, Jzz, Pxy, Pxz,
                                            Pyz);
 }
@@ -196,7 +202,7 @@ auto trust_inertia(Of<B>, About<P>, In<C>, const Eigen::MatrixBase<Derived>& ten
   return Inertia<B, P, In<C>, typename Derived::Scalar>{detail::trusted, tensor};
 }
 template <Frame B, class Derived> auto trust_inertia(In<B>, const Eigen::MatrixBase<Derived>& tensor) {
-  return detail::CentralInertia<B, typename Derived::Scalar>{detail::trusted, tensor};
+  return CentralInertia<B, typename Derived::Scalar>{detail::trusted, tensor};
 }
 
 // J_p^d = R_c^d J_p^c (R_c^d)^T
@@ -237,7 +243,7 @@ auto kinetic_energy(  // kinetic_energy(J_c, w_ab_c): one body b, about its cent
 template <class B, class P, class C, class S>
 std::ostream& print_framed(std::ostream& out, const Inertia<B, P, In<C>, S>& J_p_c) {
   detail::print_square(out, J_p_c.matrix()) << " kg m^2";
-  if constexpr (!std::is_same_v<Inertia<B, P, In<C>, S>, detail::CentralInertia<B, S>>) {
+  if constexpr (!std::is_same_v<Inertia<B, P, In<C>, S>, CentralInertia<B, S>>) {
     out << " of " << frame_name<B>() << " about " << frame_name<P>();
   }
   return out << " in " << frame_name<C>();

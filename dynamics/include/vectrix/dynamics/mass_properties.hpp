@@ -18,10 +18,10 @@ template <Frame B, Point O = B, class ExpressedIn = In<B>, class S = double> cla
 template <Frame B, Point O, Frame D, class S> class MassProperties<B, O, In<D>, S> {
  public:
   using Position = Displacement<O, CentreOfMassOf<B>, In<D>, S>;
-  using CentralInertia = Inertia<B, CentreOfMassOf<B>, In<D>, S>;
+  using InertiaAboutCentre = Inertia<B, CentreOfMassOf<B>, In<D>, S>;
 
   explicit MassProperties(detail::Trusted, const Quantity<si::mass, S>& mass, const Position& r_oc_d,
-                          const CentralInertia& J_c_d)
+                          const InertiaAboutCentre& J_c_d)
       : mass_(mass), centre_(r_oc_d), inertia_(J_c_d) {}
 
   const Quantity<si::mass, S>& mass() const& { return mass_; }
@@ -30,8 +30,8 @@ template <Frame B, Point O, Frame D, class S> class MassProperties<B, O, In<D>, 
   const Position& centre() const& { return centre_; }
   Position centre() && { return centre_; }
   /// About the centre of mass.
-  const CentralInertia& inertia() const& { return inertia_; }
-  CentralInertia inertia() && { return inertia_; }
+  const InertiaAboutCentre& inertia() const& { return inertia_; }
+  InertiaAboutCentre inertia() && { return inertia_; }
 
   template <class Operand = MassProperties>
   auto operator-() const -> Refused = delete;  // a body has no negative
@@ -39,7 +39,7 @@ template <Frame B, Point O, Frame D, class S> class MassProperties<B, O, In<D>, 
  private:
   Quantity<si::mass, S> mass_;
   Position centre_;
-  CentralInertia inertia_;
+  InertiaAboutCentre inertia_;
 };
 
 template <class B, class O, class D, class S>
@@ -88,7 +88,7 @@ template <class Whole, class O, class D, class S, class... B>
     };
     return Result{detail::trusted, Quantity<si::mass, S>::from_value(mass),
                   typename Result::Position{detail::trusted, centre},
-                  typename Result::CentralInertia{detail::trusted, (about_centre(part) + ...)}};
+                  typename Result::InertiaAboutCentre{detail::trusted, (about_centre(part) + ...)}};
   }
 
 /// 12 kg; (1, 2, 3) m of CentreOfMassOf<Body> relative to Body in Body; [...] kg m^2 in Body

@@ -7,7 +7,7 @@
 /// Several attitudes at once: std::experimental::simd<double, Abi> as the scalar of every type of the
 /// library,
 ///     using Lanes = std::experimental::native_simd<double>;
-///     Dcm<B, A, Lanes>, Vector<B, si::length, Lanes>, Inertia<B, Lanes>
+///     Dcm<B, A, Lanes>, Vector<B, si::length, Lanes>, CentralInertia<B, Lanes>
 /// Each lane is computed as a double is. A door refuses the whole when one lane is bad. What needs more than
 /// a choice between two results, nearest_dcm() and the checked doors of Inertia, goes lane by lane.
 /// clang refuses batches that want more alignment than Eigen's matrices have: fixed_size_simd<double, 4>

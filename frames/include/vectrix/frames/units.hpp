@@ -17,6 +17,7 @@
 #include <numbers>
 #include <string>
 #include <type_traits>
+#include <vectrix/frames/operators.hpp>
 
 namespace vectrix {
 namespace detail {
