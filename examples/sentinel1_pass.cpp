@@ -181,7 +181,8 @@ double micro(const Quantity<si::angular_velocity>& rate) {
   return 1e6 * rate.value();
 }
 
-constexpr const char* heading = R"(v: velocity relative to the Earth. Body from orbit: R1(roll) R2(pitch) R3(yaw); the orbit frame has z to the Earth's
+constexpr const char* heading =
+    R"(v: velocity relative to the Earth. Body from orbit: R1(roll) R2(pitch) R3(yaw); the orbit frame has z to the Earth's
 centre, y along -(r x v), v inertial. Rate: of the body relative to Gcrf, in body axes; off gyro: |rate - gyro|, urad/s.
 Boresight: where the antenna's axis meets WGS-84, geodetic latitude (north) and longitude (east).
 
