@@ -1,5 +1,5 @@
 // mistake: a named product of rotations returned without its type
-// expect: DcmChain<Camera, Gcrf
+// expect: DcmChain<Camera, Gcrf|ToFrame = Camera; FromFrame = Gcrf
 // expect: give the product a type
 #include <vectrix/frames.hpp>
 
