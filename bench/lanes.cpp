@@ -119,7 +119,8 @@ template <class S, class Make, class Law> class Sweep {
   using Operands = std::invoke_result_t<Make, Numbers<S>&>;
   Law law_;
   std::vector<Operands> operands_;
-  std::vector<std::decay_t<decltype(std::apply(std::declval<Law>(), std::declval<Operands>()))>> results_;
+  std::vector<detail::Evaluated<decltype(std::apply(std::declval<Law>(), std::declval<Operands>()))>>
+      results_;
 };
 
 double seconds(auto& sweep, long calls) {
