@@ -68,6 +68,27 @@ RC_GTEST_PROP(DcmChain, WithANameItIsTheProduct, ()) {
   RC_ASSERT(inverse(chain).matrix() == product.transpose());
 }
 
+/// Ten products, and the lengths of vectors up to sqrt(3).
+constexpr double of_ten = 8 * rounding;
+
+// Past its greatest length a chain goes on from the product of its first rotations, however it is written.
+RC_GTEST_PROP(DcmChain, GoesOnPastItsGreatestLength, ()) {
+  const auto P = any_dcm<Body, Gcrf>();
+  const auto Q = any_dcm<Gcrf, Body>();
+  const auto r = vector<si::length>(in<Gcrf>, *triple());
+  Eigen::Vector3d expected = r.coordinates();
+  for (int i = 0; i < 5; ++i) expected = Q.matrix() * (P.matrix() * expected).eval();
+  const auto agrees = [&](const Vector<Gcrf, si::length>& turned) {
+    return distance(turned.coordinates(), expected) <= of_ten;
+  };
+  RC_ASSERT(agrees(Q * P * Q * P * Q * P * Q * P * Q * P * r));
+  RC_ASSERT(agrees(Q * (P * (Q * (P * (Q * (P * (Q * (P * (Q * P)))))))) * r));
+  RC_ASSERT(agrees((Q * P * Q * P * Q * P) * (Q * P * Q * P) * r));
+  const auto R = Q * P * Q * P * Q * P * Q * P * Q * P;
+  static_assert(std::is_same_v<decltype(R), const DcmChain<Gcrf, Gcrf, 3>>);
+  RC_ASSERT(agrees(R * r));
+}
+
 /// The rotations that a function makes are gone when it has returned their product.
 auto product_of_locals(const Eigen::Matrix3d& first, const Eigen::Matrix3d& second) {
   const auto R_b_from_a = trust_dcm(to<Body>, from<Gcrf>, first);

@@ -39,7 +39,8 @@ template <class S, std::size_t N, std::size_t M, std::size_t... I, std::size_t..
 ///     R_d_from_c * R_c_from_b * R_b_from_a * r_a      three products with a vector, none of matrices
 /// With a name, `auto R_d_from_a = ...`, it is the Dcm, multiplied once, in every use. It holds copies of its
 /// factors, so it never dangles; it is not moved, because a name may have been assigned another rotation. To
-/// return it or to keep the nine numbers alone, give it its type: `Dcm<D, A> R_d_from_a = ...`.
+/// return it or to keep the nine numbers alone, give it its type: `Dcm<D, A> R_d_from_a = ...`. Of more than
+/// eight rotations the product of the first eight is one.
 template <Frame ToFrame, Frame FromFrame, std::size_t N, class S = double>
 class DcmChain : public Dcm<ToFrame, FromFrame, S> {
   using Product = Dcm<ToFrame, FromFrame, S>;
@@ -103,6 +104,22 @@ template <std::size_t first = 0, class S, std::size_t N, class Derived>
   }
 }
 
+/// The length up to which a chain grows: its code does with the square of it. What is longer goes on as a
+/// chain of two matrices.
+inline constexpr std::size_t longest_chain = 8;
+
+template <class C, class B, class A, std::size_t N, std::size_t M, class S>
+[[gnu::always_inline]] inline auto chained(const Dcm<C, B, S>& R_c_from_b,
+                                           const std::array<Factor<S>, N>& left_factors,
+                                           const Dcm<B, A, S>& R_b_from_a,
+                                           const std::array<Factor<S>, M>& right_factors) {
+  if constexpr (N + M <= longest_chain) {
+    return DcmChain<C, A, N + M, S>{trusted, R_c_from_b, left_factors, R_b_from_a, right_factors};
+  } else {
+    return DcmChain<C, A, 2, S>{trusted, R_c_from_b, factors(R_c_from_b), R_b_from_a, factors(R_b_from_a)};
+  }
+}
+
 }  // namespace detail
 
 // R_a^c = R_b^c R_a^b, each side one rotation or an unnamed chain
@@ -112,19 +129,19 @@ template <class C, class B, class A, class S>
   return {detail::trusted, R_c_from_b, detail::factors(R_c_from_b), R_b_from_a, detail::factors(R_b_from_a)};
 }
 template <class C, class B, class A, std::size_t N, class S>
-[[gnu::always_inline]] inline DcmChain<C, A, N + 1, S> product(DcmChain<C, B, N, S>&& R_c_from_b,
-                                                               const Dcm<B, A, S>& R_b_from_a) {
-  return {detail::trusted, R_c_from_b, R_c_from_b.factors(), R_b_from_a, detail::factors(R_b_from_a)};
+[[gnu::always_inline]] inline auto product(DcmChain<C, B, N, S>&& R_c_from_b,
+                                           const Dcm<B, A, S>& R_b_from_a) {
+  return detail::chained(R_c_from_b, R_c_from_b.factors(), R_b_from_a, detail::factors(R_b_from_a));
 }
 template <class C, class B, class A, std::size_t N, class S>
-[[gnu::always_inline]] inline DcmChain<C, A, 1 + N, S> product(const Dcm<C, B, S>& R_c_from_b,
-                                                               DcmChain<B, A, N, S>&& R_b_from_a) {
-  return {detail::trusted, R_c_from_b, detail::factors(R_c_from_b), R_b_from_a, R_b_from_a.factors()};
+[[gnu::always_inline]] inline auto product(const Dcm<C, B, S>& R_c_from_b,
+                                           DcmChain<B, A, N, S>&& R_b_from_a) {
+  return detail::chained(R_c_from_b, detail::factors(R_c_from_b), R_b_from_a, R_b_from_a.factors());
 }
 template <class C, class B, class A, std::size_t N, std::size_t M, class S>
-[[gnu::always_inline]] inline DcmChain<C, A, N + M, S> product(DcmChain<C, B, N, S>&& R_c_from_b,
-                                                               DcmChain<B, A, M, S>&& R_b_from_a) {
-  return {detail::trusted, R_c_from_b, R_c_from_b.factors(), R_b_from_a, R_b_from_a.factors()};
+[[gnu::always_inline]] inline auto product(DcmChain<C, B, N, S>&& R_c_from_b,
+                                           DcmChain<B, A, M, S>&& R_b_from_a) {
+  return detail::chained(R_c_from_b, R_c_from_b.factors(), R_b_from_a, R_b_from_a.factors());
 }
 
 // r^b = R_a^b r^a and x_pq^b = R_a^b x_pq^a, the vector first
