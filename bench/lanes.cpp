@@ -78,7 +78,8 @@ template <class S, class Make, class Law> class Sweep {
   }
 
   [[gnu::noinline]] void run() {
-    for (std::size_t i = 0; i < results_.size(); ++i) results_[i] = std::apply(law_, operands_[i]);
+    for (std::size_t i = 0; i < results_.size(); ++i)
+      new (&results_[i]) Result(std::apply(law_, operands_[i]));
     keep(results_.front());
   }
   bench::Numbers numbers() const {
@@ -119,8 +120,8 @@ template <class S, class Make, class Law> class Sweep {
   using Operands = std::invoke_result_t<Make, Numbers<S>&>;
   Law law_;
   std::vector<Operands> operands_;
-  std::vector<detail::Evaluated<decltype(std::apply(std::declval<Law>(), std::declval<Operands>()))>>
-      results_;
+  using Result = detail::Evaluated<decltype(std::apply(std::declval<Law>(), std::declval<Operands>()))>;
+  std::vector<Result> results_;
 };
 
 double seconds(auto& sweep, long calls) {
@@ -171,7 +172,8 @@ template <class Make, class Law> bool time(const char* name, const Make& make, c
 
 int main() {
   using namespace bench;
-  const auto multiply = [](const auto& left, const auto& right) { return left * right; };
+  const auto multiply = []<class Left, class Right>(const Left& left, const Right& right)
+      -> detail::Evaluated<detail::ProductOf<const Left&, const Right&>> { return left * right; };
   bool agree = time(
       "DCM product",
       [](auto& n) {

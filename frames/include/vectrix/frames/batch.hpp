@@ -34,7 +34,8 @@ template <class Mask> bool all(const Mask& holds) {
 template <class S> S select(bool holds, const S& yes, const S& no) {
   return holds ? yes : no;
 }
-template <Batch S> S select(const typename S::mask_type& holds, const S& yes, const S& no) {
+template <Batch S>
+[[gnu::always_inline]] inline S select(const typename S::mask_type& holds, const S& yes, const S& no) {
   S chosen = no;
   where(holds, chosen) = yes;
   return chosen;

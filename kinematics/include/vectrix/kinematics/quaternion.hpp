@@ -154,13 +154,21 @@ namespace detail {
 template <class S> struct QuaternionMultiple {
   S x, y, z, w;
 
-  bool in_upper_half() const {
-    return w != S(0) ? w > S(0) : x != S(0) ? x > S(0) : y != S(0) ? y > S(0) : z > S(0);
-  }
   Eigen::Quaternion<S> unit() const {
     using std::sqrt;
-    const S scale = S(in_upper_half() ? 1 : -1) / sqrt(x * x + y * y + z * z + w * w);
+    const S scale = sign() / sqrt(x * x + y * y + z * z + w * w);
     return {w * scale, x * scale, y * scale, z * scale};
+  }
+
+ private:
+  // Of the first of w, x, y, z that is not zero.
+  S sign() const {
+    if constexpr (Batch<S>) {
+      const S first = select(w != S(0), w, select(x != S(0), x, select(y != S(0), y, z)));
+      return select(first < S(0), S(-1), S(1));
+    } else {
+      return S((w != S(0) ? w > S(0) : x != S(0) ? x > S(0) : y != S(0) ? y > S(0) : z > S(0)) ? 1 : -1);
+    }
   }
 };
 
@@ -174,14 +182,31 @@ template <Eigen::Index i, class S> QuaternionMultiple<S> multiple_by_diagonal(co
   v[k] = m(i, k) + m(k, i);
   return {v[0], v[1], v[2], m(k, j) - m(j, k)};
 }
+template <class S> QuaternionMultiple<S> multiple_by_trace(const Square<S>& m) {
+  return {m(2, 1) - m(1, 2), m(0, 2) - m(2, 0), m(1, 0) - m(0, 1), S(1) + m(0, 0) + m(1, 1) + m(2, 2)};
+}
 template <class S> QuaternionMultiple<S> largest_multiple(const Square<S>& m) {
   const S x = m(0, 0), y = m(1, 1), z = m(2, 2);
   const S trace = x + y + z;
-  if (trace > x && trace > y && trace > z) {
-    return {m(2, 1) - m(1, 2), m(0, 2) - m(2, 0), m(1, 0) - m(0, 1), S(1) + trace};
-  }
+  if (trace > x && trace > y && trace > z) return multiple_by_trace(m);
   if (x >= y && x >= z) return multiple_by_diagonal<0>(m);
   return y >= z ? multiple_by_diagonal<1>(m) : multiple_by_diagonal<2>(m);
+}
+/// Of a batch: every component's formula is computed and one chosen lane by lane.
+template <Batch S>
+[[gnu::always_inline]] inline QuaternionMultiple<S> select(const typename S::mask_type& holds,
+                                                           const QuaternionMultiple<S>& yes,
+                                                           const QuaternionMultiple<S>& no) {
+  return {select(holds, yes.x, no.x), select(holds, yes.y, no.y), select(holds, yes.z, no.z),
+          select(holds, yes.w, no.w)};
+}
+template <Batch S> [[gnu::always_inline]] inline QuaternionMultiple<S> largest_multiple(const Square<S>& m) {
+  const S x = m(0, 0), y = m(1, 1), z = m(2, 2);
+  const S y_or_z = select(y >= z, y, z);
+  const S largest = select(x >= y_or_z, x, y_or_z);
+  const auto by_y_or_z = select(y >= z, multiple_by_diagonal<1>(m), multiple_by_diagonal<2>(m));
+  const auto by_diagonal = select(x >= y_or_z, multiple_by_diagonal<0>(m), by_y_or_z);
+  return select(x + y + z > largest, multiple_by_trace(m), by_diagonal);
 }
 
 }  // namespace detail
@@ -191,34 +216,6 @@ template <class S> QuaternionMultiple<S> largest_multiple(const Square<S>& m) {
 /// division.
 template <class B, class A, class S> Quaternion<B, A, S> quaternion(const Dcm<B, A, S>& R_b_from_a) {
   return {detail::trusted, detail::largest_multiple<S>(R_b_from_a.matrix()).unit()};
-}
-
-/// Of a batch: every component's formula is computed and one chosen lane by lane.
-template <class B, class A, detail::Batch S> Quaternion<B, A, S> quaternion(const Dcm<B, A, S>& R_b_from_a) {
-  using Four = Eigen::Matrix<S, 4, 1>;
-  const auto& m = R_b_from_a.matrix();
-  const S w = S(1) + m.trace();
-  const S x = S(1) + m(0, 0) - m(1, 1) - m(2, 2);
-  const S y = S(1) + m(1, 1) - m(2, 2) - m(0, 0);
-  const S z = S(1) + m(2, 2) - m(0, 0) - m(1, 1);
-  const S wx = m(2, 1) - m(1, 2), wy = m(0, 2) - m(2, 0), wz = m(1, 0) - m(0, 1);
-  const S xy = m(0, 1) + m(1, 0), xz = m(0, 2) + m(2, 0), yz = m(1, 2) + m(2, 1);
-  const auto either = [](const auto& holds, const Four& yes, const Four& no) {
-    using detail::select;
-    return Four{select(holds, yes(0), no(0)), select(holds, yes(1), no(1)), select(holds, yes(2), no(2)),
-                select(holds, yes(3), no(3))};
-  };
-  const Four y_or_z = either(m(1, 1) >= m(2, 2), Four{xy, y, yz, wy}, Four{xz, yz, z, wz});
-  const S larger = detail::select(m(1, 1) >= m(2, 2), m(1, 1), m(2, 2));
-  const Four by_diagonal = either(m(0, 0) >= larger, Four{x, xy, xz, wx}, y_or_z);
-  const S largest = detail::select(m(0, 0) >= larger, m(0, 0), larger);
-  const Four q = either(m.trace() > largest, Four{wx, wy, wz, w}, by_diagonal);
-  const auto or_else = [](const S& first, const S& second) {
-    return detail::select(first != S(0), first, second);
-  };
-  const S sign = or_else(q(3), or_else(q(0), or_else(q(1), q(2))));
-  const S norm = q.norm();
-  return {detail::trusted, Eigen::Quaternion<S>(q / detail::select<S>(sign < S(0), -norm, norm))};
 }
 
 template <class B, class A, class S>
