@@ -9,11 +9,15 @@
 #include <vectrix/kinematics/exp.hpp>
 #include <vectrix/kinematics/hat.hpp>
 #include <vectrix/kinematics/log.hpp>
+#include <vectrix/kinematics/mean_rotation.hpp>
 #include <vectrix/kinematics/moving_dcm.hpp>
 #include <vectrix/kinematics/moving_transform.hpp>
+#include <vectrix/kinematics/observation.hpp>
 #include <vectrix/kinematics/quaternion.hpp>
 #include <vectrix/kinematics/rigid_edge.hpp>
 #include <vectrix/kinematics/rotation_vector.hpp>
 #include <vectrix/kinematics/slerp.hpp>
+#include <vectrix/kinematics/triad.hpp>
 #include <vectrix/kinematics/twist.hpp>
 #include <vectrix/kinematics/velocity.hpp>
+#include <vectrix/kinematics/wahba.hpp>

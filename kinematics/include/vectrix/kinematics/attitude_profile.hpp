@@ -1,0 +1,26 @@
+#pragma once
+
+#include <vectrix/frames/dcm_doors.hpp>
+
+namespace vectrix::detail {
+
+/// The rotation that an attitude profile matrix asks for, and how surely.
+template <class S> struct ProfileRotation {
+  Square<S> rotation;
+  /// sigma_2 + d sigma_3: what the profile loses, to second order, in a turn about the axis that costs least.
+  S margin;
+  Column<S> least_axis;
+};
+
+/// The R that maximises tr(R B^T), by B = U Sigma V^T, R = U diag(1, 1, d) V^T, d = det U det V.
+/// Markley, Attitude Determination Using Vector Observations and the Singular Value Decomposition (1988).
+template <class S> ProfileRotation<S> profile_rotation(const Square<S>& profile) {
+  const Eigen::JacobiSVD<Square<S>> svd(profile, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  const Square<S>& U = svd.matrixU();
+  const Square<S>& V = svd.matrixV();
+  const S d = U.determinant() * V.determinant() < S(0) ? S(-1) : S(1);
+  return {U * Column<S>(S(1), S(1), d).asDiagonal() * V.transpose(),
+          svd.singularValues()(1) + d * svd.singularValues()(2), U.col(0)};
+}
+
+}  // namespace vectrix::detail

@@ -1,0 +1,328 @@
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include "observed_attitudes.hpp"
+
+using namespace vectrix;
+using namespace vectrix_test;
+
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+using Observations = std::vector<Observation<Body, Gcrf>>;
+
+/// Directions at least this far from parallel: what a rounding moves the attitude by is below 1/sine of it.
+constexpr double least_sine = 0.1;
+constexpr double solved = 64 * epsilon / (least_sine * least_sine);
+constexpr int trials = 4000;
+
+/// Two directions that are not nearly parallel.
+std::pair<Vector3d, Vector3d> two_directions() {
+  const Matrix3d axes = *rotation_matrix();
+  const double least = std::asin(least_sine), most = std::numbers::pi - least;
+  const double angle = least + (most - least) * (1 + *coordinate()) / 2;
+  return {axes.col(0), 2 * (std::cos(angle) * axes.col(0) + std::sin(angle) * axes.col(1))};
+}
+
+Observation<Body, Gcrf> seen(const Dcm<Body, Gcrf>& R, const Vector3d& r, double sigma = 0.01) {
+  return observation(R * reference(r), reference(r), rad(sigma));
+}
+
+// Without errors any method must return the rotation itself.
+RC_GTEST_PROP(Triad, ReturnsTheRotationOfExactVectors, ()) {
+  const auto [r, s] = two_directions();
+  const auto R = body_from_gcrf(*attitude());
+  const auto r_a = vector<si::length>(in<Gcrf>, r);
+  const auto s_a = vector<si::velocity>(in<Gcrf>, s);
+  const Dcm<Body, Gcrf> found = triad(to<Body>, from<Gcrf>, R * r_a, r_a, R * s_a, s_a);
+  RC_ASSERT(distance(found.matrix(), R.matrix()) <= solved);
+}
+
+// The first direction is met exactly, the second in its half plane.
+RC_GTEST_PROP(Triad, TheFirstCountsFully, ()) {
+  const auto [r, s] = two_directions();
+  const auto [u, v] = two_directions();
+  const auto R = triad(to<Body>, from<Gcrf>, measured(u), reference(r), measured(v), reference(s));
+  const Vector3d first = (R * reference(r)).coordinates(), second = (R * reference(s)).coordinates();
+  RC_ASSERT(distance(first, u.normalized()) <= solved);
+  RC_ASSERT(std::abs(second.dot(u.cross(v).normalized())) <= solved);
+  RC_ASSERT(first.cross(second).dot(u.cross(v)) > 0.0);
+  RC_ASSERT(distance(R.matrix() * R.matrix().transpose(), Matrix3d::Identity()) <= rounding);
+}
+
+TEST(Triad, ClosedForm) {
+  const auto R =
+      triad(to<Body>, from<Gcrf>, unit_x(in<Body>), unit_y(in<Gcrf>), unit_y(in<Body>), unit_z(in<Gcrf>));
+  Matrix3d expected;
+  expected << 0, 1, 0, 0, 0, 1, 1, 0, 0;
+  EXPECT_EQ(R.matrix(), expected);
+}
+
+// Shuster and Oh's covariance as they print it; ours is a sum of squares.
+RC_GTEST_PROP(Triad, TheCovarianceIsShustersAndOhs, ()) {
+  const auto [r, s] = two_directions();
+  const auto R = body_from_gcrf(*attitude());
+  const double s1 = 0.01, s2 = 0.03;
+  const auto found = triad(to<Body>, from<Gcrf>, seen(R, r, s1), seen(R, s, s2));
+  const Vector3d b1 = R.matrix() * r.normalized(), b2 = R.matrix() * s.normalized();
+  const double sine2 = b1.cross(b2).squaredNorm();
+  const Matrix3d P =
+      s1 * s1 * Matrix3d::Identity() + ((s2 * s2 - s1 * s1) * b1 * b1.transpose() +
+                                        s1 * s1 * b1.dot(b2) * (b1 * b2.transpose() + b2 * b1.transpose())) /
+                                           sine2;
+  RC_ASSERT(distance(found.covariance.matrix(), P) <= solved * P.norm());
+}
+
+TEST(Triad, NearlyParallelDirectionsStillGiveARotation) {
+  const auto R = body_from_gcrf(Eigen::Quaterniond(0.5, 0.1, -0.7, 0.4).normalized());
+  const Vector3d r = Vector3d(1.0, 2.0, -0.5), s = r + 1e-7 * Vector3d(0.3, -1.0, 0.7);
+  const auto found =
+      triad(to<Body>, from<Gcrf>, R * reference(r), reference(r), R * reference(s), reference(s));
+  EXPECT_LE(distance(found.matrix() * found.matrix().transpose(), Matrix3d::Identity()), rounding);
+  EXPECT_LE(distance(found.matrix(), R.matrix()), 1e-7);
+}
+
+TEST(Triad, ParallelDirectionsAreRefused) {
+  const auto said = [](const Vector3d& r, const Vector3d& s, const Vector3d& u, const Vector3d& v) {
+    return message<BadInput>(
+        [&] { triad(to<Body>, from<Gcrf>, measured(u), reference(r), measured(v), reference(s)); });
+  };
+  const Vector3d x = Vector3d::UnitX(), y = Vector3d::UnitY();
+  const std::string place = detail::dcm_door<Body, Gcrf>("triad");
+  const std::string which = "the sine of the angle between the two directions in ";
+  EXPECT_EQ(said(x, y, x, -2 * x),
+            place + which + frame_name<Body>() + " is 0; parallel directions fix no rotation");
+  EXPECT_TRUE(contains(said(x, x, x, y), which + frame_name<Gcrf>() + " is 0"));
+  EXPECT_TRUE(contains(said(x, x + 1e-10 * y, x, y), " is 1e-10"));
+}
+
+TEST(Triad, FlowsThroughOtherScalars) {
+  const auto r_b = vector<si::dimensionless>(in<Body>, Eigen::Vector3f(1, 2, 2));
+  const auto s_b = vector<si::dimensionless>(in<Body>, Eigen::Vector3f(2, -2, 1));
+  const auto r_a = vector<si::dimensionless>(in<Gcrf>, Eigen::Vector3f(3, 0, 0));
+  const auto s_a = vector<si::dimensionless>(in<Gcrf>, Eigen::Vector3f(0, 3, 0));
+  const Dcm<Body, Gcrf, float> R = triad(to<Body>, from<Gcrf>, r_b, r_a, s_b, s_a);
+  EXPECT_LE((R * r_a - r_b).coordinates().norm(), 1e-6F);
+}
+
+// Three directions at right angles, one error: P = sigma^2/2 I, and 2/3 of the weight feels any turn.
+TEST(Wahba, ThreeOrthogonalObservations) {
+  const auto R = body_from_gcrf(Eigen::Quaterniond(0.5, 0.1, -0.7, 0.4).normalized());
+  const auto found =
+      wahba(to<Body>, from<Gcrf>,
+            std::vector{seen(R, Vector3d::UnitX()), seen(R, Vector3d::UnitY()), seen(R, Vector3d::UnitZ())});
+  EXPECT_LE(distance(found.rotation.matrix(), R.matrix()), rounding);
+  EXPECT_LE(distance(found.covariance.matrix(), 5e-5 * Matrix3d::Identity()), 1e-4 * rounding);
+  EXPECT_NEAR(found.observability, 2.0 / 3.0, rounding);
+  EXPECT_LE(found.loss, rounding * rounding / 1e-4);
+}
+
+// Two at right angles: about each the other alone tells, about the third axis both.
+TEST(Wahba, TwoOrthogonalObservations) {
+  const auto found = wahba(to<Body>, from<Gcrf>,
+                           std::vector{observation(unit_x(in<Body>), unit_y(in<Gcrf>), rad(0.01)),
+                                       observation(unit_y(in<Body>), -unit_x(in<Gcrf>), rad(0.03))});
+  const Vector3d variances(9e-4, 1e-4, 1e-4 / (1 + 1.0 / 9));
+  EXPECT_LE(distance(found.covariance.matrix(), Matrix3d(variances.asDiagonal())), 1e-3 * rounding);
+  EXPECT_NEAR(found.observability, 0.1, rounding);
+  EXPECT_NEAR(std::abs(found.least_observed.x().value()), 1.0, rounding);
+}
+
+// Two observations of the same size are met alike: each is left by half of the mismatch.
+TEST(Wahba, TwoObservationsShareTheirMismatch) {
+  const double angle = 1.0, wider = 1.002;
+  const auto in_plane = [](double a) { return Vector3d(std::cos(a), std::sin(a), 0); };
+  const auto found =
+      wahba(to<Body>, from<Gcrf>,
+            std::vector{weighted_observation(unit_x(in<Body>), unit_x(in<Gcrf>), 2.0),
+                        weighted_observation(measured(in_plane(wider)), reference(in_plane(angle)), 2.0)});
+  EXPECT_LE(distance(found.rotation.matrix().col(0), in_plane((wider - angle) / 2)), rounding);
+  EXPECT_NEAR(found.loss, 2 * 2.0 * (1 - std::cos((wider - angle) / 2)), rounding);
+}
+
+// wahba(Q b, a) = Q wahba(b, a) and wahba(b, Q^T a) = wahba(b, a) Q; the order does not matter.
+RC_GTEST_PROP(Wahba, AChangeOfEitherFrameTurnsTheAnswer, ()) {
+  const Matrix3d Q = *rotation_matrix();
+  Matrix3d reference_columns = *rotation_matrix();
+  Matrix3d measured_columns = *rotation_matrix() * reference_columns;
+  for (int i = 0; i < 3; ++i) {  // errors of up to 0.3 rad: what is left is observable
+    reference_columns.col(i) += 0.3 / std::sqrt(3.0) * *triple();
+    measured_columns.col(i) += 0.3 / std::sqrt(3.0) * *triple();
+  }
+  const auto solve = [&](const Matrix3d& of_b, const Matrix3d& of_a, bool reversed) {
+    Observations list;
+    for (int i = 0; i < 3; ++i) {
+      list.push_back(observation(measured(of_b * measured_columns.col(i)),
+                                 reference(of_a * reference_columns.col(i)), rad(0.1 + 0.1 * i)));
+    }
+    list.back() = observation(list.back().measured(), list.back().reference(), rad(0.3), 20.0);
+    if (reversed) std::reverse(list.begin(), list.end());
+    return wahba(to<Body>, from<Gcrf>, list);
+  };
+  const Matrix3d I = Matrix3d::Identity();
+  const auto plain = solve(I, I, false);
+  const auto turned = solve(Q, I, true);
+  RC_ASSERT(distance(turned.rotation.matrix(), Q * plain.rotation.matrix()) <= solved);
+  RC_ASSERT(distance(turned.covariance.matrix(), Q * plain.covariance.matrix() * Q.transpose()) <= solved);
+  RC_ASSERT(distance(solve(I, Q.transpose(), false).rotation.matrix(), plain.rotation.matrix() * Q) <=
+            solved);
+  RC_ASSERT(std::abs(turned.loss - plain.loss) <= solved * (1 + plain.loss));
+}
+
+// No rotation nearby has a smaller loss, however large the errors.
+RC_GTEST_PROP(Wahba, TheLossIsLeast, ()) {
+  const auto known = two_directions(), seen_in_b = two_directions();
+  const std::vector list{weighted_observation(measured(seen_in_b.first), reference(known.first), 1.0),
+                         weighted_observation(measured(seen_in_b.second), reference(known.second), 3.0)};
+  const auto loss = [&](const Matrix3d& R) {
+    return (seen_in_b.first.normalized() - R * known.first.normalized()).squaredNorm() / 2 +
+           3 * (seen_in_b.second.normalized() - R * known.second.normalized()).squaredNorm() / 2;
+  };
+  const AttitudeFit<Body, Gcrf> found = wahba(to<Body>, from<Gcrf>, list);
+  RC_ASSERT(std::abs(found.loss - loss(found.rotation.matrix())) <= rounding);
+  const Matrix3d other = *rotation_matrix();
+  RC_ASSERT(found.loss <= loss(other) + rounding);
+}
+
+class Estimates : public testing::Test {
+ protected:
+  const Dcm<Body, Gcrf> R = body_from_gcrf(Eigen::Quaterniond(0.3, -0.6, 0.2, 0.8).normalized());
+  const std::vector<Vector3d> directions{
+      {1.0, 0.2, 0.0}, {0.9, -0.4, 0.3}, {0.8, 0.1, -0.5}, {1.0, 0.6, 0.4}};
+  const std::vector<double> sigmas{1e-3, 3e-3, 2e-4, 1e-3};
+
+  Observations observe(Noise& noise, double weight_of_first = 0.0) const {
+    Observations list;
+    for (std::size_t i = 0; i < directions.size(); ++i) {
+      const auto b = measured(noise.across(R.matrix() * directions[i], sigmas[i]));
+      const auto a = reference(directions[i]);
+      list.push_back(weight_of_first > 0.0 && i == 0 ? observation(b, a, rad(sigmas[i]), weight_of_first)
+                                                     : observation(b, a, rad(sigmas[i])));
+    }
+    return list;
+  }
+  /// The small turn from the true attitude to the found one in b, in its standard deviations.
+  template <class Estimate> double square(const Estimate& found) const {
+    const Matrix3d turn = found.rotation.matrix() * R.matrix().transpose();
+    const Vector3d e = log(trust_dcm(to<Camera>, from<Body>, turn)).coordinates();
+    return std::pow(mahalanobis_distance(found.covariance, vector<si::angle>(in<Body>, e)).value(), 2);
+  }
+};
+
+TEST_F(Estimates, TheCovarianceOfWahbaIsThatOfItsErrors) {
+  Noise noise(20240601);
+  ChiSquare errors(3), losses(2 * 4 - 3), reweighted(3);
+  for (int i = 0; i < trials; ++i) {
+    const auto found = wahba(to<Body>, from<Gcrf>, observe(noise));
+    errors.add(square(found));
+    losses.add(2 * found.loss);
+    reweighted.add(square(wahba(to<Body>, from<Gcrf>, observe(noise, 1e8))));  // a hundred times its due
+  }
+  EXPECT_TRUE(errors.agrees()) << errors.mean();
+  EXPECT_TRUE(losses.agrees()) << losses.mean();
+  EXPECT_TRUE(reweighted.agrees()) << reweighted.mean();
+}
+
+TEST_F(Estimates, TheCovarianceOfTriadIsThatOfItsErrors) {
+  Noise noise(20240602);
+  ChiSquare errors(3), mismatches(1);
+  for (int i = 0; i < trials; ++i) {
+    const auto list = observe(noise);
+    const auto found = triad(to<Body>, from<Gcrf>, list[0], list[1]);
+    errors.add(square(found));
+    mismatches.add(std::pow(found.mismatch.value() / std::hypot(sigmas[0], sigmas[1]), 2));
+  }
+  EXPECT_TRUE(errors.agrees()) << errors.mean();
+  EXPECT_TRUE(mismatches.agrees()) << mismatches.mean();
+}
+
+// Wahba's estimate is the best one: less uncertain about every axis than triad's of the same two.
+TEST_F(Estimates, WahbaIsNeverWorseThanTriad) {
+  Noise noise(20240603);
+  const auto list = observe(noise);
+  const Matrix3d best = wahba(to<Body>, from<Gcrf>, std::vector{list[0], list[1]}).covariance.matrix();
+  const Matrix3d plain = triad(to<Body>, from<Gcrf>, list[0], list[1]).covariance.matrix();
+  EXPECT_GE(Eigen::SelfAdjointEigenSolver<Matrix3d>(plain - best).eigenvalues()(0), -1e-3 * plain.norm());
+}
+
+TEST(Wahba, WhatFixesNoRotationIsRefused) {
+  const auto R = body_from_gcrf(Eigen::Quaterniond(0.5, 0.1, -0.7, 0.4).normalized());
+  const auto said = [](const Observations& list) {
+    return message<BadInput>([&] { wahba(to<Body>, from<Gcrf>, list); });
+  };
+  const std::string place = detail::dcm_door<Body, Gcrf>("wahba");
+  const Vector3d x = Vector3d::UnitX(), y = Vector3d::UnitY(), z = Vector3d::UnitZ();
+  EXPECT_EQ(said({}), place + "the number of observations is 0; two directions fix a rotation");
+  EXPECT_TRUE(contains(said({seen(R, x)}), "the number of observations is 1"));
+  const std::string parallel = said({seen(R, x), seen(R, 2 * x), seen(R, -3 * x)});
+  EXPECT_TRUE(contains(parallel, place + "only the share ") && contains(parallel, "feels a turn about ("))
+      << parallel;
+  EXPECT_TRUE(contains(said({seen(R, x), seen(R, x + 1e-6 * y)}), "at least 1e-10 is needed"));
+  EXPECT_EQ(said({seen(R, x), seen(R, x + 1e-4 * y)}), "");
+  // A mirror image: every half turn fits as well as any other.
+  const auto mirrored = [](const Vector3d& r) { return observation(measured(-r), reference(r), rad(0.01)); };
+  EXPECT_TRUE(contains(said({mirrored(x), mirrored(y), mirrored(z)}), "contradict each other"));
+  // One outweighs the other by more than a number holds.
+  EXPECT_TRUE(contains(said({seen(R, x, 1e-8), seen(R, y, 1.0)}), "outweighs the rest"));
+}
+
+TEST(Observation, WhatIsNoneIsRefused) {
+  const auto x_b = unit_x(in<Body>);
+  const auto y_a = unit_y(in<Gcrf>);
+  const std::string frames = "(in<" + frame_name<Body>() + ">, in<" + frame_name<Gcrf>() + ">): ";
+  const auto sigma = [&](double value) {
+    return message<BadInput>([&] { observation(x_b, y_a, rad(value)); });
+  };
+  EXPECT_EQ(sigma(0.0),
+            "observation" + frames +
+                "the standard deviation is 0 rad; it is positive, with a square that a number can hold");
+  for (const double value : {-1.0, std::nan(""), HUGE_VAL, 1e-200, 1e200}) {
+    EXPECT_TRUE(contains(sigma(value), "the standard deviation is " + detail::text(value) + " rad")) << value;
+  }
+  for (const double value : {0.0, -1.0, std::nan(""), HUGE_VAL}) {
+    const std::string said = "the weight is " + detail::text(value) + "; it is positive and finite";
+    EXPECT_EQ(message<BadInput>([&] { observation(x_b, y_a, rad(1), value); }),
+              "observation" + frames + said);
+    EXPECT_EQ(message<BadInput>([&] { weighted_observation(x_b, y_a, value); }),
+              "weighted_observation" + frames + said);
+  }
+  EXPECT_TRUE(contains(message<BadInput>([&] {
+                         observation(zero<si::length>(in<Body>),
+                                     vector<si::length>(in<Gcrf>, Vector3d::UnitX()), rad(1));
+                       }),
+                       "|r| is 0"));
+}
+
+// Weights of any size: no sum of them overflows.
+TEST(Wahba, HugeAndTinyWeights) {
+  const auto R = body_from_gcrf(Eigen::Quaterniond(0.5, 0.1, -0.7, 0.4).normalized());
+  for (const double weight : {1e308, 1e-308}) {
+    const auto pair = [&](const Vector3d& r) {
+      return weighted_observation(R * reference(r), reference(r), weight);
+    };
+    const auto found =
+        wahba(to<Body>, from<Gcrf>, std::vector{pair(Vector3d::UnitX()), pair(Vector3d::UnitY())});
+    EXPECT_LE(distance(found.rotation.matrix(), R.matrix()), rounding);
+  }
+}
+
+template <class... Given>
+concept Observes = requires(const Given&... given) {
+  observation(given...);
+};
+using Rad = Quantity<si::angle>;
+static_assert(Observes<Vector<Body, si::length>, Vector<Gcrf, si::length>, Rad>);
+static_assert(!Observes<Vector<Body, si::length>, Vector<Gcrf, si::force>, Rad>);
+static_assert(!Observes<Vector<Body, si::length>, Vector<Body, si::length>, Rad>);
+static_assert(!Observes<Vector<Body, si::length>, Vector<Gcrf, si::length>, Quantity<si::time>>);
+
+template <class To, class From, class List>
+concept Solves = requires(const To& b, const From& a, const List& list) {
+  wahba(b, a, list);
+};
+static_assert(Solves<vectrix::To<Body>, vectrix::From<Gcrf>, Observations>);
+static_assert(!Solves<vectrix::To<Gcrf>, vectrix::From<Body>, Observations>);
+static_assert(!Solves<vectrix::To<Camera>, vectrix::From<Gcrf>, Observations>);
+
+}  // namespace
