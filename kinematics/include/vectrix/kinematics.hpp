@@ -4,12 +4,16 @@
 #include <vectrix/kinematics/acceleration.hpp>
 #include <vectrix/kinematics/angular_acceleration.hpp>
 #include <vectrix/kinematics/angular_velocity.hpp>
+#include <vectrix/kinematics/axis_angle.hpp>
 #include <vectrix/kinematics/dcm_rate.hpp>
 #include <vectrix/kinematics/derivative.hpp>
+#include <vectrix/kinematics/euler_rates.hpp>
 #include <vectrix/kinematics/exp.hpp>
+#include <vectrix/kinematics/gibbs_vector.hpp>
 #include <vectrix/kinematics/hat.hpp>
 #include <vectrix/kinematics/log.hpp>
 #include <vectrix/kinematics/mean_rotation.hpp>
+#include <vectrix/kinematics/modified_rodrigues.hpp>
 #include <vectrix/kinematics/moving_dcm.hpp>
 #include <vectrix/kinematics/moving_transform.hpp>
 #include <vectrix/kinematics/observation.hpp>

@@ -1,0 +1,200 @@
+#pragma once
+
+#include <vectrix/kinematics/angular_acceleration.hpp>
+#include <vectrix/kinematics/dcm_rate.hpp>
+
+namespace vectrix {
+namespace detail {
+
+/// x_ab, parameters of the attitude of b relative to a: numbers, whose frames, scalar and count are these.
+/// Turning a by them gives b; dcm(x_ab) is R_a_from_b.
+template <class X>
+concept Parameters = requires {
+  typename X::reference;
+  typename X::turned;
+  typename X::scalar;
+  typename X::numbers;
+};
+
+/// How their derivatives and the rate belong together, on bare numbers; specialised beside each X.
+///     rate(x, w), velocity(x, xdot), second_rate(x, xdot, w, alpha), acceleration(x, xdot, xddot)
+/// of a rate expressed in b, or else in a.
+template <class X, bool expressed_in_turned> struct KinematicsOf;
+
+/// C is one of the two frames of X.
+template <class X, class C>
+concept OneOfItsFrames = std::same_as<C, typename X::reference> || std::same_as<C, typename X::turned>;
+template <class X, class C> using KinematicsIn = KinematicsOf<X, std::same_as<C, typename X::turned>>;
+template <class X, class C>
+using RateOf = AngularVelocity<typename X::reference, typename X::turned, In<C>, typename X::scalar>;
+template <class X, class C>
+using AccelerationOf =
+    AngularAcceleration<typename X::reference, typename X::turned, In<C>, typename X::scalar>;
+
+/// Nearer than this to its singularity, in radians, a parametrisation is at it: its derivatives have no right
+/// digit left, and which of the attitude's numbers are which is rounding.
+template <class S> S singular_angle() {
+  return S(8 * static_cast<double>(Eigen::NumTraits<S>::epsilon()));
+}
+
+/// The number alone: Eigen has no absolute value, root or arc tangent of nested derivatives.
+template <class S> auto without_derivatives(const S& x) {
+  if constexpr (Differentiated<S>) {
+    return without_derivatives(x.value());
+  } else {
+    return x;
+  }
+}
+
+template <class X> std::string parameters_name(const char* action) {
+  return std::string{action} + "(" + X::name() + " of " + frame_name<typename X::turned>() + " relative to " +
+         frame_name<typename X::reference>() + "): ";
+}
+template <class X, class S>
+[[noreturn, gnu::cold, gnu::noinline]] void refuse_singular(S distance, const char* action) {
+  throw BadInput(parameters_name<X>(action) + text(distance) + " rad from the singularity, " +
+                 X::singularity());
+}
+/// `measure`, of either sign, is the distance from the singularity when that is small.
+template <class X> void require_regular(const typename X::scalar& measure, const char* action) {
+  using S = typename X::scalar;
+  if (!all(measure > singular_angle<S>() || measure < -singular_angle<S>())) {
+    const auto distance = without_derivatives(measure);
+    refuse_singular<X>(select(distance < 0, decltype(distance)(-distance), distance), action);
+  }
+}
+template <class X> void require_finite(const typename X::numbers& numbers, const char* door) {
+  if (!all_finite(numbers)) {
+    std::string list;
+    for (const auto& number : numbers) list += (list.empty() ? "" : ", ") + text(number);
+    throw BadInput(parameters_name<X>(door) + "the numbers (" + list + ") are not finite");
+  }
+}
+
+}  // namespace detail
+
+/// xdot_ab, the time derivative of the parameters x_ab; not parameters. In rad/s where they are angles, else
+/// in 1/s. Of X = EulerAngles, ModifiedRodrigues, GibbsVector or AxisAngle; made by rate(x_ab, w_ab_c), or
+/// from numbers by parameter_rate().
+template <detail::Parameters X> class ParameterRate {
+ public:
+  using scalar = typename X::scalar;
+
+  template <class Derived>
+  ParameterRate(detail::Trusted, const Eigen::MatrixBase<Derived>& numbers) : numbers_(numbers) {}
+
+  /// In the order of those of X.
+  const typename X::numbers& coordinates() const& { return numbers_; }
+  typename X::numbers coordinates() && { return numbers_; }
+
+ private:
+  typename X::numbers numbers_;
+};
+
+/// xddot_ab, the second time derivative of the parameters x_ab, in rad/s^2 or 1/s^2; made by
+/// second_rate(x_ab, w_ab_c, alpha_ab_c), or from numbers by second_parameter_rate().
+template <detail::Parameters X> class SecondParameterRate {
+ public:
+  using scalar = typename X::scalar;
+
+  template <class Derived>
+  SecondParameterRate(detail::Trusted, const Eigen::MatrixBase<Derived>& numbers) : numbers_(numbers) {}
+
+  /// In the order of those of X.
+  const typename X::numbers& coordinates() const& { return numbers_; }
+  typename X::numbers coordinates() && { return numbers_; }
+
+ private:
+  typename X::numbers numbers_;
+};
+
+template <class X> inline constexpr bool detail::is_framed<ParameterRate<X>> = true;
+template <class X> inline constexpr bool detail::is_framed<SecondParameterRate<X>> = true;
+
+/// Claims that the bare numbers, in 1/s or rad/s, are the derivative of those of x_ab. Throws BadInput when
+/// one is not finite.
+template <detail::Parameters X, class Derived>
+  requires std::same_as<typename Derived::PlainObject, typename X::numbers> ParameterRate<X> parameter_rate(
+      const X&, const Eigen::MatrixBase<Derived>& numbers) {
+    detail::require_finite<X>(numbers, "parameter_rate");
+    return {detail::trusted, numbers};
+  }
+/// The same of the second derivative, in 1/s^2 or rad/s^2.
+template <detail::Parameters X, class Derived>
+  requires std::same_as<typename Derived::PlainObject, typename X::numbers> SecondParameterRate<X>
+  second_parameter_rate(const X&, const Eigen::MatrixBase<Derived>& numbers) {
+    detail::require_finite<X>(numbers, "second_parameter_rate");
+    return {detail::trusted, numbers};
+  }
+
+// What rate(x_ab, w_ab_c) is: the derivative of the parameters, the rate expressed in b or in a. Throws
+// BadInput at the singularity, and says how near.
+template <detail::Parameters X, class A, class B, class C, class S>
+  requires(std::same_as<AngularVelocity<A, B, In<C>, S>, detail::RateOf<X, C>>&& detail::OneOfItsFrames<X, C>)
+ParameterRate<X> attitude_rate(const X& x_ab, const AngularVelocity<A, B, In<C>, S>& w_ab_c) {
+  return {detail::trusted, detail::KinematicsIn<X, C>::rate(x_ab, w_ab_c.coordinates())};
+}
+
+/// The inverse of rate(): w_ab^c from the derivative of the parameters, c being b or a. At the singularity
+/// the rate is known all the same: any finite input is valid.
+template <detail::Parameters X, class C>
+  requires detail::OneOfItsFrames<X, C> detail::RateOf<X, C> angular_velocity(const X& x_ab,
+                                                                              const ParameterRate<X>& xdot_ab,
+                                                                              In<C>) {
+    return detail::RateOf<X, C>{detail::trusted,
+                                detail::KinematicsIn<X, C>::velocity(x_ab, xdot_ab.coordinates())};
+  }
+template <detail::Parameters X, class Rate, class C>
+auto angular_velocity(  // angular_velocity(x_ab, xdot_ab, in<B>) or in<A>, xdot the rate of that x
+    const X&, const Rate&, const In<C>&) -> Refused = delete;
+
+/// xddot_ab, the second derivative of the parameters, from the rate and the angular acceleration, both
+/// expressed in b or both in a. Throws BadInput at the singularity, and says how near.
+template <detail::Parameters X, class A, class B, class C, class S>
+  requires(std::same_as<AngularVelocity<A, B, In<C>, S>, detail::RateOf<X, C>>&& detail::OneOfItsFrames<X, C>)
+SecondParameterRate<X> second_rate(const X& x_ab, const AngularVelocity<A, B, In<C>, S>& w_ab_c,
+                                   const AngularAcceleration<A, B, In<C>, S>& alpha_ab_c) {
+  using Kinematics = detail::KinematicsIn<X, C>;
+  const typename X::numbers xdot = Kinematics::rate(x_ab, w_ab_c.coordinates());
+  return {detail::trusted,
+          Kinematics::second_rate(x_ab, xdot, w_ab_c.coordinates(), alpha_ab_c.coordinates())};
+}
+template <class X, class Rate, class Acceleration>
+auto second_rate(  // second_rate(x_ab, w_ab_c, alpha_ab_c): both expressed in b, or both in a
+    const X&, const Rate&, const Acceleration&) -> Refused = delete;
+
+/// The inverse of second_rate(): alpha_ab^c from both derivatives of the parameters, c being b or a. Any
+/// finite input is valid, at the singularity too.
+template <detail::Parameters X, class C>
+  requires detail::OneOfItsFrames<X, C> detail::AccelerationOf<X, C> angular_acceleration(
+      const X& x_ab, const ParameterRate<X>& xdot_ab, const SecondParameterRate<X>& xddot_ab, In<C>) {
+    return detail::AccelerationOf<X, C>{
+        detail::trusted,
+        detail::KinematicsIn<X, C>::acceleration(x_ab, xdot_ab.coordinates(), xddot_ab.coordinates())};
+  }
+template <detail::Parameters X, class Rate, class SecondRate, class C>
+auto angular_acceleration(  // angular_acceleration(x_ab, xdot_ab, xddot_ab, in<B>) or in<A>
+    const X&, const Rate&, const SecondRate&, const In<C>&) -> Refused = delete;
+
+namespace detail {
+
+template <class X, class Numbers>
+std::ostream& print_parameters(std::ostream& out, const Numbers& numbers, const char* unit) {
+  for (Eigen::Index i = 0; i < numbers.size(); ++i) out << (i == 0 ? "(" : ", ") << printable(numbers(i));
+  out << ')' << (*unit ? " " : "") << unit;
+  return out << ", " << X::name() << print_of_relative_to<typename X::turned, typename X::reference>;
+}
+
+}  // namespace detail
+
+template <detail::Parameters X> std::ostream& print_framed(std::ostream& out, const X& x_ab) {
+  return detail::print_parameters<X>(out, x_ab.coordinates(), X::unit_symbol(0));
+}
+template <class X> std::ostream& print_framed(std::ostream& out, const ParameterRate<X>& xdot_ab) {
+  return detail::print_parameters<X>(out, xdot_ab.coordinates(), X::unit_symbol(1));
+}
+template <class X> std::ostream& print_framed(std::ostream& out, const SecondParameterRate<X>& xddot_ab) {
+  return detail::print_parameters<X>(out, xddot_ab.coordinates(), X::unit_symbol(2));
+}
+
+}  // namespace vectrix
