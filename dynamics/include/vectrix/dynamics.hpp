@@ -18,6 +18,7 @@
 #include <vectrix/dynamics/propagate.hpp>
 #include <vectrix/dynamics/scenario.hpp>
 #include <vectrix/dynamics/state.hpp>
+#include <vectrix/dynamics/torque_free.hpp>
 #include <vectrix/dynamics/trajectory.hpp>
 #include <vectrix/dynamics/wrench.hpp>
 #include <vectrix/kinematics.hpp>
