@@ -11,6 +11,8 @@
 #include <vectrix/kinematics/exp.hpp>
 #include <vectrix/kinematics/gibbs_vector.hpp>
 #include <vectrix/kinematics/hat.hpp>
+#include <vectrix/kinematics/held_twist.hpp>
+#include <vectrix/kinematics/jacobian.hpp>
 #include <vectrix/kinematics/log.hpp>
 #include <vectrix/kinematics/mean_rotation.hpp>
 #include <vectrix/kinematics/modified_rodrigues.hpp>
@@ -20,8 +22,14 @@
 #include <vectrix/kinematics/quaternion.hpp>
 #include <vectrix/kinematics/rigid_edge.hpp>
 #include <vectrix/kinematics/rotation_vector.hpp>
+#include <vectrix/kinematics/rotation_vector_rate.hpp>
+#include <vectrix/kinematics/screw.hpp>
+#include <vectrix/kinematics/screw_axis.hpp>
+#include <vectrix/kinematics/screw_jacobian.hpp>
 #include <vectrix/kinematics/slerp.hpp>
 #include <vectrix/kinematics/triad.hpp>
+#include <vectrix/kinematics/stumpff.hpp>
 #include <vectrix/kinematics/twist.hpp>
+#include <vectrix/kinematics/twist_rate.hpp>
 #include <vectrix/kinematics/velocity.hpp>
 #include <vectrix/kinematics/wahba.hpp>

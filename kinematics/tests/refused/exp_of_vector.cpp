@@ -1,6 +1,6 @@
 // mistake: the exponential of a vector, which does not know its two frames
-// expect: exp
-// expect: 'RotationVector' against 'Vector'|exp.const vectrix::Vector<Body, vectrix::si::angle
+// expect: Given = (vectrix::)?Vector<Body, (vectrix::)?si::angle
+// expect: of a rotation vector or a screw
 #include <vectrix/kinematics.hpp>
 
 struct Gcrf : vectrix::inertial_frame {};

@@ -24,11 +24,6 @@ template <class S> HalfTurn<S> half_turn(const S& square) {
   return {cosine<S>(angle / S(2)), sine<S>(angle / S(2)) / angle};
 }
 
-template <class B, class A, class S> [[noreturn, gnu::cold, gnu::noinline]] void refuse_exp(S square) {
-  throw BadInput("exp(rotation vector of " + frame_name<B>() + " relative to " + frame_name<A>() +
-                 "): |theta|^2 is " + text(square));
-}
-
 }  // namespace detail
 
 /// The quaternion of a rotation vector, q_b^a = (cos |theta|/2, sin(|theta|/2) theta/|theta|), maps b to a.
@@ -42,7 +37,7 @@ Quaternion<A, B, S> exp_quaternion(const RotationVector<A, B, S>& theta_ab) {
   if (const auto small = square < S(1e-4); !detail::all(small)) {
     const detail::HalfTurn<S> other = detail::half_turn(square);
     if (!detail::all(other.scalar == other.scalar)) {  // the cosine of an infinity is no number
-      detail::refuse_exp<B, A>(square);
+      detail::refuse_square<B, A>("exp(rotation vector", square);
     }
     half = {detail::select(small, half.scalar, other.scalar),
             detail::select(small, half.factor, other.factor)};
@@ -58,5 +53,8 @@ Quaternion<A, B, S> exp_quaternion(const RotationVector<A, B, S>& theta_ab) {
 template <class A, class B, class S> Dcm<A, B, S> exp(const RotationVector<A, B, S>& theta_ab) {
   return dcm(exp_quaternion(theta_ab));
 }
+template <class Given>
+  requires detail::is_framed<Given>
+auto exp(const Given&) -> Refused = delete;  // exp(theta_ab), exp(xi_ab): of a rotation vector or a screw
 
 }  // namespace vectrix

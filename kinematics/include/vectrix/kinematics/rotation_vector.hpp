@@ -33,6 +33,8 @@ template <Frame A, Frame B, class S = double> class RotationVector {
   detail::Column<S> coordinates_;
 };
 
+template <class A, class B, class S> inline constexpr bool detail::is_framed<RotationVector<A, B, S>> = true;
+
 /// Claims that turning a by the vector gives b; the vector may be expressed in either.
 template <Frame B, Frame A, class C, class S>
   requires(detail::is_one_of<C, A, B>)
@@ -51,4 +53,23 @@ std::ostream& print_framed(std::ostream& out, const RotationVector<A, B, S>& the
   return detail::print_column(out, theta_ab.coordinates(), "rad") << detail::print_of_relative_to<B, A>;
 }
 
+namespace detail {
+
+/// `action` ends before the frames: "exp(rotation vector".
+template <class B, class A> std::string about_turn(const char* action) {
+  return action + (" of " + frame_name<B>()) + " relative to " + frame_name<A>() + "): ";
+}
+template <class B, class A, class S>
+[[noreturn, gnu::cold, gnu::noinline]] void refuse_square(const char* action, S square) {
+  throw BadInput(about_turn<B, A>(action) + "|theta|^2 is " + text(square));
+}
+/// |theta|^2; throws BadInput where it overflows.
+template <class A, class B, class S>
+S checked_square(const RotationVector<A, B, S>& theta_ab, const char* action) {
+  const S square = theta_ab.coordinates().squaredNorm();
+  if (!all(square - square == S(0))) refuse_square<B, A>(action, square);
+  return square;
+}
+
+}  // namespace detail
 }  // namespace vectrix

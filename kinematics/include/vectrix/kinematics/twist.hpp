@@ -92,7 +92,29 @@ Twist<A, B, At<Q>, In<C>, S> shifted(const Twist<A, B, At<P>, In<C>, S>& ab,
   return {detail::trusted, w, ab.velocity().coordinates() + w.cross(r_pq_c.coordinates())};
 }
 
-/// Ad(X_a^b), the bare six by six numbers, rates first: [R_a^b 0; [r_ba^b]x R_a^b R_a^b].
+namespace detail {
+
+template <class S> Eigen::Matrix<S, 6, 6> ad(const Column<S>& w, const Column<S>& v) {
+  Eigen::Matrix<S, 6, 6> matrix = Eigen::Matrix<S, 6, 6>::Zero();
+  matrix.template topLeftCorner<3, 3>() = hat(w);
+  matrix.template bottomRightCorner<3, 3>() = hat(w);
+  matrix.template bottomLeftCorner<3, 3>() = hat(v);
+  return matrix;
+}
+
+}  // namespace detail
+
+/// ad(V), the bare six by six numbers, rates first, [[w]x 0; [v]x [w]x]. Its laws:
+///     1.  d/dt Ad(X_b^a) = Ad(X_b^a) ad(V_ab(b)^b) = ad(V_ab(a)^a) Ad(X_b^a)
+///     2.  ad(Ad(X) V) = Ad(X) ad(V) Ad(X)^-1
+///     3.  ad(V) W = -ad(W) V, so that ad(V) V = 0
+template <class A, class B, class P, class C, class S>
+Eigen::Matrix<S, 6, 6> ad(const Twist<A, B, P, C, S>& V_ab) {
+  return detail::ad<S>(V_ab.angular_velocity().coordinates(), V_ab.velocity().coordinates());
+}
+
+/// Ad(X_a^b), the bare six by six numbers, rates first: [R_a^b 0; [r_ba^b]x R_a^b R_a^b]. Its inverse is
+/// adjoint(inverse(X_b_from_a)).
 template <class B, class A, class S> Eigen::Matrix<S, 6, 6> adjoint(const Transform<B, A, S>& X_b_from_a) {
   const detail::Square<S>& R = X_b_from_a.rotation.matrix();
   Eigen::Matrix<S, 6, 6> matrix = Eigen::Matrix<S, 6, 6>::Zero();
