@@ -82,7 +82,7 @@ TEST(Jacobian, OfAFullTurnHasNoInverse) {
     const Eigen::Vector3d theta(0, 2 * pi * turns, 0);
     const auto text = message<BadInput>([&] { inverse_left_jacobian(turn_of(theta)); });
     EXPECT_TRUE(contains(text, "inverse_left_jacobian(rotation vector of ")) << text;
-    EXPECT_TRUE(contains(text, " of a full turn, where no inverse exists")) << text;
+    EXPECT_TRUE(contains(text, " rad from the singularity, a full turn")) << text;
     EXPECT_NE(message<BadInput>([&] { inverse_right_jacobian(turn_of(theta)); }), "");
     Six xi;
     xi << theta, 1, 2, 3;
@@ -90,10 +90,9 @@ TEST(Jacobian, OfAFullTurnHasNoInverse) {
                          "inverse_left_jacobian(screw of "));
     EXPECT_NE(message<BadInput>([&] { inverse_right_jacobian(screw_of(xi)); }), "");
   }
-  EXPECT_TRUE(contains(message<BadInput>([] {
-                         inverse_left_jacobian(turn_of({0, 0, 2 * pi}));
-                       }),
-                       "|theta| is 6.283185307179586, within 2.4492935982947064e-16 of a full turn"));
+  const auto how_near = message<BadInput>([] { inverse_left_jacobian(turn_of({0, 0, 2 * pi})); });
+  EXPECT_TRUE(contains(how_near, "Gcrf): 2.44929359829470")) << how_near;
+  EXPECT_TRUE(contains(how_near, "e-16 rad from the singularity, a full turn")) << how_near;
 }
 
 TEST(Jacobian, OfAnOverflowingAngleIsBadInput) {
@@ -167,8 +166,8 @@ RC_GTEST_PROP(Bracket, ItsExponentialIsTheAdjoint, ()) {
 
 // ad(Ad(X) V) = Ad(X) ad(V) Ad(X)^-1; ad(V) W = -ad(W) V; Jacobi's identity.
 RC_GTEST_PROP(Bracket, IsCarriedByTheAdjointAndIsALieBracket, ()) {
-  const auto V = twist_from<Gcrf, Wheel<1>, Body, Body>(any_six());
-  const auto W = twist_from<Gcrf, Camera, Body, Body>(any_six());
+  const auto V = twist_with<Gcrf, Wheel<1>, Body, Body>(any_six());
+  const auto W = twist_with<Gcrf, Camera, Body, Body>(any_six());
   const Transform<Camera, Body> X{
       trust_dcm(to<Camera>, from<Body>, *rotation_matrix()),
       displacement(of<Body>, relative_to<Camera>, vector<si::length>(in<Camera>, *triple()))};
@@ -176,7 +175,7 @@ RC_GTEST_PROP(Bracket, IsCarriedByTheAdjointAndIsALieBracket, ()) {
   RC_ASSERT(distance(ad(V) * W.coordinates(), -ad(W) * V.coordinates()) <= tolerance);
   RC_ASSERT((ad(V) * V.coordinates()).cwiseAbs().maxCoeff() <= tolerance);
   const Six VW = ad(V) * W.coordinates();
-  const auto bracket_VW = ad(twist_from<Gcrf, Wheel<1>, Body, Body>(VW));
+  const auto bracket_VW = ad(twist_with<Gcrf, Wheel<1>, Body, Body>(VW));
   RC_ASSERT(distance(bracket_VW, ad(V) * ad(W) - ad(W) * ad(V)) <= tolerance);
 }
 

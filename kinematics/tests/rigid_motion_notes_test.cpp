@@ -31,7 +31,7 @@ Matrix4d series(const Six& V) {
   return power_series<4>(four_by_four(extended(Six(V * t))), 0).cast<double>();
 }
 Matrix4d library(const Six& V) {
-  return homogeneous_matrix(exp(screw(twist_from<Gcrf, Body, Gcrf, Gcrf>(V), t * si::second)));
+  return homogeneous_matrix(exp(held(twist_with<Gcrf, Body, Gcrf, Gcrf>(V), t * si::second)));
 }
 /// The notes' translation, (I - R) (w x v)/|w|^2.
 Vector3d doubtful(const Six& V) {
@@ -47,13 +47,13 @@ TEST(Notes, ThePointsOfARigidMotionNeedTheCoordinateOne) {
   const Vector4d as_vector = G * q.homogeneous().cwiseProduct(Vector4d(1, 1, 1, 0));
   EXPECT_LE(distance(as_vector.head<3>(), G.topLeftCorner<3, 3>() * q), rounding);  // turned, not carried
   const Vector4d as_point = G * q.homogeneous();
-  const auto X = exp(screw(twist_from<Gcrf, Body, Gcrf, Gcrf>(V), t * si::second));
+  const auto X = exp(held(twist_with<Gcrf, Body, Gcrf, Gcrf>(V), t * si::second));
   const auto q_b = displacement(of<Camera>, relative_to<Body>, vector<si::length>(in<Body>, q));
   EXPECT_LE(distance((X * q_b).coordinates(), as_point.head<3>()), rounding);
   EXPECT_GT(distance(as_point, as_vector), visible);
   // Its velocity is w x q + v; with 0 in the place of 1, v is gone.
   const Matrix4d V_hat = four_by_four(extended(V)).cast<double>();
-  const auto at_q = shift(twist_from<Gcrf, Body, Gcrf, Gcrf>(V),
+  const auto at_q = shift(twist_with<Gcrf, Body, Gcrf, Gcrf>(V),
                           displacement(of<Camera>, relative_to<Gcrf>, vector<si::length>(in<Gcrf>, q)));
   EXPECT_LE(distance(at_q.velocity().coordinates(), (V_hat * q.homogeneous()).head<3>()), rounding);
   EXPECT_GT(distance(at_q.velocity().coordinates(), w.cross(q)), visible);
@@ -76,7 +76,7 @@ TEST(Notes, TheDoubtfulExponentialLosesTheMotionAlongTheAxis) {
   const Vector3d along = w * w.dot(v) * t / w.squaredNorm();
   EXPECT_LE(distance(doubtful(V) + along, true_one), rounding);
   EXPECT_LE(distance(library(V), series(V)), rounding);
-  EXPECT_NEAR(screw_axis(screw(twist_from<Gcrf, Body, Gcrf, Gcrf>(V), t * si::second)).advance.value(),
+  EXPECT_NEAR(screw_axis(held(twist_with<Gcrf, Body, Gcrf, Gcrf>(V), t * si::second)).advance.value(),
               along.norm() * (w.dot(v) < 0 ? -1 : 1), rounding);
   // [w]x, which the notes invert, has no inverse; and without rotation there is nothing to divide by.
   EXPECT_NEAR(hat(w).determinant(), 0.0, rounding);
@@ -92,7 +92,7 @@ TEST(Notes, ThePointOfTheAxisIsCarriedAlong) {
   const Vector3d p = w.cross(v) / w.squaredNorm();
   const Vector4d moved_p = series(V) * p.homogeneous();
   EXPECT_LE(distance(moved_p.head<3>(), p + w * w.dot(v) * t / w.squaredNorm()), rounding);
-  const auto axis = screw_axis(screw(twist_from<Gcrf, Body, Gcrf, Gcrf>(V), t * si::second));
+  const auto axis = screw_axis(held(twist_with<Gcrf, Body, Gcrf, Gcrf>(V), t * si::second));
   EXPECT_LE(distance(axis.place.coordinates(), p), rounding);
 }
 

@@ -92,7 +92,7 @@ inline vectrix::Screw<Gcrf, Body> screw_of(const Eigen::Matrix<double, 6, 1>& xi
 }
 /// V_ab(p)^c of six numbers.
 template <class A, class B, class P, class C>
-vectrix::Twist<A, B, vectrix::At<P>, vectrix::In<C>> twist_from(const Eigen::Matrix<double, 6, 1>& V) {
+vectrix::Twist<A, B, vectrix::At<P>, vectrix::In<C>> twist_with(const Eigen::Matrix<double, 6, 1>& V) {
   using namespace vectrix;
   return twist(at<P>,
                angular_velocity(of<B>, relative_to<A>, vector<si::angular_velocity>(in<C>, V.head<3>())),

@@ -92,11 +92,11 @@ TEST(Screw, WhatOverflowsIsBadInput) {
   EXPECT_TRUE(contains(text, "exp(screw of ") && contains(text, "|theta|^2 is inf")) << text;
   xi << 0, 0, 3, 1.7e308, 1.7e308, 1.7e308;
   const auto far = message<BadInput>([&] { exp(screw_of(xi)); });
-  EXPECT_TRUE(contains(far, "the translation (") && contains(far, ") is not finite")) << far;
+  EXPECT_TRUE(contains(far, "relative to ") && contains(far, ") is not finite")) << far;
   xi << 1e300, 0, 0, 1, 0, 0;
-  const auto V = twist_from<Gcrf, Body, Body, Body>(xi);
-  EXPECT_TRUE(contains(message<BadInput>([&] { screw(V, 1e10 * si::second); }), "screw(twist of "));
-  EXPECT_NE(message<BadInput>([&] { screw(V, std::nan("") * si::second); }), "");
+  const auto V = twist_with<Gcrf, Body, Body, Body>(xi);
+  EXPECT_TRUE(contains(message<BadInput>([&] { held(V, 1e10 * si::second); }), "held(screw of "));
+  EXPECT_NE(message<BadInput>([&] { held(V, std::nan("") * si::second); }), "");
 }
 
 Six any_six() {
@@ -145,7 +145,7 @@ RC_GTEST_PROP(Screw, OfAnotherFrameIsCarriedByTheAdjoint, ()) {
 // X exp(V_b t) = exp(V_a t) X, and in between X_a_from_b moves with the twist.
 RC_GTEST_PROP(HeldTwist, BodyAndReferenceFormAreOneMotion, ()) {
   const auto X = any_transform<Gcrf, Body>();
-  const auto V_b = twist_from<Gcrf, Body, Body, Body>(any_six());
+  const auto V_b = twist_with<Gcrf, Body, Body, Body>(any_six());
   const Twist<Gcrf, Body, At<Gcrf>, In<Gcrf>> V_a = X * V_b;
   const double t = *coordinate();
   const Transform<Gcrf, Body> later = moved(X, V_b, t * si::second);
@@ -164,8 +164,8 @@ RC_GTEST_PROP(HeldTwist, BodyAndReferenceFormAreOneMotion, ()) {
 RC_GTEST_PROP(HeldTwist, FromOneFrameBothFormsAreOneScrew, ()) {
   const Six V = any_six();
   const auto t = 0.7 * si::second;
-  const Screw<Gcrf, Body> body = screw(twist_from<Gcrf, Body, Body, Body>(V), t);
-  const Screw<Gcrf, Body> reference = screw(twist_from<Gcrf, Body, Gcrf, Gcrf>(V), t);
+  const Screw<Gcrf, Body> body = held(twist_with<Gcrf, Body, Body, Body>(V), t);
+  const Screw<Gcrf, Body> reference = held(twist_with<Gcrf, Body, Gcrf, Gcrf>(V), t);
   RC_ASSERT(body.coordinates() == reference.coordinates());
   RC_ASSERT(distance(body.coordinates(), 0.7 * V) <= tolerance);
 }
@@ -190,7 +190,7 @@ TEST(ScrewAxis, IsALineWithATurnAndAnAdvance) {
   const Eigen::Vector3d p(0.4, 0.1, -0.1);
   const ScrewAxis<Gcrf> axis{vector<si::dimensionless>(in<Gcrf>, n), vector<si::length>(in<Gcrf>, p),
                              1.1 * si::radian, 0.3 * si::metre};
-  const auto xi_ab = screw(of<Body>, relative_to<Gcrf>, axis);
+  const auto xi_ab = screw_along(of<Body>, relative_to<Gcrf>, axis);
   // A point of the axis goes along it.
   const auto X = exp(xi_ab);
   EXPECT_LE(distance(X.rotation.matrix() * p + X.translation.coordinates(), p + 0.3 * n), rounding);
@@ -205,7 +205,7 @@ TEST(ScrewAxis, IsALineWithATurnAndAnAdvance) {
 RC_GTEST_PROP(ScrewAxis, IsThatOfItsScrew, ()) {
   const auto xi_ab = screw_of(any_six());
   RC_PRE(xi_ab.rotation_vector().angle().value() > 1e-3);
-  const auto again = screw(of<Body>, relative_to<Gcrf>, screw_axis(xi_ab));
+  const auto again = screw_along(of<Body>, relative_to<Gcrf>, screw_axis(xi_ab));
   RC_ASSERT(distance(again.coordinates(), xi_ab.coordinates()) <= tolerance);
 }
 
@@ -216,7 +216,7 @@ TEST(ScrewAxis, ATranslationHasNone) {
                        "|theta| is 0; a translation has no axis"));
   const ScrewAxis<Gcrf> long_one{vector<si::dimensionless>(in<Gcrf>, Eigen::Vector3d(1, 1, 0)),
                                  zero<si::length>(in<Gcrf>), 1.0 * si::radian, 0.0 * si::metre};
-  EXPECT_TRUE(contains(message<BadInput>([&] { screw(of<Body>, relative_to<Gcrf>, long_one); }),
+  EXPECT_TRUE(contains(message<BadInput>([&] { screw_along(of<Body>, relative_to<Gcrf>, long_one); }),
                        "the norm of its direction differs from 1 by 0.41"));
 }
 
@@ -240,7 +240,7 @@ concept Adds = requires(const Left& left, const Right& right) {
 template <class X, class V>
 concept Moves = requires(const X& transform, const V& motion, Quantity<si::time> t) {
   moved(transform, motion, t);
-  screw(motion, t);
+  held(motion, t);
 };
 template <class T>
 concept Exponential = requires(const T& value) {

@@ -102,9 +102,9 @@ RC_GTEST_PROP(TwistRate, MovesAPointOfTheBodyAsItsTrackSays, ()) {
   const auto V_q = shift(twist_of(ab.now), r_bq_b);
   const auto Vdot_q = shift(twist_rate_of(ab.now), r_bq_b);
   const auto& R_a_from_b = rotation_of(ab.now);
-  const Velocity<Gcrf, Tip, ObservedFrom<Gcrf>, In<Gcrf>> v = R_a_from_b * velocity(of<Tip>, V_q);
+  const Velocity<Gcrf, Tip, ObservedFrom<Gcrf>, In<Gcrf>> v = R_a_from_b * point_velocity(of<Tip>, V_q);
   const Acceleration<Gcrf, Tip, ObservedFrom<Gcrf>, In<Gcrf>> a =
-      R_a_from_b * acceleration(of<Tip>, V_q, Vdot_q);
+      R_a_from_b * point_acceleration(of<Tip>, V_q, Vdot_q);
   RC_ASSERT(distance(v.coordinates(), track.v) <= chain_tolerance);
   RC_ASSERT(distance(a.coordinates(), track.a) <= chain_tolerance);
   // The same by transport() of a point at rest.
@@ -195,8 +195,8 @@ RC_GTEST_PROP(ScrewRate, TheJacobiansMakeItTheTwist, ()) {
   const auto xidot_ab =
       screw_rate(of<Body>, relative_to<Gcrf>, vector<si::angular_velocity>(in<Body>, rates(theta)),
                  vector<si::velocity>(in<Body>, rates(rho)));
-  const Twist<Gcrf, Body, At<Body>, In<Body>> V_b = twist(xi_ab, xidot_ab, in<Body>);
-  const Twist<Gcrf, Body, At<Gcrf>, In<Gcrf>> V_a = twist(xi_ab, xidot_ab, in<Gcrf>);
+  const Twist<Gcrf, Body, At<Body>, In<Body>> V_b = twist_from(xi_ab, xidot_ab, in<Body>);
+  const Twist<Gcrf, Body, At<Gcrf>, In<Gcrf>> V_a = twist_from(xi_ab, xidot_ab, in<Gcrf>);
   RC_ASSERT(distance(V_b.coordinates(), six(G.inverse() * Gdot)) <= chain_tolerance);
   RC_ASSERT(distance(V_a.coordinates(), six(Gdot * G.inverse())) <= chain_tolerance);
   RC_ASSERT(distance(V_b.coordinates(), right_jacobian(xi_ab) * xidot_ab.coordinates()) <= chain_tolerance);
@@ -206,7 +206,8 @@ RC_GTEST_PROP(ScrewRate, TheJacobiansMakeItTheTwist, ()) {
   RC_ASSERT(distance(by_b.coordinates(), xidot_ab.coordinates()) <= chain_tolerance);
   RC_ASSERT(distance(by_a.coordinates(), xidot_ab.coordinates()) <= chain_tolerance);
   const ScrewRate<Body, Gcrf> back = -xidot_ab;
-  RC_ASSERT(distance(twist(-xi_ab, back, in<Body>).coordinates(), -V_b.coordinates()) <= chain_tolerance);
+  RC_ASSERT(distance(twist_from(-xi_ab, back, in<Body>).coordinates(), -V_b.coordinates()) <=
+            chain_tolerance);
 }
 
 template <class Left, class Right>

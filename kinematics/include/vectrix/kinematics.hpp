@@ -22,10 +22,10 @@
 #include <vectrix/kinematics/quaternion.hpp>
 #include <vectrix/kinematics/rigid_edge.hpp>
 #include <vectrix/kinematics/rotation_vector.hpp>
-#include <vectrix/kinematics/rotation_vector_rate.hpp>
 #include <vectrix/kinematics/screw.hpp>
 #include <vectrix/kinematics/screw_axis.hpp>
 #include <vectrix/kinematics/screw_jacobian.hpp>
+#include <vectrix/kinematics/screw_rate.hpp>
 #include <vectrix/kinematics/slerp.hpp>
 #include <vectrix/kinematics/triad.hpp>
 #include <vectrix/kinematics/stumpff.hpp>

@@ -1,5 +1,7 @@
 // mistake: the two rates of a chain of accelerations exchanged: the transport term would change its sign
-// expect: 'Gcrf' (vs.|and) 'Body'
+// expect: RateAb = (vectrix::)?AngularVelocity<Body, Camera, (vectrix::)?In<Body>
+// expect: RateBd = (vectrix::)?AngularVelocity<Gcrf, Body, (vectrix::)?In<Body>
+// expect: one frame c
 #include <vectrix/kinematics.hpp>
 
 struct Gcrf : vectrix::inertial_frame {};

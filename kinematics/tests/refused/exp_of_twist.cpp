@@ -11,7 +11,7 @@ using namespace vectrix;
 
 auto place(const Twist<Gcrf, Body, At<Body>, In<Body>>& V_ab_b, Quantity<si::time> t) {
 #ifdef REPAIRED
-  return vectrix::exp(screw(V_ab_b, t));
+  return vectrix::exp(held(V_ab_b, t));
 #else
   static_cast<void>(t);
   return vectrix::exp(V_ab_b);

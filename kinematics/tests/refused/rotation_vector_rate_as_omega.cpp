@@ -1,6 +1,6 @@
 // mistake: the rate of a rotation vector taken for an angular velocity
 // expect: Dcm<Gcrf, Body
-// expect: RotationVectorRate<Gcrf, Body
+// expect: ParameterRate<(vectrix::)?RotationVector<Gcrf, Body
 #include <vectrix/kinematics.hpp>
 
 struct Gcrf : vectrix::inertial_frame {};
@@ -10,7 +10,7 @@ struct Camera : vectrix::moving_frame {};
 using namespace vectrix;
 
 DcmRate<Gcrf, Body> motion(const RotationVector<Gcrf, Body>& theta_ab,
-                           const RotationVectorRate<Gcrf, Body>& thetadot_ab) {
+                           const ParameterRate<RotationVector<Gcrf, Body>>& thetadot_ab) {
 #ifdef REPAIRED
   return rate(exp(theta_ab), angular_velocity(theta_ab, thetadot_ab, in<Body>));
 #else

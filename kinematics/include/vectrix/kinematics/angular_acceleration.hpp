@@ -48,16 +48,40 @@ template <class OfFrame, class RelativeToFrame, class InFrame>
 auto unaccelerated(  // of<B>, relative_to<A>, in<C>: b and a are two frames
     const OfFrame&, const RelativeToFrame&, const InFrame&) -> Refused = delete;
 
-/// alpha_ad^c = alpha_ab^c + alpha_bd^c + w_ab^c x w_bd^c
-/// All four expressed in c. The cross term is there because b turns while d turns on it.
+// alpha_ad^c = alpha_ab^c + alpha_bd^c + w_ab^c x w_bd^c
 template <class A, class B, class D, class C, class S>
-AngularAcceleration<A, D, In<C>, S> chain(const AngularAcceleration<A, B, In<C>, S>& alpha_ab_c,
-                                          const AngularAcceleration<B, D, In<C>, S>& alpha_bd_c,
-                                          const AngularVelocity<A, B, In<C>, S>& w_ab_c,
-                                          const AngularVelocity<B, D, In<C>, S>& w_bd_c) {
+AngularAcceleration<A, D, In<C>, S> chained(const AngularAcceleration<A, B, In<C>, S>& alpha_ab_c,
+                                            const AngularAcceleration<B, D, In<C>, S>& alpha_bd_c,
+                                            const AngularVelocity<A, B, In<C>, S>& w_ab_c,
+                                            const AngularVelocity<B, D, In<C>, S>& w_bd_c) {
   return AngularAcceleration<A, D, In<C>, S>{
       detail::trusted, alpha_ab_c.vector() + alpha_bd_c.vector() + cross(w_ab_c.vector(), w_bd_c.vector())};
 }
+
+namespace detail {
+
+template <class... Given> using ChainOf = decltype(chained(std::declval<const Given&>()...));
+template <class... Given>
+concept Chains = requires {
+  typename ChainOf<Given...>;
+};
+
+}  // namespace detail
+
+/// alpha_ad^c = alpha_ab^c + alpha_bd^c + w_ab^c x w_bd^c
+/// All four expressed in c. The cross term is there because b turns while d turns on it. Likewise the rates
+/// of two twists: chain(Vdot_ab, Vdot_bd, V_ab, V_bd).
+template <class ChangeAb, class ChangeBd, class RateAb, class RateBd>
+detail::ChainOf<ChangeAb, ChangeBd, RateAb, RateBd> chain(const ChangeAb& change_ab,
+                                                          const ChangeBd& change_bd, const RateAb& rate_ab,
+                                                          const RateBd& rate_bd) {
+  return chained(change_ab, change_bd, rate_ab, rate_bd);
+}
+template <class ChangeAb, class ChangeBd, class RateAb, class RateBd>
+  requires(detail::any_framed<ChangeAb, ChangeBd, RateAb, RateBd> &&
+           !detail::Chains<ChangeAb, ChangeBd, RateAb, RateBd>)
+auto chain(  // chain(alpha_ab_c, alpha_bd_c, w_ab_c, w_bd_c), one frame c
+    const ChangeAb&, const ChangeBd&, const RateAb&, const RateBd&) -> Refused = delete;
 
 /// |alpha_ab|, rad/s^2.
 template <class A, class B, class C, class S>

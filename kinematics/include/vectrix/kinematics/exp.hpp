@@ -24,6 +24,11 @@ template <class S> HalfTurn<S> half_turn(const S& square) {
   return {cosine<S>(angle / S(2)), sine<S>(angle / S(2)) / angle};
 }
 
+template <class B, class A, class S> [[noreturn, gnu::cold, gnu::noinline]] void refuse_exp(S square) {
+  throw BadInput("exp(rotation vector of " + frame_name<B>() + " relative to " + frame_name<A>() +
+                 "): |theta|^2 is " + text(square));
+}
+
 }  // namespace detail
 
 /// The quaternion of a rotation vector, q_b^a = (cos |theta|/2, sin(|theta|/2) theta/|theta|), maps b to a.
@@ -37,7 +42,7 @@ Quaternion<A, B, S> exp_quaternion(const RotationVector<A, B, S>& theta_ab) {
   if (const auto small = square < S(1e-4); !detail::all(small)) {
     const detail::HalfTurn<S> other = detail::half_turn(square);
     if (!detail::all(other.scalar == other.scalar)) {  // the cosine of an infinity is no number
-      detail::refuse_square<B, A>("exp(rotation vector", square);
+      detail::refuse_exp<B, A>(square);
     }
     half = {detail::select(small, half.scalar, other.scalar),
             detail::select(small, half.factor, other.factor)};

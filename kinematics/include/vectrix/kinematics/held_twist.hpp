@@ -13,14 +13,14 @@ namespace vectrix {
 /// From there both forms are the same motion. Throws BadInput when V t is not finite.
 template <class A, class B, class C, class S>
   requires(detail::is_one_of<C, A, B>)
-Screw<A, B, S> screw(const Twist<A, B, At<C>, In<C>, S>& V_ab, const Quantity<si::time, S>& t) {
+Screw<A, B, S> held(const Twist<A, B, At<C>, In<C>, S>& V_ab, const Quantity<si::time, S>& t) {
   const detail::Column<S> theta = V_ab.angular_velocity().coordinates() * t.value();
   const detail::Column<S> rho = V_ab.velocity().coordinates() * t.value();
-  return {detail::trusted, detail::finite_motion<B, A>("screw(twist", theta),
-          detail::finite_motion<B, A>("screw(twist", rho)};
+  return {detail::trusted, detail::finite_motion<Screw<A, B, S>>(theta, "held"),
+          detail::finite_motion<Screw<A, B, S>>(rho, "held")};
 }
 template <class A, class B, class TwistAt, class TwistIn, class S, class Duration>
-auto screw(  // screw(V_ab, t): V_ab held at b in b, or at a in a, for a time
+auto held(  // held(V_ab, t): V_ab held at b in b, or at a in a, for a time
     const Twist<A, B, TwistAt, TwistIn, S>&, const Duration&) -> Refused = delete;
 
 /// X_b^a a time t later, V_ab being held: X_b^a exp(V t) of V_ab(b)^b, exp(V t) X_b^a of V_ab(a)^a.
@@ -30,7 +30,7 @@ template <class A, class B, class C, class S>
 Transform<A, B, S> moved(const Transform<A, B, S>& X_a_from_b, const Twist<A, B, At<C>, In<C>, S>& V_ab,
                          const Quantity<si::time, S>& t) {
   // b now and b a time t later have one type: the increment is taken as raw numbers.
-  const Transform<A, B, S> increment = exp(screw(V_ab, t));
+  const Transform<A, B, S> increment = exp(held(V_ab, t));
   const auto composed = [](const Transform<A, B, S>& left, const Transform<A, B, S>& right) {
     return Transform<A, B, S>{
         Dcm<A, B, S>{detail::trusted, left.rotation.matrix() * right.rotation.matrix()},

@@ -74,8 +74,8 @@ template <class X> void require_finite(const typename X::numbers& numbers, const
 }  // namespace detail
 
 /// xdot_ab, the time derivative of the parameters x_ab; not parameters. In rad/s where they are angles, else
-/// in 1/s. Of X = EulerAngles, ModifiedRodrigues, GibbsVector or AxisAngle; made by rate(x_ab, w_ab_c), or
-/// from numbers by parameter_rate().
+/// in 1/s. Of X = EulerAngles, ModifiedRodrigues, GibbsVector, AxisAngle or RotationVector; made by
+/// rate(x_ab, w_ab_c), or from numbers by parameter_rate().
 template <detail::Parameters X> class ParameterRate {
  public:
   using scalar = typename X::scalar;

@@ -13,6 +13,11 @@ template <class C, class... Fs> inline constexpr bool is_one_of = (std::same_as<
 /// are the same in a and in b, because the axis is. exp(theta_ab) is R_a_from_b.
 template <Frame A, Frame B, class S = double> class RotationVector {
  public:
+  using reference = A;
+  using turned = B;
+  using scalar = S;
+  using numbers = detail::Column<S>;
+
   template <class Derived>
   RotationVector(detail::Trusted, const Eigen::MatrixBase<Derived>& coordinates)
       : coordinates_(coordinates) {}
@@ -28,6 +33,12 @@ template <Frame A, Frame B, class S = double> class RotationVector {
 
   /// theta_ba = -theta_ab
   RotationVector<B, A, S> operator-() const { return {detail::trusted, -coordinates_}; }
+
+  static const char* name() { return "rotation vector"; }
+  static const char* singularity() { return "a full turn"; }
+  static const char* unit_symbol(int derivative) {
+    return derivative == 0 ? "rad" : derivative == 1 ? "rad/s" : "rad/s^2";
+  }
 
  private:
   detail::Column<S> coordinates_;
@@ -53,23 +64,4 @@ std::ostream& print_framed(std::ostream& out, const RotationVector<A, B, S>& the
   return detail::print_column(out, theta_ab.coordinates(), "rad") << detail::print_of_relative_to<B, A>;
 }
 
-namespace detail {
-
-/// `action` ends before the frames: "exp(rotation vector".
-template <class B, class A> std::string about_turn(const char* action) {
-  return action + (" of " + frame_name<B>()) + " relative to " + frame_name<A>() + "): ";
-}
-template <class B, class A, class S>
-[[noreturn, gnu::cold, gnu::noinline]] void refuse_square(const char* action, S square) {
-  throw BadInput(about_turn<B, A>(action) + "|theta|^2 is " + text(square));
-}
-/// |theta|^2; throws BadInput where it overflows.
-template <class A, class B, class S>
-S checked_square(const RotationVector<A, B, S>& theta_ab, const char* action) {
-  const S square = theta_ab.coordinates().squaredNorm();
-  if (!all(square - square == S(0))) refuse_square<B, A>(action, square);
-  return square;
-}
-
-}  // namespace detail
 }  // namespace vectrix

@@ -16,6 +16,10 @@ namespace vectrix {
 /// that of b's origin. Screws do not add; their transforms multiply.
 template <Frame A, Frame B, class S = double> class Screw {
  public:
+  using reference = A;
+  using turned = B;
+  using scalar = S;
+
   template <class Rotation, class Translation>
   Screw(detail::Trusted, const Eigen::MatrixBase<Rotation>& theta, const Eigen::MatrixBase<Translation>& rho)
       : theta_(detail::trusted, theta), rho_(rho) {}
@@ -34,6 +38,9 @@ template <Frame A, Frame B, class S = double> class Screw {
 
   /// xi_ba = -xi_ab
   Screw<B, A, S> operator-() const { return {detail::trusted, -theta_.coordinates(), -rho_}; }
+
+  static const char* name() { return "screw"; }
+  static const char* singularity() { return "a full turn"; }
 
  private:
   RotationVector<A, B, S> theta_;
@@ -55,13 +62,13 @@ auto screw(  // of<B>, relative_to<A>: two frames; an angle and a length express
 
 namespace detail {
 
-template <class B, class A, class S>
-[[noreturn, gnu::cold, gnu::noinline]] void refuse_motion(const char* action, const Column<S>& r) {
-  throw BadInput(about_turn<B, A>(action) + "the translation (" + text(r.x()) + ", " + text(r.y()) + ", " +
-                 text(r.z()) + ") is not finite");
+template <class X, class S>
+[[noreturn, gnu::cold, gnu::noinline]] void refuse_motion(const Column<S>& r, const char* action) {
+  throw BadInput(parameters_name<X>(action) + "(" + text(r.x()) + ", " + text(r.y()) + ", " + text(r.z()) +
+                 ") is not finite");
 }
-template <class B, class A, class S> const Column<S>& finite_motion(const char* action, const Column<S>& r) {
-  if (!all_finite(r)) refuse_motion<B, A>(action, r);
+template <class X, class S> const Column<S>& finite_motion(const Column<S>& r, const char* action) {
+  if (!all_finite(r)) refuse_motion<X>(r, action);
   return r;
 }
 
@@ -73,10 +80,11 @@ template <class B, class A, class S> const Column<S>& finite_motion(const char* 
 /// here without a division: accurate to rounding from the pure translation to any angle.
 /// Throws BadInput when |theta|^2 or the translation overflows.
 template <class A, class B, class S> Transform<A, B, S> exp(const Screw<A, B, S>& xi_ab) {
-  const auto turn = detail::turn(xi_ab.rotation_vector(), "exp(screw");
+  using X = Screw<A, B, S>;
+  const auto turn = detail::turn<X>(xi_ab.rotation_vector().coordinates(), "exp");
   const detail::Column<S> r_ab_a = detail::left_jacobian_times(turn, xi_ab.in_reference().coordinates());
   return {exp(xi_ab.rotation_vector()),
-          Displacement<A, B, In<A>, S>{detail::trusted, detail::finite_motion<B, A>("exp(screw", r_ab_a)}};
+          Displacement<A, B, In<A>, S>{detail::trusted, detail::finite_motion<X>(r_ab_a, "exp")}};
 }
 
 /// log: the screw of the shortest turn, |theta| <= pi, theta = log(R_b^a) and rho = J_l^-1(theta) r_ab^a,
@@ -84,7 +92,7 @@ template <class A, class B, class S> Transform<A, B, S> exp(const Screw<A, B, S>
 /// pi.
 template <class A, class B, class S> Screw<A, B, S> log(const Transform<A, B, S>& X_a_from_b) {
   const RotationVector<A, B, S> theta_ab = log(X_a_from_b.rotation);
-  const auto turn = detail::turn(theta_ab, "log(transform");
+  const auto turn = detail::turn<Screw<A, B, S>>(theta_ab.coordinates(), "log");
   return {detail::trusted, theta_ab.coordinates(),
           detail::inverse_left_jacobian_times(turn, X_a_from_b.translation.coordinates())};
 }

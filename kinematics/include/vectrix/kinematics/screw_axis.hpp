@@ -19,22 +19,23 @@ ScrewAxis(const Vector<A, si::dimensionless, S>&, const Rest&...) -> ScrewAxis<A
 ///     theta = angle n,  rho = place x theta + advance n
 /// Throws BadInput when | |n| - 1 | exceeds unit_norm_tolerance, or the motion is not finite.
 template <Frame B, Frame A, class S>
-detail::OfTwo<B, A, Screw<A, B, S>> screw(Of<B>, RelativeTo<A>, const ScrewAxis<A, S>& axis) {
+detail::OfTwo<B, A, Screw<A, B, S>> screw_along(Of<B>, RelativeTo<A>, const ScrewAxis<A, S>& axis) {
   const detail::Column<S>& n = axis.direction.coordinates();
   const S norm = detail::scaled_norm(n);
   const S error = detail::select(norm > S(1), S(norm - S(1)), S(S(1) - norm));
   if (!detail::all(error <= S(detail::door_tolerance<S>(unit_norm_tolerance)))) {
-    throw BadInput(detail::about_turn<B, A>("screw(axis") + "the norm of its direction differs from 1 by " +
-                   detail::text(error) + "; direction() projects");
+    throw BadInput(detail::parameters_name<Screw<A, B, S>>("screw_along") +
+                   "the norm of its direction differs from 1 by " + detail::text(error) +
+                   "; direction() projects");
   }
   const detail::Column<S> theta = axis.angle.value() * n;
   const detail::Column<S> rho = axis.place.coordinates().cross(theta) + axis.advance.value() * n;
-  return {detail::trusted, detail::finite_motion<B, A>("screw(axis", theta),
-          detail::finite_motion<B, A>("screw(axis", rho)};
+  return {detail::trusted, detail::finite_motion<Screw<A, B, S>>(theta, "screw_along"),
+          detail::finite_motion<Screw<A, B, S>>(rho, "screw_along")};
 }
 template <class OfFrame, class RelativeToFrame, class Given>
-auto screw(  // of<B>, relative_to<A>: two frames; the axis of the motion in a
-    Of<OfFrame>, RelativeTo<RelativeToFrame>, const Given&) -> Refused = delete;
+auto screw_along(  // of<B>, relative_to<A>: two frames; the axis of the motion in a
+    const OfFrame&, const RelativeToFrame&, const Given&) -> Refused = delete;
 
 /// The axis of xi_ab, its point that is nearest to a's origin, angle > 0:
 ///     n = theta/|theta|,  place = n x rho/|theta|,  advance = n . rho
@@ -45,8 +46,8 @@ template <class A, class B, class S> ScrewAxis<A, S> screw_axis(const Screw<A, B
   const detail::Column<S> n = xi_ab.rotation_vector().coordinates() / angle;
   const detail::Column<S> place = n.cross(rho) / angle;
   if (!detail::all_finite(place)) {
-    throw BadInput(detail::about_turn<B, A>("screw_axis(screw") + "|theta| is " + detail::text(angle) +
-                   "; a translation has no axis");
+    throw BadInput(detail::parameters_name<Screw<A, B, S>>("screw_axis") + "|theta| is " +
+                   detail::text(angle) + "; a translation has no axis");
   }
   return {Vector<A, si::dimensionless, S>{detail::trusted, n},
           Vector<A, si::length, S>{detail::trusted, place}, Quantity<si::angle, S>::from_value(angle),

@@ -75,29 +75,28 @@ auto particle_acceleration(  // particle_acceleration(V_ab, Vdot_ab): at one poi
 
 /// Claims that q is fixed in b: its velocity relative to a's origin, as a sees it.
 template <class Q, class A, class B, class C, class S>
-Velocity<A, Q, ObservedFrom<A>, In<C>, S> velocity(Of<Q>, const Twist<A, B, At<Q>, In<C>, S>& V_ab) {
+Velocity<A, Q, ObservedFrom<A>, In<C>, S> point_velocity(Of<Q>, const Twist<A, B, At<Q>, In<C>, S>& V_ab) {
   return Velocity<A, Q, ObservedFrom<A>, In<C>, S>{detail::trusted, V_ab.velocity()};
 }
 /// Claims that q is fixed in b: its acceleration relative to a's origin, as a sees it.
 template <class Q, class A, class B, class C, class S>
-Acceleration<A, Q, ObservedFrom<A>, In<C>, S> acceleration(Of<Q>, const Twist<A, B, At<Q>, In<C>, S>& V_ab,
-                                                           const TwistRate<A, B, At<Q>, In<C>, S>& Vdot_ab) {
+Acceleration<A, Q, ObservedFrom<A>, In<C>, S> point_acceleration(
+    Of<Q>, const Twist<A, B, At<Q>, In<C>, S>& V_ab, const TwistRate<A, B, At<Q>, In<C>, S>& Vdot_ab) {
   return Acceleration<A, Q, ObservedFrom<A>, In<C>, S>{detail::trusted, particle_acceleration(V_ab, Vdot_ab)};
 }
 template <class OfPoint, class Motion>
-auto velocity(  // velocity(of<Q>, V_ab): the twist at q
+auto point_velocity(  // point_velocity(of<Q>, V_ab): the twist at q
     Of<OfPoint>, const Motion&) -> Refused = delete;
 template <class OfPoint, class Motion, class Change>
-auto acceleration(  // acceleration(of<Q>, V_ab, Vdot_ab): both at q, expressed in one frame
+auto point_acceleration(  // point_acceleration(of<Q>, V_ab, Vdot_ab): both at q, expressed in one frame
     Of<OfPoint>, const Motion&, const Change&) -> Refused = delete;
 
-/// Vdot_ad = Vdot_ab + Vdot_bd + ad(V_ab) V_bd, all at one point, expressed in one frame. The bracket is
-/// there because b moves while d moves on it.
+// Vdot_ad = Vdot_ab + Vdot_bd + ad(V_ab) V_bd
 template <class A, class B, class D, class P, class C, class S>
-TwistRate<A, D, At<P>, In<C>, S> chain(const TwistRate<A, B, At<P>, In<C>, S>& Vdot_ab,
-                                       const TwistRate<B, D, At<P>, In<C>, S>& Vdot_bd,
-                                       const Twist<A, B, At<P>, In<C>, S>& V_ab,
-                                       const Twist<B, D, At<P>, In<C>, S>& V_bd) {
+TwistRate<A, D, At<P>, In<C>, S> chained(const TwistRate<A, B, At<P>, In<C>, S>& Vdot_ab,
+                                         const TwistRate<B, D, At<P>, In<C>, S>& Vdot_bd,
+                                         const Twist<A, B, At<P>, In<C>, S>& V_ab,
+                                         const Twist<B, D, At<P>, In<C>, S>& V_bd) {
   const detail::Column<S> w_ab = V_ab.angular_velocity().coordinates();
   const detail::Column<S> w_bd = V_bd.angular_velocity().coordinates();
   return {detail::trusted,

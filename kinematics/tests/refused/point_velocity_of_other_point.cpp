@@ -13,9 +13,9 @@ using namespace vectrix;
 auto camera_velocity(const Twist<Gcrf, Body, At<Body>, In<Body>>& V_ab,
                      const Displacement<Body, Camera, In<Body>>& r_bc_b) {
 #ifdef REPAIRED
-  return velocity(of<Camera>, shift(V_ab, r_bc_b));
+  return point_velocity(of<Camera>, shift(V_ab, r_bc_b));
 #else
   static_cast<void>(r_bc_b);
-  return velocity(of<Camera>, V_ab);
+  return point_velocity(of<Camera>, V_ab);
 #endif
 }
