@@ -148,7 +148,7 @@ template <class C, class B, class A, std::size_t N, std::size_t M, class S>
 template <class B, class A, std::size_t N, class U, class S>
 [[gnu::always_inline]] inline Vector<B, U, S> product(DcmChain<B, A, N, S>&& R_b_from_a,
                                                       const Vector<A, U, S>& r_a) {
-  return {detail::trusted, [&] { return detail::applied(R_b_from_a.factors(), r_a.coordinates()); }};
+  return {detail::trusted, detail::applied(R_b_from_a.factors(), r_a.coordinates())};
 }
 template <class B, class A, std::size_t N, class S, detail::Reexpressed X>
   requires(std::same_as<typename X::expressed, A>&& std::same_as<typename X::scalar, S>)
