@@ -45,7 +45,7 @@ RC_GTEST_PROP(AxisAngle, OfEveryRotationAreTheShortestAndComeBack, ()) {
   const double angle = x.angle().value();
   RC_ASSERT(angle >= 0 && angle <= pi);
   RC_ASSERT(std::abs(x.in_turned().coordinates().norm() - 1) <= few_ulps);
-  RC_ASSERT(distance(rotation_vector(x).coordinates(), log(R).coordinates()) <= rounding);
+  RC_ASSERT(distance(x.rotation_vector().coordinates(), log(R).coordinates()) <= rounding);
 }
 
 TEST(AxisAngle, AreAccurateForEveryAngle) {
@@ -81,7 +81,7 @@ TEST(AxisAngle, BackIsAboutTheOppositeAxis) {
   const auto x = turn(0.7, axes[0]);
   const AxisAngle<Body, Gcrf> back = -x;
   EXPECT_LE(distance(dcm(back).matrix(), inverse(dcm(x)).matrix()), rounding);
-  EXPECT_EQ(exp(rotation_vector(x)).matrix(), exp(rotation_vector(turn(-0.7, -axes[0]))).matrix());
+  EXPECT_EQ(exp(x.rotation_vector()).matrix(), exp(turn(-0.7, -axes[0]).rotation_vector()).matrix());
 }
 
 TEST(AxisAngle, TheirDoorTakesAUnitVectorAndAFiniteAngle) {

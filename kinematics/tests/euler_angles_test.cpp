@@ -218,13 +218,9 @@ TEST(EulerAngles, SayWhatTheyAre) {
                            " relative to " + frame_name<Gcrf>());
 }
 
-template <int I, int J, int K>
-concept Turning = requires {
-  typename Intrinsic<I, J, K>;
-  typename Extrinsic<I, J, K>;
-};
-static_assert(Turning<3, 2, 1> && Turning<3, 1, 3> && Turning<2, 1, 2>);
-static_assert(!Turning<3, 3, 1> && !Turning<1, 2, 2> && !Turning<0, 1, 2> && !Turning<1, 2, 4>);
+static_assert(EulerSequence<Intrinsic<3, 2, 1>> && EulerSequence<Extrinsic<3, 1, 3>>);
+static_assert(!EulerSequence<Intrinsic<3, 3, 1>> && !EulerSequence<Extrinsic<1, 2, 2>>);
+static_assert(!EulerSequence<Intrinsic<0, 1, 2>> && !EulerSequence<Extrinsic<1, 2, 4>>);
 
 template <class S> using Ours = EulerAngles<S, Gcrf, Body>;
 static_assert(!std::is_convertible_v<Ours<Intrinsic<3, 2, 1>>, Ours<Extrinsic<3, 2, 1>>>);

@@ -78,7 +78,7 @@ TEST(AxisAngleRate, AtTheSingularityIsBadInputThatSaysHowNear) {
             "");
   const auto x = axis_angle_of(Eigen::Vector4d(1e-12, 0, 1, 0));
   const Eigen::Vector3d w(0.3, -0.7, 0.5);
-  const auto back = angular_velocity(x, rate(x, omega_of<Gcrf>(w)), in<Gcrf>);
+  const auto back = x.angular_velocity(rate(x, omega_of<Gcrf>(w)), in<Gcrf>);
   EXPECT_LE(distance(back.coordinates(), w), rounding);
 }
 
@@ -125,7 +125,7 @@ TEST(ParameterRates, OfASpinAreThoseOfTheTangent) {
 
 template <class X, class Rate, class C>
 concept TakesBack = requires(const X& x, const Rate& xdot, C in_c) {
-  angular_velocity(x, xdot, in_c);
+  x.angular_velocity(xdot, in_c);
 };
 template <class X, class W>
 concept Drives = requires(const X& x, const W& w) {

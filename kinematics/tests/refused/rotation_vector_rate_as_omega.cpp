@@ -12,7 +12,7 @@ using namespace vectrix;
 DcmRate<Gcrf, Body> motion(const RotationVector<Gcrf, Body>& theta_ab,
                            const ParameterRate<RotationVector<Gcrf, Body>>& thetadot_ab) {
 #ifdef REPAIRED
-  return rate(exp(theta_ab), angular_velocity(theta_ab, thetadot_ab, in<Body>));
+  return rate(exp(theta_ab), theta_ab.angular_velocity(thetadot_ab, in<Body>));
 #else
   return rate(exp(theta_ab), thetadot_ab);
 #endif

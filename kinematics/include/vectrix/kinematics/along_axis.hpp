@@ -2,36 +2,23 @@
 
 #include <cmath>
 #include <vectrix/kinematics/parameters.hpp>
-#include <vectrix/kinematics/rotation_vector.hpp>
 
 namespace vectrix {
 namespace detail {
 
 /// What ModifiedRodrigues and GibbsVector have in common: a vector along the axis of the turn from a to b,
 /// of the same coordinates in both.
-template <Frame A, Frame B, class S> class AlongAxis {
+template <class X, class A, class B, class S> class AlongAxis : public AttitudeParameters<X, A, B, S, 3> {
  public:
-  using reference = A;
-  using turned = B;
-  using scalar = S;
-  using numbers = Column<S>;
+  using AttitudeParameters<X, A, B, S, 3>::AttitudeParameters;
 
-  AlongAxis() = delete;
-  template <class Derived>
-  AlongAxis(Trusted, const Eigen::MatrixBase<Derived>& coordinates) : coordinates_(coordinates) {}
-
-  const numbers& coordinates() const& { return coordinates_; }
-  numbers coordinates() && { return coordinates_; }
   /// The vector expressed in a or in b.
-  Vector<A, si::dimensionless, S> in_reference() const { return {trusted, coordinates_}; }
-  Vector<B, si::dimensionless, S> in_turned() const { return {trusted, coordinates_}; }
+  Vector<A, si::dimensionless, S> in_reference() const { return {trusted, this->coordinates()}; }
+  Vector<B, si::dimensionless, S> in_turned() const { return {trusted, this->coordinates()}; }
 
   static const char* unit_symbol(int derivative) {
     return derivative == 0 ? "" : derivative == 1 ? "1/s" : "1/s^2";
   }
-
- private:
-  numbers coordinates_;
 };
 
 /// q or -q, which are the same rotation: the one with q_w >= 0, and at q_w = 0 with the first non-zero of x,

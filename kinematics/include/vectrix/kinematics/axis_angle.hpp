@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <vectrix/kinematics/along_axis.hpp>
+#include <vectrix/kinematics/rotation_vector.hpp>
 
 namespace vectrix {
 
@@ -10,49 +11,55 @@ namespace vectrix {
 ///     R_b^a = I + sin phi [n]x + (1 - cos phi) ([n]x)^2        q_b^a = (cos phi/2, sin phi/2 n)
 /// (phi, n), (-phi, -n) and (phi + 2 pi, n) are the same rotation. Singular where phi is none or a full turn:
 /// there any axis does.
-template <Frame A, Frame B, class S = double> class AxisAngle {
+template <Frame A, Frame B, class S = double>
+class AxisAngle : public detail::AttitudeParameters<AxisAngle<A, B, S>, A, B, S, 4> {
+  using Base = detail::AttitudeParameters<AxisAngle<A, B, S>, A, B, S, 4>;
+
  public:
-  using reference = A;
-  using turned = B;
-  using scalar = S;
-  using numbers = Eigen::Matrix<S, 4, 1>;
-
-  AxisAngle() = delete;  // axis_angle(of<B>, relative_to<A>, n_a, phi)
+  using Base::Base;
   template <class Derived>
-  AxisAngle(detail::Trusted, const S& angle, const Eigen::MatrixBase<Derived>& axis) {
-    numbers_ << angle, axis;
-  }
+  AxisAngle(detail::Trusted, const S& angle, const Eigen::MatrixBase<Derived>& axis)
+      : Base(detail::trusted, (Eigen::Matrix<S, 4, 1>() << angle, axis).finished()) {}
 
-  Quantity<si::angle, S> angle() const { return Quantity<si::angle, S>::from_value(numbers_(0)); }
+  Quantity<si::angle, S> angle() const { return Quantity<si::angle, S>::from_value(this->coordinates()(0)); }
   /// The axis, expressed in a or in b.
   Vector<A, si::dimensionless, S> in_reference() const {
-    return {detail::trusted, numbers_.template tail<3>()};
+    return {detail::trusted, this->coordinates().template tail<3>()};
   }
-  Vector<B, si::dimensionless, S> in_turned() const { return {detail::trusted, numbers_.template tail<3>()}; }
-  /// The bare angle in rad, then the axis.
-  const numbers& coordinates() const& { return numbers_; }
-  numbers coordinates() && { return numbers_; }
-
+  Vector<B, si::dimensionless, S> in_turned() const {
+    return {detail::trusted, this->coordinates().template tail<3>()};
+  }
   /// How far the angle is from the nearest whole number of turns.
   Quantity<si::angle, S> distance_from_singularity() const {
     using std::abs;
     using std::atan2;
-    const S half = numbers_(0) / S(2);
+    const S half = this->coordinates()(0) / S(2);
     return Quantity<si::angle, S>::from_value(
         S(2) * S(atan2(S(abs(detail::sine<S>(half))), S(abs(detail::cosine<S>(half))))));
   }
 
   /// Turning b by it gives a: the opposite axis.
-  AxisAngle<B, A, S> operator-() const { return {detail::trusted, numbers_(0), -in_turned().coordinates()}; }
+  AxisAngle<B, A, S> operator-() const {
+    return {detail::trusted, this->coordinates()(0), -in_turned().coordinates()};
+  }
+
+  /// Angle times axis, not brought to the shortest turn.
+  RotationVector<A, B, S> rotation_vector() const {
+    return {detail::trusted, this->coordinates()(0) * this->coordinates().template tail<3>()};
+  }
+  friend Quaternion<A, B, S> quaternion(const AxisAngle& x_ab) {
+    const S half = x_ab.coordinates()(0) / S(2);
+    const detail::Column<S> v = detail::sine<S>(half) * x_ab.coordinates().template tail<3>();
+    return {detail::trusted,
+            [&] { return Eigen::Quaternion<S>(detail::cosine<S>(half), v.x(), v.y(), v.z()); }};
+  }
+  friend Dcm<A, B, S> dcm(const AxisAngle& x_ab) { return dcm(quaternion(x_ab)); }
 
   static const char* name() { return "angle and axis"; }
   static const char* singularity() { return "no turn or a full one"; }
   static const char* unit_symbol(int derivative) {
     return derivative == 0 ? "(rad, 1)" : derivative == 1 ? "(rad/s, 1/s)" : "(rad/s^2, 1/s^2)";
   }
-
- private:
-  numbers numbers_;
 };
 
 template <class A, class B, class S> inline constexpr bool detail::is_framed<AxisAngle<A, B, S>> = true;
@@ -60,10 +67,8 @@ template <class A, class B, class S> inline constexpr bool detail::is_framed<Axi
 /// Claims that turning a by the angle about the axis, expressed in a or in b, gives b. Throws BadInput when
 /// the angle is not finite, or the axis is not of length 1 to unit_norm_tolerance. Any finite angle is valid.
 template <Frame B, Frame A, class C, class S>
-  requires(detail::is_one_of<C, A, B>)
-detail::OfTwo<B, A, AxisAngle<A, B, S>> axis_angle(Of<B>, RelativeTo<A>,
-                                                   const Vector<C, si::dimensionless, S>& axis,
-                                                   const Quantity<si::angle, S>& angle) {
+detail::OfTwo<B, A, detail::InOneOf<C, A, B, AxisAngle<A, B, S>>> axis_angle(
+    Of<B>, RelativeTo<A>, const Vector<C, si::dimensionless, S>& axis, const Quantity<si::angle, S>& angle) {
   const AxisAngle<A, B, S> x{detail::trusted, angle.value(), axis.coordinates()};
   detail::require_finite<AxisAngle<A, B, S>>(x.coordinates(), "axis_angle");
   // |n|^2 - 1 is twice |n| - 1.
@@ -81,41 +86,35 @@ template <class OfFrame, class RelativeToFrame, class Axis, class Angle>
 auto axis_angle(  // of<B>, relative_to<A>: two frames; a direction in one of them; an angle in rad
     const OfFrame&, const RelativeToFrame&, const Axis&, const Angle&) -> Refused = delete;
 
-/// q_b^a = (cos phi/2, sin phi/2 n)
-template <class A, class B, class S> Quaternion<A, B, S> quaternion(const AxisAngle<A, B, S>& x_ab) {
-  const S half = x_ab.coordinates()(0) / S(2);
-  const S s = detail::sine<S>(half);
-  const detail::Column<S> v = s * x_ab.coordinates().template tail<3>();
-  return {detail::trusted,
-          [&] { return Eigen::Quaternion<S>(detail::cosine<S>(half), v.x(), v.y(), v.z()); }};
-}
-template <class A, class B, class S> Dcm<A, B, S> dcm(const AxisAngle<A, B, S>& x_ab) {
-  return dcm(quaternion(x_ab));
-}
+namespace detail {
 
-/// The shortest turn of q_b^a, 0 <= phi <= pi; at half a turn, where n and -n are the same, the first
-/// non-zero component of n is positive. The identity, where any axis does, is given that of x by choice;
-/// numbers with derivatives throw BadInput there, since the axis has none.
-template <class A, class B, class S> AxisAngle<A, B, S> axis_angle(const Quaternion<A, B, S>& q_a_from_b) {
-  using detail::select;
+template <class A, class B, class S> AxisAngle<A, B, S> axis_angle_of(const Quaternion<A, B, S>& q_a_from_b) {
   using std::atan2;
-  const Eigen::Quaternion<S> q = detail::shorter_way(q_a_from_b.eigen());
-  const detail::Column<S> v = q.vec();
+  const Eigen::Quaternion<S> q = shorter_way(q_a_from_b.eigen());
+  const Column<S> v = q.vec();
   const S largest = v.cwiseAbs().maxCoeff();
   const auto none = largest == S(0);
-  if constexpr (detail::Differentiated<S>) {
+  if constexpr (Differentiated<S>) {
     if (none) {
-      detail::refuse_singular<AxisAngle<A, B, S>>(detail::without_derivatives(largest), "axis_angle");
+      refuse_singular<AxisAngle<A, B, S>>(without_derivatives(largest), "axis_angle");
     }
   }
   // Scaled, and so free of underflow; none of x, y and z where the largest is none.
   const S scale = select<S>(none, S(1), largest);
-  const detail::Column<S> scaled(select<S>(none, S(1), S(v.x() / scale)), S(v.y() / scale), S(v.z() / scale));
+  const Column<S> scaled(select<S>(none, S(1), S(v.x() / scale)), S(v.y() / scale), S(v.z() / scale));
   const S norm = scaled.norm();
-  return {detail::trusted, S(2) * S(atan2(S(norm * largest), q.w())), scaled / norm};
+  return {trusted, S(2) * S(atan2(S(norm * largest), q.w())), scaled / norm};
 }
-template <class A, class B, class S> AxisAngle<A, B, S> axis_angle(const Dcm<A, B, S>& R_a_from_b) {
-  return axis_angle(quaternion(R_a_from_b));
+
+}  // namespace detail
+
+/// The shortest turn of a quaternion q_b^a or of R_b^a, 0 <= phi <= pi; at half a turn, where n and -n are
+/// the same, the first non-zero component of n is positive. No turn, where any axis does, is given that of x
+/// by choice; numbers with derivatives throw BadInput there, since the axis has none.
+template <class Rotation>
+auto axis_angle(const Rotation& R_a_from_b)
+    -> decltype(detail::axis_angle_of(detail::as_quaternion(R_a_from_b))) {
+  return detail::axis_angle_of(detail::as_quaternion(R_a_from_b));
 }
 
 /// Claims that the numbers, rad/s and then 1/s, are the derivative of angle and axis. Throws BadInput when
@@ -136,11 +135,6 @@ template <class A, class B, class S, class Derived>
     }
     return {detail::trusted, numbers};
   }
-
-/// Angle times axis, not brought to the shortest turn.
-template <class A, class B, class S> RotationVector<A, B, S> rotation_vector(const AxisAngle<A, B, S>& x_ab) {
-  return {detail::trusted, x_ab.coordinates()(0) * x_ab.coordinates().template tail<3>()};
-}
 
 namespace detail {
 

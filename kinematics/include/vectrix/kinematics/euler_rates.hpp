@@ -14,12 +14,12 @@ template <class Sequence, class A, class B, class S, bool expressed_in_turned>
 struct KinematicsOf<EulerAngles<Sequence, A, B, S>, expressed_in_turned> {
   using Angles = EulerAngles<Sequence, A, B, S>;
 
-  static Column<S> rate(const Angles& x, const Column<S>& w) { return solved(axes(x), w, "rate"); }
+  static Column<S> rate(const Angles& x, const Column<S>& w) { return solved(x, axes(x), w, "rate"); }
   static Column<S> velocity(const Angles& x, const Column<S>& xdot) { return axes(x) * xdot; }
   static Column<S> second_rate(const Angles& x, const Column<S>& xdot, const Column<S>&,
                                const Column<S>& alpha) {
     const Square<S> u = axes(x);
-    return solved(u, alpha - turning_of(u, xdot), "second_rate");
+    return solved(x, u, alpha - turning_of(u, xdot), "second_rate");
   }
   static Column<S> acceleration(const Angles& x, const Column<S>& xdot, const Column<S>& xddot) {
     const Square<S> u = axes(x);
@@ -53,11 +53,14 @@ struct KinematicsOf<EulerAngles<Sequence, A, B, S>, expressed_in_turned> {
   static Column<S> unit(int axis) { return Column<S>::Unit(axis); }
 
   // The xdot with u xdot = w.
-  static Column<S> solved(const Square<S>& u, const Column<S>& w, const char* action) {
+  static Column<S> solved(const Angles& x, const Square<S>& u, const Column<S>& w, const char* action) {
     const Column<S> n1 = u.col(1).cross(u.col(2));
     const Column<S> n3 = u.col(0).cross(u.col(1));
     const S triple = u.col(0).dot(n1);
-    require_regular<Angles>(triple, action);
+    if (!is_regular(triple)) {
+      const auto second = without_derivatives(x.coordinates()(1));
+      refuse_singular<Angles>(Sequence::proper ? sine(second) : cosine(second), action);
+    }
     return {n1.dot(w) / triple, u.col(1).dot(w), n3.dot(w) / triple};
   }
 

@@ -30,10 +30,9 @@ template <int First, int Second, int Third> struct SequenceOfAxes {
 /// Three turns, each about an axis of the frame as the turns before have left it:
 ///     R_b^a = R_i(t1) R_j(t2) R_k(t3)    Intrinsic<i, j, k>, an axis being 1 (x), 2 (y) or 3 (z)
 /// R_i(t) turns by t about axis i, R_3(t) = [cos -sin 0; sin cos 0; 0 0 1]. Intrinsic<3, 2, 1> is yaw, pitch
-/// and roll. There are 12: no axis twice in a row.
-template <int First, int Second, int Third>
-  requires detail::no_axis_twice_in_a_row<First, Second, Third>
-struct Intrinsic : detail::SequenceOfAxes<First, Second, Third> {
+/// and roll. There are 12, no axis twice in a row: an
+/// EulerSequence.
+template <int First, int Second, int Third> struct Intrinsic : detail::SequenceOfAxes<First, Second, Third> {
   static constexpr bool intrinsic = true;
   static std::string name() { return "intrinsic " + Intrinsic::axes(); }
 };
@@ -42,9 +41,7 @@ template <int First, int Second, int Third> inline constexpr Intrinsic<First, Se
 /// Three turns, each about an axis of the frame a, which stays:
 ///     R_b^a = R_k(t3) R_j(t2) R_i(t1)    Extrinsic<i, j, k>
 /// The same rotation as Intrinsic<k, j, i> of the angles in reverse.
-template <int First, int Second, int Third>
-  requires detail::no_axis_twice_in_a_row<First, Second, Third>
-struct Extrinsic : detail::SequenceOfAxes<First, Second, Third> {
+template <int First, int Second, int Third> struct Extrinsic : detail::SequenceOfAxes<First, Second, Third> {
   static constexpr bool intrinsic = false;
   static std::string name() { return "extrinsic " + Extrinsic::axes(); }
 };
@@ -53,12 +50,14 @@ template <int First, int Second, int Third> inline constexpr Extrinsic<First, Se
 namespace detail {
 
 template <class T> inline constexpr bool is_sequence = false;
-template <int I, int J, int K> inline constexpr bool is_sequence<Intrinsic<I, J, K>> = true;
-template <int I, int J, int K> inline constexpr bool is_sequence<Extrinsic<I, J, K>> = true;
+template <int I, int J, int K>
+inline constexpr bool is_sequence<Intrinsic<I, J, K>> = no_axis_twice_in_a_row<I, J, K>;
+template <int I, int J, int K>
+inline constexpr bool is_sequence<Extrinsic<I, J, K>> = no_axis_twice_in_a_row<I, J, K>;
 
 }  // namespace detail
 
-/// Intrinsic<i, j, k> or Extrinsic<i, j, k>.
+/// Intrinsic<i, j, k> or Extrinsic<i, j, k>, neighbouring axes being two.
 template <class T>
 concept EulerSequence = detail::is_sequence<T>;
 

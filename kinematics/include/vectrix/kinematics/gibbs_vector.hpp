@@ -9,9 +9,10 @@ namespace vectrix {
 ///     q_b^a = (1, g) / sqrt(1 + |g|^2)
 /// Each rotation has one, but a half turn none, where g is infinite: within eight roundings of it every door
 /// throws BadInput, and says how near.
-template <Frame A, Frame B, class S = double> class GibbsVector : public detail::AlongAxis<A, B, S> {
+template <Frame A, Frame B, class S = double>
+class GibbsVector : public detail::AlongAxis<GibbsVector<A, B, S>, A, B, S> {
  public:
-  using detail::AlongAxis<A, B, S>::AlongAxis;
+  using detail::AlongAxis<GibbsVector<A, B, S>, A, B, S>::AlongAxis;
 
   /// How far the turn is from half a turn: pi - phi.
   Quantity<si::angle, S> distance_from_singularity() const {
@@ -22,6 +23,16 @@ template <Frame A, Frame B, class S = double> class GibbsVector : public detail:
   /// g_ba = -g_ab
   GibbsVector<B, A, S> operator-() const { return {detail::trusted, -this->coordinates()}; }
 
+  friend Quaternion<A, B, S> quaternion(const GibbsVector& g_ab) {
+    using std::sqrt;
+    const detail::Column<S>& g = g_ab.coordinates();
+    const S length = sqrt(S(S(1) + g.squaredNorm()));
+    return {detail::trusted, [&] {
+              return Eigen::Quaternion<S>(S(1) / length, g.x() / length, g.y() / length, g.z() / length);
+            }};
+  }
+  friend Dcm<A, B, S> dcm(const GibbsVector& g_ab) { return dcm(quaternion(g_ab)); }
+
   static const char* name() { return "Gibbs vector"; }
   static const char* singularity() { return "half a turn"; }
 };
@@ -31,9 +42,8 @@ template <class A, class B, class S> inline constexpr bool detail::is_framed<Gib
 /// Claims that the vector, expressed in a or in b, is n tan(phi/2) of the turn from a to b. Throws BadInput
 /// when it is not finite, or at the singularity.
 template <Frame B, Frame A, class C, class S>
-  requires(detail::is_one_of<C, A, B>)
-detail::OfTwo<B, A, GibbsVector<A, B, S>> gibbs_vector(Of<B>, RelativeTo<A>,
-                                                       const Vector<C, si::dimensionless, S>& g) {
+detail::OfTwo<B, A, detail::InOneOf<C, A, B, GibbsVector<A, B, S>>> gibbs_vector(
+    Of<B>, RelativeTo<A>, const Vector<C, si::dimensionless, S>& g) {
   const GibbsVector<A, B, S> x{detail::trusted, g.coordinates()};
   detail::require_away(x, 2, "gibbs_vector");
   return x;
@@ -42,29 +52,22 @@ template <class OfFrame, class RelativeToFrame, class Given>
 auto gibbs_vector(  // of<B>, relative_to<A>: two frames; numbers without unit, expressed in one of them
     const OfFrame&, const RelativeToFrame&, const Given&) -> Refused = delete;
 
-/// q_b^a = (1, g) / sqrt(1 + |g|^2)
-template <class A, class B, class S> Quaternion<A, B, S> quaternion(const GibbsVector<A, B, S>& g_ab) {
-  using std::sqrt;
-  const detail::Column<S>& g = g_ab.coordinates();
-  const S length = sqrt(S(S(1) + g.squaredNorm()));
-  return {detail::trusted, [&] {
-            return Eigen::Quaternion<S>(S(1) / length, g.x() / length, g.y() / length, g.z() / length);
-          }};
-}
-template <class A, class B, class S> Dcm<A, B, S> dcm(const GibbsVector<A, B, S>& g_ab) {
-  return dcm(quaternion(g_ab));
+namespace detail {
+
+template <class A, class B, class S> GibbsVector<A, B, S> gibbs_of(const Quaternion<A, B, S>& q_a_from_b) {
+  const auto& q = q_a_from_b.eigen();
+  require_regular<GibbsVector<A, B, S>>(S(2) * q.w(), "gibbs_vector");
+  return {trusted, q.vec() / q.w()};
 }
 
-/// g = v / q_w of q_b^a = (q_w, v); its sign does not matter. Throws BadInput within eight roundings of half
-/// a turn, and says how near.
-template <class A, class B, class S>
-GibbsVector<A, B, S> gibbs_vector(const Quaternion<A, B, S>& q_a_from_b) {
-  const auto& q = q_a_from_b.eigen();
-  detail::require_regular<GibbsVector<A, B, S>>(S(2) * q.w(), "gibbs_vector");
-  return {detail::trusted, q.vec() / q.w()};
-}
-template <class A, class B, class S> GibbsVector<A, B, S> gibbs_vector(const Dcm<A, B, S>& R_a_from_b) {
-  return gibbs_vector(quaternion(R_a_from_b));
+}  // namespace detail
+
+/// g = v / q_w of a quaternion q_b^a = (q_w, v) or of R_b^a; the sign of q does not matter. Throws BadInput
+/// within eight roundings of half a turn, and says how near.
+template <class Rotation>
+auto gibbs_vector(const Rotation& R_a_from_b)
+    -> decltype(detail::gibbs_of(detail::as_quaternion(R_a_from_b))) {
+  return detail::gibbs_of(detail::as_quaternion(R_a_from_b));
 }
 
 namespace detail {

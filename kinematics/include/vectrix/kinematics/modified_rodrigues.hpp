@@ -10,9 +10,10 @@ namespace vectrix {
 /// sigma and its shadow -sigma / |sigma|^2 are the same rotation, the shadow the longer way round as |sigma|
 /// is less than 1. Singular at a full turn, where sigma is infinite: within eight roundings of it every door
 /// throws BadInput, and says how near. switch_to_shadow() keeps away from it.
-template <Frame A, Frame B, class S = double> class ModifiedRodrigues : public detail::AlongAxis<A, B, S> {
+template <Frame A, Frame B, class S = double>
+class ModifiedRodrigues : public detail::AlongAxis<ModifiedRodrigues<A, B, S>, A, B, S> {
  public:
-  using detail::AlongAxis<A, B, S>::AlongAxis;
+  using detail::AlongAxis<ModifiedRodrigues<A, B, S>, A, B, S>::AlongAxis;
 
   /// How far the turn is from a full one: 2 pi - phi.
   Quantity<si::angle, S> distance_from_singularity() const {
@@ -30,6 +31,19 @@ template <Frame A, Frame B, class S = double> class ModifiedRodrigues : public d
   /// sigma_ba = -sigma_ab
   ModifiedRodrigues<B, A, S> operator-() const { return {detail::trusted, -this->coordinates()}; }
 
+  /// Its scalar is negative when |sigma| > 1.
+  friend Quaternion<A, B, S> quaternion(const ModifiedRodrigues& sigma_ab) {
+    const detail::Column<S>& sigma = sigma_ab.coordinates();
+    const S square = sigma.squaredNorm();
+    const S scale = S(1) / (S(1) + square);
+    const S twice = S(2) * scale;
+    return {detail::trusted, [&] {
+              return Eigen::Quaternion<S>((S(1) - square) * scale, twice * sigma.x(), twice * sigma.y(),
+                                          twice * sigma.z());
+            }};
+  }
+  friend Dcm<A, B, S> dcm(const ModifiedRodrigues& sigma_ab) { return dcm(quaternion(sigma_ab)); }
+
   static const char* name() { return "modified Rodrigues parameters"; }
   static const char* singularity() { return "a full turn"; }
 };
@@ -40,8 +54,7 @@ inline constexpr bool detail::is_framed<ModifiedRodrigues<A, B, S>> = true;
 /// Claims that the vector, expressed in a or in b, is n tan(phi/4) of the turn from a to b, of any length.
 /// Throws BadInput when it is not finite, or at the singularity.
 template <Frame B, Frame A, class C, class S>
-  requires(detail::is_one_of<C, A, B>)
-detail::OfTwo<B, A, ModifiedRodrigues<A, B, S>> modified_rodrigues(
+detail::OfTwo<B, A, detail::InOneOf<C, A, B, ModifiedRodrigues<A, B, S>>> modified_rodrigues(
     Of<B>, RelativeTo<A>, const Vector<C, si::dimensionless, S>& sigma) {
   const ModifiedRodrigues<A, B, S> x{detail::trusted, sigma.coordinates()};
   detail::require_away(x, 4, "modified_rodrigues");
@@ -80,33 +93,23 @@ ParameterRate<ModifiedRodrigues<A, B, S>> shadow_rate(
   return {detail::trusted, S(2) * shadow * shadow.dot(rate) - shadow.squaredNorm() * rate};
 }
 
-/// q_b^a = (1 - |sigma|^2, 2 sigma) / (1 + |sigma|^2); its scalar is negative when |sigma| > 1.
+namespace detail {
+
 template <class A, class B, class S>
-Quaternion<A, B, S> quaternion(const ModifiedRodrigues<A, B, S>& sigma_ab) {
-  const detail::Column<S>& sigma = sigma_ab.coordinates();
-  const S square = sigma.squaredNorm();
-  const S scale = S(1) / (S(1) + square);
-  const S twice = S(2) * scale;
-  return {detail::trusted, [&] {
-            return Eigen::Quaternion<S>((S(1) - square) * scale, twice * sigma.x(), twice * sigma.y(),
-                                        twice * sigma.z());
-          }};
-}
-template <class A, class B, class S> Dcm<A, B, S> dcm(const ModifiedRodrigues<A, B, S>& sigma_ab) {
-  return dcm(quaternion(sigma_ab));
+ModifiedRodrigues<A, B, S> modified_rodrigues_of(const Quaternion<A, B, S>& q_a_from_b) {
+  const Eigen::Quaternion<S> q = shorter_way(q_a_from_b.eigen());
+  return {trusted, q.vec() / (S(1) + q.w())};
 }
 
-/// sigma = v / (1 + q_w) of q_b^a = (q_w, v) or of (-q_w, -v): those of the shorter way, |sigma| <= 1. At
-/// half a turn, where both have length 1, those whose first non-zero component is positive. Any rotation is
-/// valid.
-template <class A, class B, class S>
-ModifiedRodrigues<A, B, S> modified_rodrigues(const Quaternion<A, B, S>& q_a_from_b) {
-  const Eigen::Quaternion<S> q = detail::shorter_way(q_a_from_b.eigen());
-  return {detail::trusted, q.vec() / (S(1) + q.w())};
-}
-template <class A, class B, class S>
-ModifiedRodrigues<A, B, S> modified_rodrigues(const Dcm<A, B, S>& R_a_from_b) {
-  return modified_rodrigues(quaternion(R_a_from_b));
+}  // namespace detail
+
+/// sigma = v / (1 + q_w) of a quaternion q_b^a = (q_w, v) or (-q_w, -v), or of R_b^a: those of the shorter
+/// way, |sigma| <= 1. At half a turn, where both have length 1, those whose first non-zero component is
+/// positive. Any rotation is valid.
+template <class Rotation>
+auto modified_rodrigues(const Rotation& R_a_from_b)
+    -> decltype(detail::modified_rodrigues_of(detail::as_quaternion(R_a_from_b))) {
+  return detail::modified_rodrigues_of(detail::as_quaternion(R_a_from_b));
 }
 
 namespace detail {

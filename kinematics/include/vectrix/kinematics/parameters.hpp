@@ -4,32 +4,96 @@
 #include <vectrix/kinematics/dcm_rate.hpp>
 
 namespace vectrix {
+
+template <class X> class ParameterRate;
+template <class X> class SecondParameterRate;
+
 namespace detail {
 
-/// x_ab, parameters of the attitude of b relative to a: numbers, whose frames, scalar and count are these.
-/// Turning a by them gives b; dcm(x_ab) is R_a_from_b.
-template <class X>
-concept Parameters = requires {
-  typename X::reference;
-  typename X::turned;
-  typename X::scalar;
-  typename X::numbers;
-};
-
-/// How their derivatives and the rate belong together, on bare numbers; specialised beside each X.
+/// How the derivatives of parameters X and the rate belong together, on bare numbers; specialised beside
+/// each.
 ///     rate(x, w), velocity(x, xdot), second_rate(x, xdot, w, alpha), acceleration(x, xdot, xddot)
 /// of a rate expressed in b, or else in a.
 template <class X, bool expressed_in_turned> struct KinematicsOf;
 
-/// C is one of the two frames of X.
+template <class C, class... Fs> inline constexpr bool is_one_of = (std::same_as<C, Fs> || ...);
+template <class C, class A, class B, class Result>
+using InOneOf = std::enable_if_t<is_one_of<C, A, B>, Result>;
+
+/// x_ab, parameters of the attitude of b relative to a: turning a by them gives b, dcm(x_ab) is R_a_from_b.
+/// The base of their class X.
+template <class X, class A, class B, class S, int count> class AttitudeParameters {
+ public:
+  using reference = A;
+  using turned = B;
+  using scalar = S;
+  using numbers = Eigen::Matrix<S, count, 1>;
+
+  AttitudeParameters() = delete;
+  template <class Derived>
+  AttitudeParameters(Trusted, const Eigen::MatrixBase<Derived>& values) : numbers_(values) {}
+
+  /// The bare numbers.
+  const numbers& coordinates() const& { return numbers_; }
+  numbers coordinates() && { return numbers_; }
+
+  /// The inverse of rate(): w_ab^c from the derivative of x_ab, c being b or a. At the singularity too, any
+  /// finite input is valid.
+  template <class C>
+  InOneOf<C, A, B, AngularVelocity<A, B, In<C>, S>> angular_velocity(const ParameterRate<X>& xdot_ab,
+                                                                     In<C>) const {
+    using Kinematics = KinematicsOf<X, std::same_as<C, B>>;
+    return AngularVelocity<A, B, In<C>, S>{trusted, Kinematics::velocity(own(), xdot_ab.coordinates())};
+  }
+  template <class Rate, class InFrame>
+  auto angular_velocity(  // x_ab.angular_velocity(xdot_ab, in<B>) or in<A>; xdot the rate of that x
+      const Rate&, const InFrame&) const -> Refused = delete;
+
+  /// The inverse of second_rate(): alpha_ab^c from both derivatives of x_ab, c being b or a. At the
+  /// singularity too, any finite input is valid.
+  template <class C>
+  InOneOf<C, A, B, AngularAcceleration<A, B, In<C>, S>> angular_acceleration(
+      const ParameterRate<X>& xdot_ab, const SecondParameterRate<X>& xddot_ab, In<C>) const {
+    using Kinematics = KinematicsOf<X, std::same_as<C, B>>;
+    return AngularAcceleration<A, B, In<C>, S>{
+        trusted, Kinematics::acceleration(own(), xdot_ab.coordinates(), xddot_ab.coordinates())};
+  }
+  template <class Rate, class SecondRate, class InFrame>
+  auto angular_acceleration(  // x_ab.angular_acceleration(xdot_ab, xddot_ab, in<B>) or in<A>
+      const Rate&, const SecondRate&, const InFrame&) const -> Refused = delete;
+
+ private:
+  const X& own() const { return static_cast<const X&>(*this); }
+
+  numbers numbers_;
+};
+
+template <class X>
+concept Parameters =
+    std::derived_from<X, AttitudeParameters<X, typename X::reference, typename X::turned, typename X::scalar,
+                                            X::numbers::RowsAtCompileTime>>;
+
+/// What the rates of X are, expressed in C.
 template <class X, class C>
-concept OneOfItsFrames = std::same_as<C, typename X::reference> || std::same_as<C, typename X::turned>;
-template <class X, class C> using KinematicsIn = KinematicsOf<X, std::same_as<C, typename X::turned>>;
-template <class X, class C>
-using RateOf = AngularVelocity<typename X::reference, typename X::turned, In<C>, typename X::scalar>;
-template <class X, class C>
-using AccelerationOf =
-    AngularAcceleration<typename X::reference, typename X::turned, In<C>, typename X::scalar>;
+using RateOf = InOneOf<C, typename X::reference, typename X::turned,
+                       AngularVelocity<typename X::reference, typename X::turned, In<C>, typename X::scalar>>;
+template <class X, class Rate, class C>
+using SecondRateOf =
+    std::enable_if_t<Parameters<X> && std::same_as<Rate, RateOf<X, C>>, SecondParameterRate<X>>;
+
+template <class A, class B, class S>
+const Quaternion<A, B, S>& as_quaternion(const Quaternion<A, B, S>& q_a_from_b) {
+  return q_a_from_b;
+}
+template <class A, class B, class S> Quaternion<A, B, S> as_quaternion(const Dcm<A, B, S>& R_a_from_b) {
+  return quaternion(R_a_from_b);
+}
+template <class A, class B, class S> const Dcm<A, B, S>& as_dcm(const Dcm<A, B, S>& R_a_from_b) {
+  return R_a_from_b;
+}
+template <class A, class B, class S> Dcm<A, B, S> as_dcm(const Quaternion<A, B, S>& q_a_from_b) {
+  return dcm(q_a_from_b);
+}
 
 /// Nearer than this to its singularity, in radians, a parametrisation is at it: its derivatives have no right
 /// digit left, and which of the attitude's numbers are which is rounding.
@@ -52,16 +116,15 @@ template <class X> std::string parameters_name(const char* action) {
 }
 template <class X, class S>
 [[noreturn, gnu::cold, gnu::noinline]] void refuse_singular(S distance, const char* action) {
-  throw BadInput(parameters_name<X>(action) + text(distance) + " rad from the singularity, " +
-                 X::singularity());
+  throw BadInput(parameters_name<X>(action) + text(select(distance < S(0), S(-distance), distance)) +
+                 " rad from the singularity, " + X::singularity());
 }
-/// `measure`, of either sign, is the distance from the singularity when that is small.
-template <class X> void require_regular(const typename X::scalar& measure, const char* action) {
-  using S = typename X::scalar;
-  if (!all(measure > singular_angle<S>() || measure < -singular_angle<S>())) {
-    const auto distance = without_derivatives(measure);
-    refuse_singular<X>(select(distance < 0, decltype(distance)(-distance), distance), action);
-  }
+/// Whether a distance from the singularity, of either sign, is beyond its roundings.
+template <class S> bool is_regular(const S& distance) {
+  return all(distance > singular_angle<S>() || distance < -singular_angle<S>());
+}
+template <class X> void require_regular(const typename X::scalar& distance, const char* action) {
+  if (!is_regular(distance)) refuse_singular<X>(without_derivatives(distance), action);
 }
 template <class X> void require_finite(const typename X::numbers& numbers, const char* door) {
   if (!all_finite(numbers)) {
@@ -76,7 +139,7 @@ template <class X> void require_finite(const typename X::numbers& numbers, const
 /// xdot_ab, the time derivative of the parameters x_ab; not parameters. In rad/s where they are angles, else
 /// in 1/s. Of X = EulerAngles, ModifiedRodrigues, GibbsVector, AxisAngle or RotationVector; made by
 /// rate(x_ab, w_ab_c), or from numbers by parameter_rate().
-template <detail::Parameters X> class ParameterRate {
+template <class X> class ParameterRate {
  public:
   using scalar = typename X::scalar;
 
@@ -93,7 +156,7 @@ template <detail::Parameters X> class ParameterRate {
 
 /// xddot_ab, the second time derivative of the parameters x_ab, in rad/s^2 or 1/s^2; made by
 /// second_rate(x_ab, w_ab_c, alpha_ab_c), or from numbers by second_parameter_rate().
-template <detail::Parameters X> class SecondParameterRate {
+template <class X> class SecondParameterRate {
  public:
   using scalar = typename X::scalar;
 
@@ -130,51 +193,26 @@ template <detail::Parameters X, class Derived>
 // What rate(x_ab, w_ab_c) is: the derivative of the parameters, the rate expressed in b or in a. Throws
 // BadInput at the singularity, and says how near.
 template <detail::Parameters X, class A, class B, class C, class S>
-  requires(std::same_as<AngularVelocity<A, B, In<C>, S>, detail::RateOf<X, C>>&& detail::OneOfItsFrames<X, C>)
-ParameterRate<X> attitude_rate(const X& x_ab, const AngularVelocity<A, B, In<C>, S>& w_ab_c) {
-  return {detail::trusted, detail::KinematicsIn<X, C>::rate(x_ab, w_ab_c.coordinates())};
-}
-
-/// The inverse of rate(): w_ab^c from the derivative of the parameters, c being b or a. At the singularity
-/// the rate is known all the same: any finite input is valid.
-template <detail::Parameters X, class C>
-  requires detail::OneOfItsFrames<X, C> detail::RateOf<X, C> angular_velocity(const X& x_ab,
-                                                                              const ParameterRate<X>& xdot_ab,
-                                                                              In<C>) {
-    return detail::RateOf<X, C>{detail::trusted,
-                                detail::KinematicsIn<X, C>::velocity(x_ab, xdot_ab.coordinates())};
+  requires std::same_as<AngularVelocity<A, B, In<C>, S>, detail::RateOf<X, C>> ParameterRate<X> attitude_rate(
+      const X& x_ab, const AngularVelocity<A, B, In<C>, S>& w_ab_c) {
+    using Kinematics = detail::KinematicsOf<X, std::same_as<C, B>>;
+    return {detail::trusted, Kinematics::rate(x_ab, w_ab_c.coordinates())};
   }
-template <detail::Parameters X, class Rate, class C>
-auto angular_velocity(  // angular_velocity(x_ab, xdot_ab, in<B>) or in<A>, xdot the rate of that x
-    const X&, const Rate&, const In<C>&) -> Refused = delete;
 
 /// xddot_ab, the second derivative of the parameters, from the rate and the angular acceleration, both
 /// expressed in b or both in a. Throws BadInput at the singularity, and says how near.
-template <detail::Parameters X, class A, class B, class C, class S>
-  requires(std::same_as<AngularVelocity<A, B, In<C>, S>, detail::RateOf<X, C>>&& detail::OneOfItsFrames<X, C>)
-SecondParameterRate<X> second_rate(const X& x_ab, const AngularVelocity<A, B, In<C>, S>& w_ab_c,
-                                   const AngularAcceleration<A, B, In<C>, S>& alpha_ab_c) {
-  using Kinematics = detail::KinematicsIn<X, C>;
-  const typename X::numbers xdot = Kinematics::rate(x_ab, w_ab_c.coordinates());
+template <class X, class A, class B, class C, class S>
+detail::SecondRateOf<X, AngularVelocity<A, B, In<C>, S>, C> second_rate(
+    const X& x_ab, const AngularVelocity<A, B, In<C>, S>& w_ab_c,
+    const AngularAcceleration<A, B, In<C>, S>& alpha_ab_c) {
+  using Kinematics = detail::KinematicsOf<X, std::same_as<C, B>>;
+  const auto& w = w_ab_c.coordinates();
   return {detail::trusted,
-          Kinematics::second_rate(x_ab, xdot, w_ab_c.coordinates(), alpha_ab_c.coordinates())};
+          Kinematics::second_rate(x_ab, Kinematics::rate(x_ab, w), w, alpha_ab_c.coordinates())};
 }
 template <class X, class Rate, class Acceleration>
 auto second_rate(  // second_rate(x_ab, w_ab_c, alpha_ab_c): both expressed in b, or both in a
     const X&, const Rate&, const Acceleration&) -> Refused = delete;
-
-/// The inverse of second_rate(): alpha_ab^c from both derivatives of the parameters, c being b or a. Any
-/// finite input is valid, at the singularity too.
-template <detail::Parameters X, class C>
-  requires detail::OneOfItsFrames<X, C> detail::AccelerationOf<X, C> angular_acceleration(
-      const X& x_ab, const ParameterRate<X>& xdot_ab, const SecondParameterRate<X>& xddot_ab, In<C>) {
-    return detail::AccelerationOf<X, C>{
-        detail::trusted,
-        detail::KinematicsIn<X, C>::acceleration(x_ab, xdot_ab.coordinates(), xddot_ab.coordinates())};
-  }
-template <detail::Parameters X, class Rate, class SecondRate, class C>
-auto angular_acceleration(  // angular_acceleration(x_ab, xdot_ab, xddot_ab, in<B>) or in<A>
-    const X&, const Rate&, const SecondRate&, const In<C>&) -> Refused = delete;
 
 namespace detail {
 

@@ -1,47 +1,31 @@
 #pragma once
 
-#include <vectrix/frames/dcm.hpp>
+#include <vectrix/kinematics/parameters.hpp>
 
 namespace vectrix {
-namespace detail {
-
-template <class C, class... Fs> inline constexpr bool is_one_of = (std::same_as<C, Fs> || ...);
-
-}  // namespace detail
 
 /// theta_ab, of type RotationVector<A, B>: angle times axis, rad. Turning a by it gives b; its coordinates
 /// are the same in a and in b, because the axis is. exp(theta_ab) is R_a_from_b.
-template <Frame A, Frame B, class S = double> class RotationVector {
+template <Frame A, Frame B, class S = double>
+class RotationVector : public detail::AttitudeParameters<RotationVector<A, B, S>, A, B, S, 3> {
  public:
-  using reference = A;
-  using turned = B;
-  using scalar = S;
-  using numbers = detail::Column<S>;
+  using detail::AttitudeParameters<RotationVector<A, B, S>, A, B, S, 3>::AttitudeParameters;
 
-  template <class Derived>
-  RotationVector(detail::Trusted, const Eigen::MatrixBase<Derived>& coordinates)
-      : coordinates_(coordinates) {}
-
-  const detail::Column<S>& coordinates() const& { return coordinates_; }
-  detail::Column<S> coordinates() && { return coordinates_; }
   /// The angle |theta|, and the vector expressed in a or in b.
   Quantity<si::angle, S> angle() const {
-    return Quantity<si::angle, S>::from_value(detail::scaled_norm(coordinates_));
+    return Quantity<si::angle, S>::from_value(detail::scaled_norm(this->coordinates()));
   }
-  Vector<A, si::angle, S> in_reference() const { return {detail::trusted, coordinates_}; }
-  Vector<B, si::angle, S> in_turned() const { return {detail::trusted, coordinates_}; }
+  Vector<A, si::angle, S> in_reference() const { return {detail::trusted, this->coordinates()}; }
+  Vector<B, si::angle, S> in_turned() const { return {detail::trusted, this->coordinates()}; }
 
   /// theta_ba = -theta_ab
-  RotationVector<B, A, S> operator-() const { return {detail::trusted, -coordinates_}; }
+  RotationVector<B, A, S> operator-() const { return {detail::trusted, -this->coordinates()}; }
 
   static const char* name() { return "rotation vector"; }
   static const char* singularity() { return "a full turn"; }
   static const char* unit_symbol(int derivative) {
     return derivative == 0 ? "rad" : derivative == 1 ? "rad/s" : "rad/s^2";
   }
-
- private:
-  detail::Column<S> coordinates_;
 };
 
 template <class A, class B, class S> inline constexpr bool detail::is_framed<RotationVector<A, B, S>> = true;
