@@ -157,7 +157,7 @@ Look look(const Graph& graph, const std::vector<OrbitSample>& samples, const Att
   const auto now = graph.at(epoch);
 
   const auto v_body = now.rotation(to<Body>, from<Itrf>) * orbit.velocity;
-  const auto R_body_from_orbit = now.rotation(to<Body>, from<Orbit>).matrix();
+  const auto attitude = euler_angles(intrinsic<3, 2, 1>, now.rotation(to<Orbit>, from<Body>));
   const auto w_gb_body = now.angular_velocity(of<Body>, relative_to<Gcrf>, in<Body>);
 
   const auto axis_itrf = now.rotation(to<Itrf>, from<Antenna>) * unit_x(in<Antenna>);
@@ -167,9 +167,9 @@ Look look(const Graph& graph, const std::vector<OrbitSample>& samples, const Att
 
   return {epoch,
           angle(unit_x(in<Body>), v_body),
-          degrees(std::atan2(R_body_from_orbit(1, 2), R_body_from_orbit(2, 2))),
-          degrees(-std::asin(R_body_from_orbit(0, 2))),
-          degrees(std::atan2(R_body_from_orbit(0, 1), R_body_from_orbit(0, 0))),
+          degrees(attitude.third().value()),
+          degrees(attitude.second().value()),
+          degrees(attitude.first().value()),
           w_gb_body.vector(),
           0.5 * (a.gyro_body + b.gyro_body),
           degrees(place.latitude.value()),
