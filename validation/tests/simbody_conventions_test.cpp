@@ -134,6 +134,18 @@ TEST(SimbodyRotation, ConstructionFromAMatrixRepairsItSilently) {
   EXPECT_EQ((Rotation(stretched, true).asMat33() - stretched).norm(), 0.0);  // the door that trusts
 }
 
+// Yaw and roll of a quarter turn, no pitch. About axes that turn along, x of the body ends along y; about
+// those of the ground it goes on to z. The columns of R_AB, and so of R_a_from_b, are the body's axes.
+TEST(SimbodyRotation, BodySequencesAreIntrinsicAndSpaceSequencesExtrinsic) {
+  const double quarter = SimTK::Pi / 2;
+  const Rotation body(SimTK::BodyRotationSequence, quarter, SimTK::ZAxis, 0.0, SimTK::YAxis, quarter,
+                      SimTK::XAxis);
+  EXPECT_LT((body.asMat33() - Mat33(0, 0, 1, 1, 0, 0, 0, 1, 0)).norm(), rounding);
+  const Rotation space(SimTK::SpaceRotationSequence, quarter, SimTK::ZAxis, 0.0, SimTK::YAxis, quarter,
+                       SimTK::XAxis);
+  EXPECT_LT((space.asMat33() - Mat33(0, -1, 0, 0, 0, -1, 1, 0, 0)).norm(), rounding);
+}
+
 SimbodyBody resting_body() {
   SimbodyBody body{};
   body.mass_kg = 3.0;
