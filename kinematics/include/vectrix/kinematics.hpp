@@ -8,6 +8,10 @@
 #include <vectrix/kinematics/dcm_rate.hpp>
 #include <vectrix/kinematics/derivative.hpp>
 #include <vectrix/kinematics/euler_rates.hpp>
+#include <vectrix/kinematics/attitude_sample.hpp>
+#include <vectrix/kinematics/dcm_rate.hpp>
+#include <vectrix/kinematics/derivative.hpp>
+#include <vectrix/kinematics/estimate_motion.hpp>
 #include <vectrix/kinematics/exp.hpp>
 #include <vectrix/kinematics/gibbs_vector.hpp>
 #include <vectrix/kinematics/hat.hpp>
@@ -21,11 +25,13 @@
 #include <vectrix/kinematics/observation.hpp>
 #include <vectrix/kinematics/quaternion.hpp>
 #include <vectrix/kinematics/rigid_edge.hpp>
+#include <vectrix/kinematics/rotation_spline.hpp>
 #include <vectrix/kinematics/rotation_vector.hpp>
 #include <vectrix/kinematics/screw.hpp>
 #include <vectrix/kinematics/screw_axis.hpp>
 #include <vectrix/kinematics/screw_jacobian.hpp>
 #include <vectrix/kinematics/screw_rate.hpp>
+#include <vectrix/kinematics/sampled_attitude.hpp>
 #include <vectrix/kinematics/slerp.hpp>
 #include <vectrix/kinematics/triad.hpp>
 #include <vectrix/kinematics/stumpff.hpp>
