@@ -5,6 +5,7 @@
 #include <vectrix/kinematics/angular_acceleration.hpp>
 #include <vectrix/kinematics/angular_velocity.hpp>
 #include <vectrix/kinematics/axis_angle.hpp>
+#include <vectrix/kinematics/coning.hpp>
 #include <vectrix/kinematics/dcm_rate.hpp>
 #include <vectrix/kinematics/derivative.hpp>
 #include <vectrix/kinematics/euler_rates.hpp>
@@ -20,6 +21,13 @@
 #include <vectrix/kinematics/log.hpp>
 #include <vectrix/kinematics/mean_rotation.hpp>
 #include <vectrix/kinematics/modified_rodrigues.hpp>
+#include <vectrix/kinematics/exponential_step.hpp>
+#include <vectrix/kinematics/group_runge_kutta.hpp>
+#include <vectrix/kinematics/gyro.hpp>
+#include <vectrix/kinematics/hat.hpp>
+#include <vectrix/kinematics/increment.hpp>
+#include <vectrix/kinematics/log.hpp>
+#include <vectrix/kinematics/magnus.hpp>
 #include <vectrix/kinematics/moving_dcm.hpp>
 #include <vectrix/kinematics/moving_transform.hpp>
 #include <vectrix/kinematics/observation.hpp>
