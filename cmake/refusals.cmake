@@ -20,11 +20,12 @@ set(kinematics_subjects
     "Angular acceleration|alpha_|unaccelerated_"
     "Rotations that move|dcm_rate_|moving_dcm_|accelerating_dcm_"
     "Quaternions and rotation vectors|quaternion_|nearest_quaternion_|slerp_|rotation_vector_|exp_"
+    "Steps on the group and gyro counts|increment_|exponential_step_|first_order_|magnus_|munthe_kaas_|commutator_free_|coning_|gyro_|angle_increment_"
     "The frame graph with motion|graph_|named_graph_"
     "Velocities and accelerations of points|.")
 set(dynamics_subjects
     "Inertia and mass properties|inertia_|momentum_|energy_|mass_properties_"
-    "Euler's equation|euler_|angular_acceleration_"
+    "Euler's equation|euler_|angular_acceleration_|torque_free_"
     "Torques|custom_torque_|pulse_|gravity_|torque_|moment_|wrench_|shift_"
     "Scenario and trajectory|.")
 
