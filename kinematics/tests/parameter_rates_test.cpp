@@ -85,9 +85,12 @@ TEST(AxisAngleRate, AtTheSingularityIsBadInputThatSaysHowNear) {
 TEST(AxisAngleRate, ItsDoorKeepsTheAxisAUnitVector) {
   const auto x = axis_angle_of(Eigen::Vector4d(1, 0, 1, 0));
   EXPECT_EQ(parameter_rate(x, Eigen::Vector4d(5, 1, 0, 2)).coordinates(), Eigen::Vector4d(5, 1, 0, 2));
-  const auto text = message<BadInput>([&] { parameter_rate(x, Eigen::Vector4d(5, 1, 0.25, 2)); });
-  EXPECT_TRUE(contains(text, "parameter_rate(angle and axis of ")) << text;
-  EXPECT_TRUE(contains(text, "the rate of the axis along the axis is 0.25 1/s")) << text;
+  for (const double along : {0.25, -0.25}) {
+    const auto text = message<BadInput>([&] { parameter_rate(x, Eigen::Vector4d(5, 1, along, 2)); });
+    EXPECT_TRUE(contains(text, "parameter_rate(angle and axis of ")) << text;
+    EXPECT_TRUE(contains(text, "the rate of the axis along the axis is " + detail::text(along) + " 1/s"))
+        << text;
+  }
 }
 
 // At no turn the parameters are a quarter and half of the rotation vector, and their rates of the rate.

@@ -1,6 +1,6 @@
 // mistake: the rates of 3-1-3 angles taken for those of 3-2-1 angles
-// expect: EulerAngles<(vectrix::)?Intrinsic<3, 2, 1>, Gcrf, Body
-// expect: ParameterRate<.*EulerAngles<(vectrix::)?Intrinsic<3, 1, 3>, Gcrf, Body
+// expect: Attitude = (vectrix::)?EulerAngles<(vectrix::)?Intrinsic<3, 2, 1>, Gcrf, Body
+// expect: Rate = (vectrix::)?ParameterRate<(vectrix::)?EulerAngles<(vectrix::)?Intrinsic<3, 1, 3>, Gcrf, Body
 // expect: xdot the rate of that x
 #include <vectrix/kinematics.hpp>
 

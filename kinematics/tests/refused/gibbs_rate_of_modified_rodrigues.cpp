@@ -1,6 +1,6 @@
 // mistake: the rate of modified Rodrigues parameters taken for that of a Gibbs vector
-// expect: GibbsVector<Gcrf, Body
-// expect: ParameterRate<.*ModifiedRodrigues<Gcrf, Body
+// expect: Attitude = (vectrix::)?GibbsVector<Gcrf, Body
+// expect: Rate = (vectrix::)?ParameterRate<(vectrix::)?ModifiedRodrigues<Gcrf, Body
 // expect: xdot the rate of that x
 #include <vectrix/kinematics.hpp>
 

@@ -1,5 +1,5 @@
 // mistake: an angular velocity given for the rates of Euler angles
-// expect: AngularVelocity<Gcrf, Body
+// expect: Rate = (vectrix::)?AngularVelocity<Gcrf, Body
 // expect: xdot the rate of that x
 #include <vectrix/kinematics.hpp>
 

@@ -120,27 +120,26 @@ auto axis_angle(const Rotation& R_a_from_b)
 /// Claims that the numbers, rad/s and then 1/s, are the derivative of angle and axis. Throws BadInput when
 /// one is not finite, or the axis would not stay a unit vector: n . n' = 0 to unit_norm_tolerance of |n'|.
 template <class A, class B, class S, class Derived>
-  requires std::same_as<typename Derived::PlainObject, Eigen::Matrix<S, 4, 1>>
-      ParameterRate<AxisAngle<A, B, S>> parameter_rate(const AxisAngle<A, B, S>& x_ab,
-                                                       const Eigen::MatrixBase<Derived>& numbers) {
-    using std::abs;
-    detail::require_finite<AxisAngle<A, B, S>>(numbers, "parameter_rate");
-    const detail::Column<S> ndot = numbers.template tail<3>();
-    const S along = x_ab.coordinates().template tail<3>().dot(ndot);
-    const double tolerance = detail::door_tolerance<S>(unit_norm_tolerance);
-    if (!detail::all(along <= S(tolerance) * ndot.cwiseAbs().maxCoeff())) {
-      throw BadInput(detail::parameters_name<AxisAngle<A, B, S>>("parameter_rate") +
-                     "the rate of the axis along the axis is " + detail::text(along) +
-                     " 1/s; a unit vector keeps its length");
-    }
-    return {detail::trusted, numbers};
+  requires(std::same_as<typename Derived::PlainObject, Eigen::Matrix<S, 4, 1>>)
+ParameterRate<AxisAngle<A, B, S>> parameter_rate(const AxisAngle<A, B, S>& x_ab,
+                                                 const Eigen::MatrixBase<Derived>& numbers) {
+  detail::require_finite<AxisAngle<A, B, S>>(numbers, "parameter_rate");
+  const detail::Column<S> ndot = numbers.template tail<3>();
+  const S along = x_ab.coordinates().template tail<3>().dot(ndot);
+  const S tolerance(detail::door_tolerance<S>(unit_norm_tolerance));
+  if (!detail::all(along * along <= tolerance * tolerance * ndot.squaredNorm())) {
+    throw BadInput(detail::parameters_name<AxisAngle<A, B, S>>("parameter_rate") +
+                   "the rate of the axis along the axis is " + detail::text(along) +
+                   " 1/s; a unit vector keeps its length");
   }
+  return {detail::trusted, numbers};
+}
 
 namespace detail {
 
 /// With the upper sign for a rate expressed in b, the lower for one in a:
 ///     phi' = n . w        n' = 1/2 (+- n x w + cot(phi/2) (w - n (n . w)))
-///     w = n phi' + sin phi n' -+ (1 - cos phi) n x n'                    (Hughes 1986, section 2.3)
+///     w = n phi' + sin phi n' -+ (1 - cos phi) n x n'
 /// and their derivatives.
 template <class A, class B, class S, bool expressed_in_turned>
 struct KinematicsOf<AxisAngle<A, B, S>, expressed_in_turned> {

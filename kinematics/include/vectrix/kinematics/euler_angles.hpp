@@ -5,7 +5,6 @@
 #include <vectrix/kinematics/parameters.hpp>
 
 namespace vectrix {
-
 namespace detail {
 
 /// R x, where R turns by the angle of cosine c and sine s about the axis; x a column, or a matrix of columns.

@@ -45,7 +45,7 @@ template <class X, class A, class B, class S, int count> class AttitudeParameter
     using Kinematics = KinematicsOf<X, std::same_as<C, B>>;
     return AngularVelocity<A, B, In<C>, S>{trusted, Kinematics::velocity(own(), xdot_ab.coordinates())};
   }
-  template <class Rate, class InFrame>
+  template <class Rate, class InFrame, class Attitude = X>
   auto angular_velocity(  // x_ab.angular_velocity(xdot_ab, in<B>) or in<A>; xdot the rate of that x
       const Rate&, const InFrame&) const -> Refused = delete;
 
@@ -58,7 +58,7 @@ template <class X, class A, class B, class S, int count> class AttitudeParameter
     return AngularAcceleration<A, B, In<C>, S>{
         trusted, Kinematics::acceleration(own(), xdot_ab.coordinates(), xddot_ab.coordinates())};
   }
-  template <class Rate, class SecondRate, class InFrame>
+  template <class Rate, class SecondRate, class InFrame, class Attitude = X>
   auto angular_acceleration(  // x_ab.angular_acceleration(xdot_ab, xddot_ab, in<B>) or in<A>
       const Rate&, const SecondRate&, const InFrame&) const -> Refused = delete;
 
@@ -177,27 +177,27 @@ template <class X> inline constexpr bool detail::is_framed<SecondParameterRate<X
 /// Claims that the bare numbers, in 1/s or rad/s, are the derivative of those of x_ab. Throws BadInput when
 /// one is not finite.
 template <detail::Parameters X, class Derived>
-  requires std::same_as<typename Derived::PlainObject, typename X::numbers> ParameterRate<X> parameter_rate(
-      const X&, const Eigen::MatrixBase<Derived>& numbers) {
-    detail::require_finite<X>(numbers, "parameter_rate");
-    return {detail::trusted, numbers};
-  }
+  requires(std::same_as<typename Derived::PlainObject, typename X::numbers>)
+ParameterRate<X> parameter_rate(const X&, const Eigen::MatrixBase<Derived>& numbers) {
+  detail::require_finite<X>(numbers, "parameter_rate");
+  return {detail::trusted, numbers};
+}
 /// The same of the second derivative, in 1/s^2 or rad/s^2.
 template <detail::Parameters X, class Derived>
-  requires std::same_as<typename Derived::PlainObject, typename X::numbers> SecondParameterRate<X>
-  second_parameter_rate(const X&, const Eigen::MatrixBase<Derived>& numbers) {
-    detail::require_finite<X>(numbers, "second_parameter_rate");
-    return {detail::trusted, numbers};
-  }
+  requires(std::same_as<typename Derived::PlainObject, typename X::numbers>)
+SecondParameterRate<X> second_parameter_rate(const X&, const Eigen::MatrixBase<Derived>& numbers) {
+  detail::require_finite<X>(numbers, "second_parameter_rate");
+  return {detail::trusted, numbers};
+}
 
 // What rate(x_ab, w_ab_c) is: the derivative of the parameters, the rate expressed in b or in a. Throws
 // BadInput at the singularity, and says how near.
 template <detail::Parameters X, class A, class B, class C, class S>
-  requires std::same_as<AngularVelocity<A, B, In<C>, S>, detail::RateOf<X, C>> ParameterRate<X> attitude_rate(
-      const X& x_ab, const AngularVelocity<A, B, In<C>, S>& w_ab_c) {
-    using Kinematics = detail::KinematicsOf<X, std::same_as<C, B>>;
-    return {detail::trusted, Kinematics::rate(x_ab, w_ab_c.coordinates())};
-  }
+  requires(std::same_as<AngularVelocity<A, B, In<C>, S>, detail::RateOf<X, C>>)
+ParameterRate<X> attitude_rate(const X& x_ab, const AngularVelocity<A, B, In<C>, S>& w_ab_c) {
+  using Kinematics = detail::KinematicsOf<X, std::same_as<C, B>>;
+  return {detail::trusted, Kinematics::rate(x_ab, w_ab_c.coordinates())};
+}
 
 /// xddot_ab, the second derivative of the parameters, from the rate and the angular acceleration, both
 /// expressed in b or both in a. Throws BadInput at the singularity, and says how near.
