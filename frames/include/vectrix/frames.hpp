@@ -10,6 +10,7 @@
 #include <vectrix/frames/errors.hpp>
 #include <vectrix/frames/frame.hpp>
 #include <vectrix/frames/graph.hpp>
+#include <vectrix/frames/instants.hpp>
 #include <vectrix/frames/level.hpp>
 #include <vectrix/frames/operators.hpp>
 #include <vectrix/frames/shift.hpp>

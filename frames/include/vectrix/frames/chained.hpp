@@ -16,8 +16,8 @@ template <class C, class U, class S> class RelativeVector {
 
   explicit RelativeVector(Trusted, const Vector<C, U, S>& vector) : vector_(vector) {}
   template <class Derived>
-  explicit RelativeVector(Trusted, const Eigen::MatrixBase<Derived>& coordinates)
-      : vector_(trusted, coordinates) {}
+  explicit RelativeVector(Trusted key, const Eigen::MatrixBase<Derived>& coordinates)
+      : vector_(key, coordinates) {}
 
   const Vector<C, U, S>& vector() const& { return vector_; }
   Vector<C, U, S> vector() && { return vector_; }

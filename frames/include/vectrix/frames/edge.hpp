@@ -8,6 +8,22 @@
 
 namespace vectrix {
 
+namespace detail {
+
+/// An instant that is a quantity, under the short name of its unit: the compiler's messages stay readable.
+template <Unit U, class S> struct QuantityInstant {
+  Quantity<U, S> value;
+  operator const Quantity<U, S>&() const { return value; }
+};
+template <Unit U, class S> const S& number_in(const QuantityInstant<U, S>& instant) {
+  return instant.value.value();
+}
+template <Unit U, class S> const char* unit_in(const QuantityInstant<U, S>&) {
+  return std::is_same_v<U, si::time> ? " s" : "";
+}
+
+}  // namespace detail
+
 /// An edge of a frame graph whose value never changes.
 template <EdgeValue V> class ConstantEdge {
  public:
@@ -15,7 +31,7 @@ template <EdgeValue V> class ConstantEdge {
 
   template <class Instant> static constexpr bool takes = true;
 
-  explicit ConstantEdge(const V& value) : value_(value) {}
+  explicit ConstantEdge(const V& value) : value_(without_instant(value)) {}
   const V& value() const& { return value_; }
   V value() && { return value_; }
 

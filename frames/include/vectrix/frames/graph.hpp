@@ -24,12 +24,6 @@ template <class Given> struct NotAnEdge {};
 
 namespace detail {
 
-/// An instant that is a quantity, under the short name of its unit: the compiler's messages stay readable.
-template <Unit U, class S> struct QuantityInstant {
-  Quantity<U, S> value;
-  operator const Quantity<U, S>&() const { return value; }
-};
-
 template <class Instant> struct InstantType : std::type_identity<Instant> {};
 template <class BoostUnit, class S>
 struct InstantType<AnyQuantity<BoostUnit, S>> : std::type_identity<QuantityInstant<unit_tag<BoostUnit>, S>> {

@@ -2,6 +2,7 @@
 
 #include <type_traits>
 #include <utility>
+#include <vectrix/frames/instants.hpp>
 
 namespace vectrix {
 
@@ -73,7 +74,8 @@ template <class... Operands> inline constexpr bool any_framed = (is_framed<Opera
 // An unnamed operand stays one: a chain of rotations applies itself otherwise.
 template <class Left, class Right>
 [[gnu::always_inline]] inline detail::ProductOf<Left, Right> operator*(Left&& left, Right&& right) {
-  return product(std::forward<Left>(left), std::forward<Right>(right));
+  return VECTRIX_OF_ONE_INSTANT("product", product(std::forward<Left>(left), std::forward<Right>(right)),
+                                left, right);
 }
 template <class Left, class Right>
   requires(detail::FramedPair<Left, Right> && !detail::Lawful<detail::ProductOf, Left, Right>)
@@ -82,7 +84,7 @@ auto operator*(  // the inner frames cancel: R_c_from_b * R_b_from_a * r_a, J_b 
 
 template <class Left, class Right>
 detail::QuotientOf<Left, Right> operator/(const Left& left, const Right& right) {
-  return quotient(left, right);
+  return VECTRIX_OF_ONE_INSTANT("quotient", quotient(left, right), left, right);
 }
 template <class Left, class Right>
   requires(detail::FramedPair<Left, Right> && !detail::Lawful<detail::QuotientOf, Left, Right>)
@@ -90,7 +92,7 @@ auto operator/(const Left&, const Right&) -> Refused = delete;  // a vector over
 
 template <class Left, class Right>
 detail::SumOf<Left, Right> operator+(const Left& left, const Right& right) {
-  return sum(left, right);
+  return VECTRIX_OF_ONE_INSTANT("sum", sum(left, right), left, right);
 }
 template <class Left, class Right>
   requires(detail::FramedPair<Left, Right> && !detail::Lawful<detail::SumOf, Left, Right>)
@@ -100,7 +102,7 @@ auto operator+(  // one frame and one unit: r_a + s_a, w_ab_c + w_bd_c
 // The unary minus is a member of its types, or deleted in them: no candidate of other types' differences.
 template <class Left, class Right>
 detail::DifferenceOf<Left, Right> operator-(const Left& left, const Right& right) {
-  return difference(left, right);
+  return VECTRIX_OF_ONE_INSTANT("difference", difference(left, right), left, right);
 }
 template <class Left, class Right>
   requires(detail::FramedPair<Left, Right> && !detail::Lawful<detail::DifferenceOf, Left, Right>)
@@ -111,7 +113,7 @@ auto operator-(  // one frame and one unit: r_a - s_a, w_ab_c + -w_db_c
 // not: w_ab_c + w_bd_c is w_ad_c.
 template <class Left, class Right>
 detail::InPlace<detail::SumOf<Left, Right>, Left> operator+=(Left& left, const Right& right) {
-  return left = sum(left, right);
+  return left = VECTRIX_OF_ONE_INSTANT("sum", sum(left, right), left, right);
 }
 template <class Left, class Right>
   requires(detail::is_framed<Left> && !detail::LawfulInPlace<detail::SumOf, Left, Right>)
@@ -120,7 +122,7 @@ auto operator+=(  // a sum of the same type: r_a += s_a; a chain is another, w_a
 
 template <class Left, class Right>
 detail::InPlace<detail::DifferenceOf<Left, Right>, Left> operator-=(Left& left, const Right& right) {
-  return left = difference(left, right);
+  return left = VECTRIX_OF_ONE_INSTANT("difference", difference(left, right), left, right);
 }
 template <class Left, class Right>
   requires(detail::is_framed<Left> && !detail::LawfulInPlace<detail::DifferenceOf, Left, Right>)
@@ -128,7 +130,7 @@ auto operator-=(Left&, const Right&) -> Refused = delete;  // a difference of th
 
 template <class Left, class Right>
 detail::InPlace<detail::ProductOf<Left, Right>, Left> operator*=(Left& left, const Right& right) {
-  return left = product(left, right);
+  return left = VECTRIX_OF_ONE_INSTANT("product", product(left, right), left, right);
 }
 template <class Left, class Right>
   requires(detail::is_framed<Left> && !detail::LawfulInPlace<detail::ProductOf, Left, Right>)
@@ -136,7 +138,7 @@ auto operator*=(Left&, const Right&) -> Refused = delete;  // a product of the s
 
 template <class Left, class Right>
 detail::InPlace<detail::QuotientOf<Left, Right>, Left> operator/=(Left& left, const Right& right) {
-  return left = quotient(left, right);
+  return left = VECTRIX_OF_ONE_INSTANT("quotient", quotient(left, right), left, right);
 }
 template <class Left, class Right>
   requires(detail::is_framed<Left> && !detail::LawfulInPlace<detail::QuotientOf, Left, Right>)
@@ -144,7 +146,7 @@ auto operator/=(Left&, const Right&) -> Refused = delete;  // a quotient of the 
 
 /// r . s, in the exact product of the units: F . v is a power, tau . w too, and w . H an energy.
 template <class Left, class Right> detail::DotOf<Left, Right> dot(const Left& left, const Right& right) {
-  return dot_product(left, right);
+  return VECTRIX_OF_ONE_INSTANT("dot_product", dot_product(left, right), left, right);
 }
 template <class Left, class Right>
   requires(detail::FramedPair<Left, Right> && !detail::Lawful<detail::DotOf, Left, Right>)
@@ -152,7 +154,7 @@ auto dot(const Left&, const Right&) -> Refused = delete;  // r_a . s_a: two vect
 
 /// r x s, the radian counting as 1: r x F is a torque, w x r a velocity, w x H a torque.
 template <class Left, class Right> detail::CrossOf<Left, Right> cross(const Left& left, const Right& right) {
-  return cross_product(left, right);
+  return VECTRIX_OF_ONE_INSTANT("cross_product", cross_product(left, right), left, right);
 }
 template <class Left, class Right>
   requires(detail::FramedPair<Left, Right> && !detail::Lawful<detail::CrossOf, Left, Right>)

@@ -14,13 +14,15 @@ using DerivativeOf = decltype(attitude_rate(std::declval<const Rotation&>(), std
 
 /// Rdot_b^a, `Rdot_a_from_b`, of type DcmRate<A, B>: the time derivative of R_b^a, 1/s. Not a rotation, and
 /// not convertible to one.
-template <Frame A, Frame B, class S = double> class DcmRate {
+template <Frame A, Frame B, class S = double> class VECTRIX_QUANTITY DcmRate : public detail::Stamped {
  public:
   template <class Derived>
-  DcmRate(detail::Trusted, const Eigen::MatrixBase<Derived>& matrix) : matrix_(matrix) {}
+  DcmRate(detail::Trusted key, const Eigen::MatrixBase<Derived>& matrix)
+      : detail::Stamped(key), matrix_(matrix) {}
   template <class First, class Second, class Third>
-  DcmRate(detail::Trusted, const Eigen::MatrixBase<First>& first_column,
-          const Eigen::MatrixBase<Second>& second_column, const Eigen::MatrixBase<Third>& third_column) {
+  DcmRate(detail::Trusted key, const Eigen::MatrixBase<First>& first_column,
+          const Eigen::MatrixBase<Second>& second_column, const Eigen::MatrixBase<Third>& third_column)
+      : detail::Stamped(key) {
     matrix_.col(0) = first_column;
     matrix_.col(1) = second_column;
     matrix_.col(2) = third_column;
@@ -61,7 +63,7 @@ inline DcmRate<A, B, S> attitude_rate(const Dcm<A, B, S>& R_a_from_b,
 template <class A, class B, class Derived, class S>
 DcmRate<A, B, S> dcm_rate(const Dcm<A, B, S>& R_a_from_b, const Eigen::MatrixBase<Derived>& matrix) {
   vee(R_a_from_b.matrix().transpose() * matrix);
-  return {detail::trusted, matrix};
+  return {detail::trusted_like(R_a_from_b), matrix};
 }
 
 /// The inverse of rate(): w_ab^b = vee(R^T Rdot) in b, w_ab^a = vee(Rdot R^T) in a, for R = R_b^a.
@@ -73,7 +75,8 @@ AngularVelocity<A, B, In<C>, S> angular_velocity(const Dcm<A, B, S>& R_a_from_b,
   const auto& R = R_a_from_b.matrix();
   const auto& Rdot = Rdot_a_from_b.matrix();
   const detail::Column<S> w = std::same_as<C, B> ? vee(R.transpose() * Rdot) : vee(Rdot * R.transpose());
-  return AngularVelocity<A, B, In<C>, S>{detail::trusted, vector<si::angular_velocity>(in<C>, w)};
+  return AngularVelocity<A, B, In<C>, S>{detail::trusted_like(R_a_from_b, Rdot_a_from_b),
+                                         vector<si::angular_velocity>(in<C>, w).coordinates()};
 }
 
 // Rdot_b^a r^b, the part of d/dt (R_b^a r^b) that the turning of b makes.
@@ -84,10 +87,10 @@ Vector<A, unit_of_vector_quotient<U, si::time>, S> product(const DcmRate<A, B, S
 }
 
 /// The time derivative of q_b^a, four numbers, 1/s; not a rotation.
-template <Frame A, Frame B, class S = double> class QuaternionRate {
+template <Frame A, Frame B, class S = double> class VECTRIX_QUANTITY QuaternionRate : public detail::Stamped {
  public:
   template <detail::Makes<Eigen::Quaternion<S>> Make>
-  QuaternionRate(detail::Trusted, const Make& make) : value_(make()) {}
+  QuaternionRate(detail::Trusted key, const Make& make) : detail::Stamped(key), value_(make()) {}
 
   const Eigen::Quaternion<S>& eigen() const& { return value_; }
   Eigen::Quaternion<S> eigen() && { return value_; }
@@ -121,7 +124,7 @@ inline QuaternionRate<A, B, S> attitude_rate(const Quaternion<A, B, S>& q_a_from
 template <class Rotation, class Rate>
 [[gnu::always_inline]] inline detail::DerivativeOf<Rotation, Rate> rate(const Rotation& rotation,
                                                                         const Rate& omega) {
-  return attitude_rate(rotation, omega);
+  return VECTRIX_OF_ONE_INSTANT("rate", attitude_rate(rotation, omega), rotation, omega);
 }
 template <class Rotation, class Rate>
   requires(detail::FramedPair<Rotation, Rate> && !detail::Lawful<detail::DerivativeOf, Rotation, Rate>)

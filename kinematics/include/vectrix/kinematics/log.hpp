@@ -41,7 +41,7 @@ template <class A, class B, class S> RotationVector<A, B, S> log(const Quaternio
   if (const auto small = square < S(1e-4); !detail::all(small)) {
     factor = select(small, factor, detail::turn_factor(scalar, square));
   }
-  return {detail::trusted, select<S>(flipped, -factor, factor) * v};
+  return {detail::trusted_like(q_a_from_b), select<S>(flipped, -factor, factor) * v};
 }
 
 /// log of a DCM, by way of its quaternion; the same range, accuracy and choice of axis.

@@ -22,7 +22,8 @@ using InOneOf = std::enable_if_t<is_one_of<C, A, B>, Result>;
 
 /// x_ab, parameters of the attitude of b relative to a: turning a by them gives b, dcm(x_ab) is R_a_from_b.
 /// The base of their class X.
-template <class X, class A, class B, class S, int count> class AttitudeParameters {
+template <class X, class A, class B, class S, int count>
+class VECTRIX_QUANTITY AttitudeParameters : public Stamped {
  public:
   using reference = A;
   using turned = B;
@@ -31,7 +32,8 @@ template <class X, class A, class B, class S, int count> class AttitudeParameter
 
   AttitudeParameters() = delete;
   template <class Derived>
-  AttitudeParameters(Trusted, const Eigen::MatrixBase<Derived>& values) : numbers_(values) {}
+  AttitudeParameters(Trusted key, const Eigen::MatrixBase<Derived>& values)
+      : Stamped(key), numbers_(values) {}
 
   /// The bare numbers.
   const numbers& coordinates() const& { return numbers_; }

@@ -16,16 +16,17 @@ inline constexpr double unit_norm_tolerance = 1e-9;
 ///     2.  q_a^c = q_b^c q_a^b               q_c_from_b * q_b_from_a
 ///     3.  q and -q are the same rotation
 /// Made from numbers only by doors that name the place of the scalar.
-template <Frame ToFrame, Frame FromFrame, class S = double> class Quaternion {
+template <Frame ToFrame, Frame FromFrame, class S = double>
+class VECTRIX_QUANTITY Quaternion : public detail::Stamped {
  public:
   using to = ToFrame;
   using from = FromFrame;
 
   Quaternion() = delete;
   Quaternion(S, S, S, S) = delete;  // where is the scalar? quaternion_scalar_first(), _last()
-  Quaternion(detail::Trusted, const Eigen::Quaternion<S>& value) : value_(value) {}
+  Quaternion(detail::Trusted key, const Eigen::Quaternion<S>& value) : detail::Stamped(key), value_(value) {}
   template <detail::Makes<Eigen::Quaternion<S>> Make>
-  Quaternion(detail::Trusted, const Make& make) : value_(make()) {}
+  Quaternion(detail::Trusted key, const Make& make) : detail::Stamped(key), value_(make()) {}
 
   /// The bare quaternion; Eigen stores the scalar last and constructs with the scalar first.
   const Eigen::Quaternion<S>& eigen() const& { return value_; }
@@ -139,12 +140,12 @@ Vector<B, U, S> product(const Quaternion<B, A, S>& q_b_from_a, const Vector<A, U
 }
 
 template <class B, class A, class S> Quaternion<A, B, S> inverse(const Quaternion<B, A, S>& q_b_from_a) {
-  return {detail::trusted, q_b_from_a.eigen().conjugate()};
+  return {detail::trusted_like(q_b_from_a), q_b_from_a.eigen().conjugate()};
 }
 
 /// R_a^b of q_a^b: entries such as 1 - 2 (y^2 + z^2) and 2 (x y - w z).
 template <class B, class A, class S> Dcm<B, A, S> dcm(const Quaternion<B, A, S>& q_b_from_a) {
-  return {detail::trusted, q_b_from_a.eigen().toRotationMatrix()};
+  return {detail::trusted_like(q_b_from_a), q_b_from_a.eigen().toRotationMatrix()};
 }
 
 namespace detail {
@@ -215,7 +216,7 @@ template <Batch S> [[gnu::always_inline]] inline QuaternionMultiple<S> largest_m
 /// rotation: the largest of the four components is taken from the diagonal (Shepperd 1978), the others by
 /// division.
 template <class B, class A, class S> Quaternion<B, A, S> quaternion(const Dcm<B, A, S>& R_b_from_a) {
-  return {detail::trusted, detail::largest_multiple<S>(R_b_from_a.matrix()).unit()};
+  return {detail::trusted_like(R_b_from_a), detail::largest_multiple<S>(R_b_from_a.matrix()).unit()};
 }
 
 template <class B, class A, class S>

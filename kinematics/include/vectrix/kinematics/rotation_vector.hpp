@@ -7,7 +7,8 @@ namespace vectrix {
 /// theta_ab, of type RotationVector<A, B>: angle times axis, rad. Turning a by it gives b; its coordinates
 /// are the same in a and in b, because the axis is. exp(theta_ab) is R_a_from_b.
 template <Frame A, Frame B, class S = double>
-class RotationVector : public detail::AttitudeParameters<RotationVector<A, B, S>, A, B, S, 3> {
+class VECTRIX_QUANTITY RotationVector
+    : public detail::AttitudeParameters<RotationVector<A, B, S>, A, B, S, 3> {
  public:
   using detail::AttitudeParameters<RotationVector<A, B, S>, A, B, S, 3>::AttitudeParameters;
 
@@ -15,11 +16,11 @@ class RotationVector : public detail::AttitudeParameters<RotationVector<A, B, S>
   Quantity<si::angle, S> angle() const {
     return Quantity<si::angle, S>::from_value(detail::scaled_norm(this->coordinates()));
   }
-  Vector<A, si::angle, S> in_reference() const { return {detail::trusted, this->coordinates()}; }
-  Vector<B, si::angle, S> in_turned() const { return {detail::trusted, this->coordinates()}; }
+  Vector<A, si::angle, S> in_reference() const { return {detail::trusted_like(*this), this->coordinates()}; }
+  Vector<B, si::angle, S> in_turned() const { return {detail::trusted_like(*this), this->coordinates()}; }
 
   /// theta_ba = -theta_ab
-  RotationVector<B, A, S> operator-() const { return {detail::trusted, -this->coordinates()}; }
+  RotationVector<B, A, S> operator-() const { return {detail::trusted_like(*this), -this->coordinates()}; }
 
   static const char* name() { return "rotation vector"; }
   static const char* singularity() { return "a full turn"; }
@@ -35,7 +36,7 @@ template <Frame B, Frame A, class C, class S>
   requires(detail::is_one_of<C, A, B>)
 detail::OfTwo<B, A, RotationVector<A, B, S>> rotation_vector(Of<B>, RelativeTo<A>,
                                                              const Vector<C, si::angle, S>& theta) {
-  return {detail::trusted, theta.coordinates()};
+  return {detail::trusted_like(theta), theta.coordinates()};
 }
 template <class OfFrame, class RelativeFrame, class VectorIn, class UnitGiven, class S>
   requires(std::same_as<OfFrame, RelativeFrame> || !detail::is_one_of<VectorIn, OfFrame, RelativeFrame> ||
