@@ -83,6 +83,19 @@ TEST(ScenarioTorque, is_the_sum_of_all) {
             1e-12);
 }
 
+// g++ 12 once failed on these, with an internal error.
+TEST(ScenarioTorque, may_be_written_in_the_braces_of_its_scenario) {
+  const auto spring = [](const BodyState& state) { return torque_body(state.time.value(), 0.0, 0.0); };
+  const std::vector<BodyScenario> scenarios = {
+      {.inertia = body().inertia, .initial = body().initial, .torques = {{spring}}},
+      {.inertia = body().inertia, .initial = body().initial}};
+  EXPECT_EQ(torque_at(scenarios[0], 3.0), Vector3d(3.0, 0.0, 0.0));
+  EXPECT_TRUE(scenarios[0].torques[0].discontinuities.empty());
+  EXPECT_TRUE(scenarios[1].torque_free());
+  const std::vector<BodyPropagation> propagations = {{.end = seconds(1.0)}};
+  EXPECT_TRUE(propagations[0].output_times.empty() && propagations[0].roots.empty());
+}
+
 TEST(ScenarioTorque, a_gradient_without_orbit_is_refused) {
   BodyScenario scenario = body();
   scenario.gravity_gradient = true;

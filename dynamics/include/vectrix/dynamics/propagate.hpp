@@ -37,6 +37,7 @@ template <InertialFrame I, Frame B> struct Propagation {
   Tolerances tolerances = {};
   std::vector<Quantity<si::time>> output_times = {};
   std::vector<Root<I, B>> roots = {};
+  static_assert(detail::may_be_left_out<Root<I, B>>);
   std::size_t max_steps = 10'000'000;
   Quantity<si::time> maximum_step = std::numeric_limits<double>::infinity() * si::second;
 };

@@ -21,6 +21,11 @@ struct ReturnedOf<Function, Argument> : std::invoke_result<Function, const Argum
 };
 template <class Function, class Argument> using Returned = typename ReturnedOf<Function, Argument>::type;
 
+/// True, and asked where an aggregate has a list that is empty by default: g++ 12 must know it, or fails with
+/// an internal error when the aggregate is written inside the braces of another.
+template <class T>
+inline constexpr bool may_be_left_out = std::is_nothrow_default_constructible_v<std::vector<T>>;
+
 }  // namespace detail
 
 /// A torque constant in body axes that acts for start <= t < stop.
@@ -46,6 +51,7 @@ struct TorqueFunction : std::function<Vector<B, si::torque>(const State<I, B>&)>
 template <InertialFrame I, Frame B> struct CustomTorque {
   TorqueFunction<I, B> torque_b;
   std::vector<Quantity<si::time>> discontinuities = {};
+  static_assert(detail::may_be_left_out<Quantity<si::time>>);
 };
 
 /// What happens to one rigid body: everything that a propagation, or another engine, needs to know.
@@ -57,6 +63,7 @@ template <InertialFrame I, Frame B> struct Scenario {
   bool gravity_gradient = false;
   std::vector<PulseTorque<B>> pulses = {};
   std::vector<CustomTorque<I, B>> torques = {};
+  static_assert(detail::may_be_left_out<PulseTorque<B>> && detail::may_be_left_out<CustomTorque<I, B>>);
 
   bool torque_free() const { return !gravity_gradient && pulses.empty() && torques.empty(); }
 };
