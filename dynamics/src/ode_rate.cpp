@@ -6,6 +6,8 @@
 
 #include <vectrix/frames/errors.hpp>
 
+#include "ode_check.hpp"
+
 namespace vectrix::ode {
 
 Rate::Rate(const Problem& problem)
@@ -42,8 +44,9 @@ void Rate::evaluate(double t, std::span<const double> y, std::span<double> ydot)
   problem_.rhs(segment_start_, t, y, ydot);
   const auto wrong = std::ranges::find_if(ydot, [](double rate) { return !std::isfinite(rate); });
   if (wrong != ydot.end()) {
-    trouble_ = "component " + vectrix::detail::text(wrong - ydot.begin()) + " of the right-hand side is " +
-               vectrix::detail::text(*wrong) + " at t = " + vectrix::detail::text(t);
+    trouble_ = component(problem_, static_cast<std::size_t>(wrong - ydot.begin())) +
+               " of the right-hand side is " + vectrix::detail::text(*wrong) +
+               " at t = " + vectrix::detail::text(t);
     return;
   }
   std::ranges::copy(y, last_state_.begin());

@@ -171,7 +171,7 @@ void Run::fail(const Trouble& trouble) {
   if (!record.segments.empty() && record.segments.back() == record.times.size()) record.segments.pop_back();
   roots_.resolve_what_can_be(record);
   fill_outputs();
-  std::string message = "ode::solve: failed at t = " + text(trouble.time) + " after " +
+  std::string message = problem_.caller + ": failed at t = " + text(trouble.time) + " after " +
                         text(record.statistics.steps) + " steps with flag " + text(trouble.flag) + " (" +
                         stepper_->flag_name(trouble.flag) + "): " + trouble.text;
   const auto failure = [&] {

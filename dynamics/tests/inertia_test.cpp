@@ -188,6 +188,12 @@ TEST(Euler, a_spin_about_a_principal_axis_stays) {
   }
 }
 
+/// Euler's equation divides by the moments.
+TEST(InertiaDoor, refuses_moments_whose_inverse_is_not_a_number) {
+  expect_bad_input([] { tensor(1e308, 1e308, 1e308); }, " kg m^2 are too large to be divided by");
+  expect_bad_input([] { tensor(1e-310, 1e-310, 1e-310); }, " kg m^2 are too small to be divided by");
+}
+
 /// With no rate, J alpha is the torque.
 TEST(Inertia, times_alpha_is_the_torque_at_rest) {
   const auto J = tensor(3.0, 4.0, 5.0);

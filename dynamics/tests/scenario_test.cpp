@@ -174,7 +174,8 @@ TEST(RefusedPropagation, tolerances_that_are_not_positive) {
 }
 
 TEST(RefusedPropagation, times_that_make_no_sense) {
-  expect_refused_propagation([](auto& how) { how.end = seconds(nan); }, "end must be finite, got nan");
+  expect_refused_propagation([](auto& how) { how.end = seconds(nan); },
+                             "propagate: end must be finite, got nan");
   expect_refused_propagation([](auto& how) { how.end = seconds(infinity); }, "end must be finite, got inf");
   expect_refused_propagation([](auto& how) { how.end = seconds(-1.0); },
                              "end = -1 must be later than start = 0");
@@ -189,7 +190,7 @@ TEST(RefusedPropagation, times_that_make_no_sense) {
       [](auto& how) {
         how.output_times = {seconds(0.5), seconds(1.5)};
       },
-      "output time 1.5 is outside [0, 1]");
+      "propagate: output time 1.5 is outside [0, 1]");
   expect_refused_propagation([](auto& how) { how.maximum_step = seconds(0.0); },
                              "maximum_step must be greater than 0, got 0");
   expect_refused_propagation([](auto& how) { how.max_steps = 0; }, "max_steps must be greater than 0");

@@ -73,7 +73,10 @@ TEST(Trajectory, answers_nothing_outside_its_span) {
   EXPECT_EQ(trajectory.start(), seconds(0.0));
   EXPECT_EQ(trajectory.end(), seconds(10.0));
   for (const double t : {std::nextafter(0.0, -1.0), std::nextafter(10.0, 11.0), std::nan("")}) {
-    expect_bad_input([&] { (void)trajectory.at(seconds(t)); }, "is outside [0, 10]");
+    expect_bad_input(
+        [&] { (void)trajectory.at(seconds(t)); },
+        "Trajectory of " + frame_name<Body>() + " relative to " + frame_name<Gcrf>() + ": the time ");
+    expect_bad_input([&] { (void)trajectory.at(seconds(t)); }, " s is outside [0, 10] s");
   }
   expect_bad_input([&] { (void)trajectory.node(trajectory.node_count()); }, "no node with index");
 }
@@ -231,7 +234,8 @@ TEST(Failure, of_a_torque_that_is_not_finite) {
     const auto found = failure(scenario, until(10.0));
     EXPECT_GT(found.time(), 5.0);
     expect_trajectory_until(found.trajectory(), 5.0);
-    expect_said(found, "component 4 of the right-hand side is ");
+    expect_said(found, "propagate: failed at t = ");
+    expect_said(found, "w_ib_b.x of the right-hand side is ");
   }
 }
 

@@ -162,7 +162,7 @@ TEST(Quaternion, TheProjectionOfTinyAndHugeNumbersIsAUnitQuaternion) {
   EXPECT_TRUE(contains(message<BadInput>([] {
                          nearest_quaternion_scalar_first(to<Body>, from<Gcrf>, 1e308, 1e308, 1e308, 1e308);
                        }),
-                       "the norm is inf"));
+                       "the norm is inf; the numbers are too large"));
 }
 
 }  // namespace

@@ -110,7 +110,8 @@ template <class J, class S> J checked_inertia(const char* door, const Square<S>&
   const J inertia{trusted, tensor};
   if constexpr (requires { inertia.inverse_matrix(); }) {
     if (!inertia.inverse_matrix().allFinite()) {
-      throw BadInput(place + "the principal moments " + listed + " are too small to be divided by");
+      throw BadInput(place + "the principal moments " + listed + " are too " +
+                     (moments(2) > S(1) ? "large" : "small") + " to be divided by");
     }
   }
   return inertia;

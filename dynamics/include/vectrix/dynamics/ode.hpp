@@ -50,6 +50,8 @@ struct Problem {
   Method method = Method::cvode_adams;
   std::size_t max_steps = 10'000'000;
   double maximum_step = std::numeric_limits<double>::infinity();
+  std::string caller = "ode::solve";         ///< who asks, for messages
+  std::vector<std::string> component_names;  ///< for messages: none, or one for each component
 };
 
 /// A run that could not be finished. `solution()` is everything computed until then. When the right-hand side

@@ -117,6 +117,8 @@ Trajectory<I, B> propagate(const Scenario<I, B>& scenario, const Propagation<I, 
   problem.method = how.method;
   problem.max_steps = how.max_steps;
   problem.maximum_step = how.maximum_step.value();
+  problem.caller = "propagate";
+  problem.component_names = layout.names();
   problem.rhs = [&](double segment_start, double t, std::span<const double> y, std::span<double> ydot) {
     layout.derivative(scenario, segment_start, t, y, ydot);
   };

@@ -2,6 +2,8 @@
 
 #include <cstddef>
 #include <span>
+#include <string>
+#include <vector>
 #include <vectrix/dynamics/scenario.hpp>
 #include <vectrix/frames/dcm_doors.hpp>
 #include <vectrix/kinematics/dcm_rate.hpp>
@@ -23,6 +25,19 @@ template <InertialFrame I, Frame B> class StateLayout {
 
   std::size_t attitude_size() const { return attitude_ == AttitudeState::quaternion ? 4 : 9; }
   std::size_t size() const { return attitude_size() + (orbit_ ? 9 : 3); }
+
+  /// What the numbers are called in messages.
+  std::vector<std::string> names() const {
+    std::vector<std::string> names{"w_ib_b.x", "w_ib_b.y", "w_ib_b.z"};
+    if (attitude_ == AttitudeState::quaternion) {
+      names.insert(names.begin(), {"q_i_from_b.w", "q_i_from_b.x", "q_i_from_b.y", "q_i_from_b.z"});
+    } else {
+      for (std::size_t entry = 9; entry-- > 0;)
+        names.insert(names.begin(), "R_i_from_b(" + text(entry % 3 + 1) + ", " + text(entry / 3 + 1) + ")");
+    }
+    if (orbit_) names.insert(names.end(), {"r_i.x", "r_i.y", "r_i.z", "v_i.x", "v_i.y", "v_i.z"});
+    return names;
+  }
 
   std::vector<double> pack(const State<I, B>& state) const {
     std::vector<double> y(size());

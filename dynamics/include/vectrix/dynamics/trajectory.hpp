@@ -30,6 +30,11 @@ template <InertialFrame I, Frame B> class Trajectory {
 
   /// The state at any time in [start, end]. Throws BadInput outside.
   State<I, B> at(const Quantity<si::time>& time) const {
+    if (node_count() > 0 && !(time >= start() && time <= end())) {
+      throw BadInput("Trajectory of " + frame_name<B>() + " relative to " + frame_name<I>() + ": the time " +
+                     detail::text(time.value()) + " s is outside [" + detail::text(start().value()) + ", " +
+                     detail::text(end().value()) + "] s");
+    }
     return layout_.unpack(time.value(), solution_.at(time.value()));
   }
 

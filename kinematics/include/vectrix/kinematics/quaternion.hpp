@@ -57,7 +57,7 @@ template <class B, class A, class S> S checked_norm(const Eigen::Quaternion<S>& 
   const S norm = scaled_norm(q.coeffs());
   if (!all(norm > S(0)) || !all(norm - norm == S(0))) {
     throw BadInput(quaternion_door<B, A>(door) + "the norm is " + text(norm) +
-                   "; a zero quaternion turns nothing");
+                   (all(norm > S(0)) ? "; the numbers are too large" : "; a zero quaternion turns nothing"));
   }
   return norm;
 }
