@@ -163,14 +163,6 @@ TEST(GroupRungeKutta, TakesRatesOfTheTimeAndLongSteps) {
   EXPECT_LE((R.matrix() - exact).norm(), 1e-5);
 }
 
-TEST(Bortz, ItsFactorIsSmoothWhereTheSeriesEnds) {
-  for (const double x : {0.05 * (1 - 1e-9), 0.05 * (1 + 1e-9)}) {
-    const double half = std::sqrt(x) / 2;
-    EXPECT_NEAR(detail::bortz_factor(x), (1 - half / std::tan(half)) / x, 1e-14);
-  }
-  EXPECT_EQ(detail::bortz_factor(0.0), 1.0 / 12.0);
-}
-
 template <class Function, class... Given>
 concept Takes = requires(const Function& f, const Given&... given) {
   f(given...);

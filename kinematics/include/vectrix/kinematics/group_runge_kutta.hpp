@@ -1,32 +1,11 @@
 #pragma once
 
-#include <array>
 #include <type_traits>
 #include <vectrix/kinematics/increment.hpp>
+#include <vectrix/kinematics/jacobian.hpp>
 
 namespace vectrix {
 namespace detail {
-
-/// (1 - (x/2) cot(x/2)) / x^2 of x^2, 1/12 at zero.
-template <class S> S bortz_factor(const S& square) {
-  const S series =
-      S(1) / S(12) +
-      square *
-          (S(1) / S(720) + square * (S(1) / S(30240) + square * (S(1) / S(1209600) + square / S(47900160))));
-  // The first term left out is below 1e-16.
-  const auto small = square < S(0.05);
-  if (all(small)) return series;
-  using std::sqrt;
-  const S half = sqrt(select<S>(small, S(1), square)) / S(2);
-  return select<S>(small, series, (S(1) - half * cosine<S>(half) / sine<S>(half)) / square);
-}
-
-/// The rate of the rotation vector itself (Bortz 1971), the inverse of the derivative of exp:
-///     dtheta/dt = w + 1/2 theta x w + (1 - (|theta|/2) cot(|theta|/2)) / |theta|^2 theta x (theta x w)
-template <class S> Column<S> bortz_rate(const Column<S>& theta, const Column<S>& w) {
-  const Column<S> cross = theta.cross(w);
-  return w + cross / S(2) + bortz_factor<S>(theta.squaredNorm()) * theta.cross(cross);
-}
 
 /// The result of a step, if the rate is one of b relative to a, expressed in b. Told by the type of the
 /// result and not by a constraint, which clang explains in six lines more.
@@ -50,8 +29,9 @@ template <class A, class B, class S, class Rate> class StageRate {
   Dcm<A, B, S> turned(const Column<S>& theta) const {
     return advance(start_, Increment<A, B, S>{trusted, theta});
   }
+  /// The rate of the rotation vector of the step, h J_r^-1 w (Bortz 1971).
   Column<S> bortz(const S& c, const Column<S>& theta) const {
-    return bortz_rate<S>(theta, at(c, turned(theta)));
+    return inverse_left_jacobian_times<S>(right_turn(theta), at(c, turned(theta)));
   }
 
  private:

@@ -23,6 +23,10 @@ template <class X, class S> Turn<S> turn(const Column<S>& theta, const char* act
   if (!all(square - square == S(0))) refuse_square<X>(square, action);
   return {theta, stumpff(square)};
 }
+/// For the right Jacobian, J_r(theta) = J_l(-theta).
+template <class S> Turn<S> right_turn(const Column<S>& theta) {
+  return {Column<S>(-theta), stumpff<S>(theta.squaredNorm())};
+}
 /// J_l x = x + c_2 theta x x + c_3 theta x (theta x x), without the matrix.
 template <class S> Column<S> left_jacobian_times(const Turn<S>& turn, const Column<S>& x) {
   const Column<S> cross = turn.theta.cross(x);

@@ -4,11 +4,6 @@
 
 namespace vectrix::detail {
 
-/// The right Jacobian's argument: J_r(theta) = J_l(-theta).
-template <class S> Turn<S> right_turn(const Column<S>& theta) {
-  return {Column<S>(-theta), stumpff<S>(theta.squaredNorm())};
-}
-
 /// theta(t) and its derivatives, where q_b^a = q_0 exp(theta) with a constant q_0.
 template <class S> struct LogMotion {
   Column<S> theta, rate, acceleration;
