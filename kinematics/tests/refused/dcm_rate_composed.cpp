@@ -1,6 +1,7 @@
 // mistake: the derivative of a rotation composed as a rotation
 // expect: Left = (vectrix::)?Dcm<Gcrf, Body
 // expect: Right = (vectrix::)?DcmRate<Body, Camera
+// expect: the kinds go together
 #include <vectrix/kinematics.hpp>
 
 struct Gcrf : vectrix::inertial_frame {};

@@ -1,6 +1,7 @@
 // mistake: a moving rotation and one whose motion is not known multiplied
 // expect: Left = (vectrix::)?MovingDcm<Gcrf, Body
 // expect: Right = (vectrix::)?Dcm<Body, Camera
+// expect: the kinds go together
 #include <vectrix/kinematics.hpp>
 
 struct Gcrf : vectrix::inertial_frame {};

@@ -1,6 +1,7 @@
 // mistake: a place without a velocity chained to a motion, as if it were at rest
 // expect: MovingTransform<Gcrf, Body
 // expect: Transform<Body, Camera
+// expect: the kinds go together
 #include <vectrix/kinematics.hpp>
 
 struct Gcrf : vectrix::inertial_frame {};

@@ -1,6 +1,7 @@
 // mistake: a quaternion and a DCM multiplied
 // expect: Left = (vectrix::)?Quaternion<Camera, Body
 // expect: Right = (vectrix::)?Dcm<Body, Gcrf
+// expect: the kinds go together
 #include <vectrix/kinematics.hpp>
 
 struct Gcrf : vectrix::inertial_frame {};

@@ -79,7 +79,7 @@ template <class Left, class Right>
 }
 template <class Left, class Right>
   requires(detail::FramedPair<Left, Right> && !detail::Lawful<detail::ProductOf, Left, Right>)
-auto operator*(  // the inner frames cancel: R_c_from_b * R_b_from_a * r_a, J_b * w_ab_b
+auto operator*(  // the inner frames cancel, and the kinds go together: R_c_from_b * R_b_from_a, J_b * w_ab_b
     const Left&, const Right&) -> Refused = delete;
 
 template <class Left, class Right>
