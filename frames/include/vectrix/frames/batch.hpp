@@ -41,6 +41,14 @@ template <Batch S>
   return chosen;
 }
 
+/// A double as a scalar: a batch of floats takes no double.
+template <class S> S number(double x) {
+  return S(x);
+}
+template <Batch S> S number(double x) {
+  return S(typename S::value_type(x));
+}
+
 /// f of each lane alone.
 template <Batch S, class Function> S each_lane(const S& x, const Function& f) {
   return S([&](auto i) { return f(typename S::value_type(x[i])); });
@@ -53,7 +61,8 @@ template <class S> S sine(const S& x) {
   using std::abs;
   using std::sin;
   if constexpr (Batch<S>) {
-    if (!all(abs(x) <= S(batch_angle_limit))) return each_lane(x, [](auto angle) { return sin(angle); });
+    if (!all(abs(x) <= number<S>(batch_angle_limit)))
+      return each_lane(x, [](auto angle) { return sin(angle); });
   }
   return sin(x);
 }
@@ -61,7 +70,8 @@ template <class S> S cosine(const S& x) {
   using std::abs;
   using std::cos;
   if constexpr (Batch<S>) {
-    if (!all(abs(x) <= S(batch_angle_limit))) return each_lane(x, [](auto angle) { return cos(angle); });
+    if (!all(abs(x) <= number<S>(batch_angle_limit)))
+      return each_lane(x, [](auto angle) { return cos(angle); });
   }
   return cos(x);
 }

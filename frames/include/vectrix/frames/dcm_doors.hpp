@@ -51,7 +51,7 @@ detail::OfTwo<B, A, Dcm<B, A, typename Matrix::Scalar>> dcm(To<B>, From<A>, cons
   detail::require_finite<B, A>(entries, "dcm");
   const S error = (entries.transpose() * entries - detail::Square<S>::Identity()).cwiseAbs().maxCoeff();
   const double tolerance = detail::door_tolerance<S>(orthonormality_tolerance);
-  if (!detail::all(error <= S(tolerance))) {
+  if (!detail::all(error <= detail::number<S>(tolerance))) {
     throw BadInput(detail::dcm_door<B, A>("dcm") + "M^T M differs from the identity by " +
                    detail::text(error) + ", tolerance " + detail::text(tolerance) +
                    "; nearest_dcm() projects");

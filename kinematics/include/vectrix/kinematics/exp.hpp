@@ -39,7 +39,7 @@ Quaternion<A, B, S> exp_quaternion(const RotationVector<A, B, S>& theta_ab) {
   const detail::Column<S>& theta = theta_ab.coordinates();
   const S square = theta.squaredNorm();
   detail::HalfTurn<S> half = detail::half_turn_series(square);
-  if (const auto small = square < S(1e-4); !detail::all(small)) {
+  if (const auto small = square < detail::number<S>(1e-4); !detail::all(small)) {
     const detail::HalfTurn<S> other = detail::half_turn(square);
     if (!detail::all(other.scalar == other.scalar)) {  // the cosine of an infinity is no number
       detail::refuse_exp<B, A>(square);

@@ -38,7 +38,7 @@ template <class A, class B, class S> RotationVector<A, B, S> log(const Quaternio
   const S scalar = select<S>(flipped, -q.w(), q.w());
   const S square = v.squaredNorm();
   S factor = detail::turn_factor_series(scalar, square);
-  if (const auto small = square < S(1e-4); !detail::all(small)) {
+  if (const auto small = square < detail::number<S>(1e-4); !detail::all(small)) {
     factor = select(small, factor, detail::turn_factor(scalar, square));
   }
   return {detail::trusted_like(q_a_from_b), select<S>(flipped, -factor, factor) * v};

@@ -67,7 +67,7 @@ Quaternion<B, A, S> unit_quaternion(const Eigen::Quaternion<S>& q, const char* d
   const S norm = checked_norm<B, A>(q, door);
   const S error = select(norm > S(1), S(norm - S(1)), S(S(1) - norm));
   const double tolerance = door_tolerance<S>(unit_norm_tolerance);
-  if (!all(error <= S(tolerance))) {
+  if (!all(error <= number<S>(tolerance))) {
     throw BadInput(quaternion_door<B, A>(door) + "the norm differs from 1 by " + text(error) +
                    ", tolerance " + text(tolerance) + "; nearest_" + door + "() projects");
   }
