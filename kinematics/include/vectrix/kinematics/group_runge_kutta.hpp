@@ -52,7 +52,7 @@ template <class S, class Stage> Column<S> rule_4(const Stage& stage) {
 }
 /// The rule of order 5 by Dormand and Prince (1980).
 template <class S, class Stage> Column<S> rule_5(const Stage& stage) {
-  const auto r = [](int numerator, int denominator) { return S(numerator) / S(denominator); };
+  const auto r = [](int numerator, int denominator) -> S { return S(numerator) / S(denominator); };
   const Column<S> k1 = stage.bortz(S(0), Column<S>::Zero());
   const Column<S> k2 = stage.bortz(r(1, 5), r(1, 5) * k1);
   const Column<S> k3 = stage.bortz(r(3, 10), r(3, 40) * k1 + r(9, 40) * k2);
