@@ -105,3 +105,54 @@ TEST(Graph, of_float_answers_in_float) {
 }
 
 }  // namespace
+
+// A user's own algebra, found by argument-dependent lookup as the library's is.
+namespace users {
+
+struct Matrix {};
+Matrix product(const Matrix&, const Matrix&);
+Matrix quotient(const Matrix&, const Matrix&);
+Matrix sum(const Matrix&, const Matrix&);
+Matrix difference(const Matrix&, const Matrix&);
+Matrix dot_product(const Matrix&, const Matrix&);
+Matrix cross_product(const Matrix&, const Matrix&);
+
+}  // namespace users
+
+namespace {
+
+template <class Operand>
+concept HasAnyOperator = requires(Operand a, const Operand b) {
+  a* b;
+}
+|| requires(Operand a) {
+  a / a;
+}
+|| requires(Operand a) {
+  a + a;
+}
+|| requires(Operand a) {
+  a - a;
+}
+|| requires(Operand a) {
+  a *= a;
+}
+|| requires(Operand a) {
+  a /= a;
+}
+|| requires(Operand a) {
+  a += a;
+}
+|| requires(Operand a) {
+  a -= a;
+}
+|| requires(Operand a) {
+  dot(a, a);
+}
+|| requires(Operand a) {
+  cross(a, a);
+};
+static_assert(!HasAnyOperator<users::Matrix>);
+static_assert(HasAnyOperator<Vector<Body, si::length>> && HasAnyOperator<Dcm<Body, Body>>);
+
+}  // namespace

@@ -30,8 +30,10 @@ namespace detail {
 /// Types whose products and sums the frames decide. Each is named beside its class.
 template <class T> inline constexpr bool is_framed = false;
 
+template <> inline constexpr bool is_framed<Refused> = true;
+
 template <class Left, class Right>
-concept FramedPair = is_framed<Left> || is_framed<Right>;
+concept FramedPair = is_framed<std::remove_cvref_t<Left>> || is_framed<std::remove_cvref_t<Right>>;
 
 template <class Left, class Right>
 using ProductOf = decltype(product(std::declval<Left>(), std::declval<Right>()));
@@ -69,10 +71,12 @@ template <class... Operands> inline constexpr bool any_framed = (is_framed<Opera
 // One operator for all types of the library, so that the compiler that refuses an expression lists two
 // candidates and not thirty. What is multiplied with what is said beside each type, by product(), quotient(),
 // sum(), difference(), dot_product() and cross_product(). What is lawful is told by the type of the result
-// and not by a constraint: clang explains the former in one note, the latter in two.
+// and not by a constraint: clang explains the former in one note, the latter in two. One operand is a type of
+// the library: a product() of the user's own makes no operator.
 
 // An unnamed operand stays one: a chain of rotations applies itself otherwise.
 template <class Left, class Right>
+  requires(detail::FramedPair<Left, Right>)
 [[gnu::always_inline]] inline detail::ProductOf<Left, Right> operator*(Left&& left, Right&& right) {
   return VECTRIX_OF_ONE_INSTANT("product", product(std::forward<Left>(left), std::forward<Right>(right)),
                                 left, right);
@@ -83,7 +87,9 @@ auto operator*(  // the inner frames cancel, and the kinds go together: R_c_from
     const Left&, const Right&) -> Refused = delete;
 
 template <class Left, class Right>
-detail::QuotientOf<Left, Right> operator/(const Left& left, const Right& right) {
+  requires(detail::FramedPair<Left, Right>)
+detail::QuotientOf<Left, Right>
+operator/(const Left& left, const Right& right) {
   return VECTRIX_OF_ONE_INSTANT("quotient", quotient(left, right), left, right);
 }
 template <class Left, class Right>
@@ -91,7 +97,9 @@ template <class Left, class Right>
 auto operator/(const Left&, const Right&) -> Refused = delete;  // a vector over a number or a quantity
 
 template <class Left, class Right>
-detail::SumOf<Left, Right> operator+(const Left& left, const Right& right) {
+  requires(detail::FramedPair<Left, Right>)
+detail::SumOf<Left, Right>
+operator+(const Left& left, const Right& right) {
   return VECTRIX_OF_ONE_INSTANT("sum", sum(left, right), left, right);
 }
 template <class Left, class Right>
@@ -101,7 +109,9 @@ auto operator+(  // one frame and one unit: r_a + s_a, w_ab_c + w_bd_c
 
 // The unary minus is a member of its types, or deleted in them: no candidate of other types' differences.
 template <class Left, class Right>
-detail::DifferenceOf<Left, Right> operator-(const Left& left, const Right& right) {
+  requires(detail::FramedPair<Left, Right>)
+detail::DifferenceOf<Left, Right>
+operator-(const Left& left, const Right& right) {
   return VECTRIX_OF_ONE_INSTANT("difference", difference(left, right), left, right);
 }
 template <class Left, class Right>
@@ -112,7 +122,9 @@ auto operator-(  // one frame and one unit: r_a - s_a, w_ab_c + -w_db_c
 // In place, where the result has the type of the left operand: r_a += s_a, r_a *= 2.0. A chain of rates has
 // not: w_ab_c + w_bd_c is w_ad_c.
 template <class Left, class Right>
-detail::InPlace<detail::SumOf<Left, Right>, Left> operator+=(Left& left, const Right& right) {
+  requires(detail::FramedPair<Left, Right>)
+detail::InPlace<detail::SumOf<Left, Right>, Left>
+operator+=(Left& left, const Right& right) {
   return left = VECTRIX_OF_ONE_INSTANT("sum", sum(left, right), left, right);
 }
 template <class Left, class Right>
@@ -121,7 +133,9 @@ auto operator+=(  // a sum of the same type: r_a += s_a; a chain is another, w_a
     Left&, const Right&) -> Refused = delete;
 
 template <class Left, class Right>
-detail::InPlace<detail::DifferenceOf<Left, Right>, Left> operator-=(Left& left, const Right& right) {
+  requires(detail::FramedPair<Left, Right>)
+detail::InPlace<detail::DifferenceOf<Left, Right>, Left>
+operator-=(Left& left, const Right& right) {
   return left = VECTRIX_OF_ONE_INSTANT("difference", difference(left, right), left, right);
 }
 template <class Left, class Right>
@@ -129,7 +143,9 @@ template <class Left, class Right>
 auto operator-=(Left&, const Right&) -> Refused = delete;  // a difference of the same type: r_a -= s_a
 
 template <class Left, class Right>
-detail::InPlace<detail::ProductOf<Left, Right>, Left> operator*=(Left& left, const Right& right) {
+  requires(detail::FramedPair<Left, Right>)
+detail::InPlace<detail::ProductOf<Left, Right>, Left>
+operator*=(Left& left, const Right& right) {
   return left = VECTRIX_OF_ONE_INSTANT("product", product(left, right), left, right);
 }
 template <class Left, class Right>
@@ -137,7 +153,9 @@ template <class Left, class Right>
 auto operator*=(Left&, const Right&) -> Refused = delete;  // a product of the same type: r_a *= 2.0
 
 template <class Left, class Right>
-detail::InPlace<detail::QuotientOf<Left, Right>, Left> operator/=(Left& left, const Right& right) {
+  requires(detail::FramedPair<Left, Right>)
+detail::InPlace<detail::QuotientOf<Left, Right>, Left>
+operator/=(Left& left, const Right& right) {
   return left = VECTRIX_OF_ONE_INSTANT("quotient", quotient(left, right), left, right);
 }
 template <class Left, class Right>
@@ -145,7 +163,9 @@ template <class Left, class Right>
 auto operator/=(Left&, const Right&) -> Refused = delete;  // a quotient of the same type: r_a /= 2.0
 
 /// r . s, in the exact product of the units: F . v is a power, tau . w too, and w . H an energy.
-template <class Left, class Right> detail::DotOf<Left, Right> dot(const Left& left, const Right& right) {
+template <class Left, class Right>
+  requires(detail::FramedPair<Left, Right>)
+detail::DotOf<Left, Right> dot(const Left& left, const Right& right) {
   return VECTRIX_OF_ONE_INSTANT("dot_product", dot_product(left, right), left, right);
 }
 template <class Left, class Right>
@@ -153,7 +173,9 @@ template <class Left, class Right>
 auto dot(const Left&, const Right&) -> Refused = delete;  // r_a . s_a: two vectors in one frame
 
 /// r x s, the radian counting as 1: r x F is a torque, w x r a velocity, w x H a torque.
-template <class Left, class Right> detail::CrossOf<Left, Right> cross(const Left& left, const Right& right) {
+template <class Left, class Right>
+  requires(detail::FramedPair<Left, Right>)
+detail::CrossOf<Left, Right> cross(const Left& left, const Right& right) {
   return VECTRIX_OF_ONE_INSTANT("cross_product", cross_product(left, right), left, right);
 }
 template <class Left, class Right>
