@@ -34,9 +34,9 @@ template <class S> std::vector<S> rigid_motions(const Given<S>& given) {
   told.add(ad(xi_ab));
 
   const auto theta_dot = parameter_rate(theta_ab, given.v[2]);
-  const auto w_b = angular_velocity(theta_ab, theta_dot, in<Body>);
+  const auto w_b = theta_ab.angular_velocity(theta_dot, in<Body>);
   const auto alpha_a =
-      angular_acceleration(theta_ab, theta_dot, second_parameter_rate(theta_ab, given.v[3]), in<Gcrf>);
+      theta_ab.angular_acceleration(theta_dot, second_parameter_rate(theta_ab, given.v[3]), in<Gcrf>);
   told.add(w_b);
   told.add(alpha_a);
   told.add(rate(theta_ab, w_b).coordinates());
