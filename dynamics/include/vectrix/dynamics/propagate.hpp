@@ -35,9 +35,8 @@ template <InertialFrame I, Frame B> struct Propagation {
   ode::Method method = ode::Method::arkode_fehlberg_8;
   AttitudeState attitude = AttitudeState::quaternion;
   Tolerances tolerances = {};
-  std::vector<Quantity<si::time>> output_times = {};
-  std::vector<Root<I, B>> roots = {};
-  static_assert(detail::may_be_left_out<Root<I, B>>);
+  std::vector<Quantity<si::time>> output_times{detail::no_list<Quantity<si::time>>()};
+  std::vector<Root<I, B>> roots{detail::no_list<Root<I, B>>()};
   std::size_t max_steps = 10'000'000;
   Quantity<si::time> maximum_step = std::numeric_limits<double>::infinity() * si::second;
 };

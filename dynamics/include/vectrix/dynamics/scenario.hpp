@@ -21,10 +21,9 @@ struct ReturnedOf<Function, Argument> : std::invoke_result<Function, const Argum
 };
 template <class Function, class Argument> using Returned = typename ReturnedOf<Function, Argument>::type;
 
-/// True, and asked where an aggregate has a list that is empty by default: g++ 12 must know it, or fails with
-/// an internal error when the aggregate is written inside the braces of another.
-template <class T>
-inline constexpr bool may_be_left_out = std::is_nothrow_default_constructible_v<std::vector<T>>;
+/// Makes the empty list that is the default of a member: left out in the braces of an aggregate that stands
+/// inside those of another, `= {}` makes g++ 12 fail, with an internal error or at the link.
+template <class T> using no_list = std::allocator<T>;
 
 }  // namespace detail
 
@@ -50,8 +49,7 @@ struct TorqueFunction : std::function<Vector<B, si::torque>(const State<I, B>&)>
 /// the function may give either value there.
 template <InertialFrame I, Frame B> struct CustomTorque {
   TorqueFunction<I, B> torque_b;
-  std::vector<Quantity<si::time>> discontinuities = {};
-  static_assert(detail::may_be_left_out<Quantity<si::time>>);
+  std::vector<Quantity<si::time>> discontinuities{detail::no_list<Quantity<si::time>>()};
 };
 
 /// What happens to one rigid body: everything that a propagation, or another engine, needs to know.
@@ -61,9 +59,8 @@ template <InertialFrame I, Frame B> struct Scenario {
   State<I, B> initial;
   std::optional<Quantity<si::gravitational_parameter>> mu = std::nullopt;
   bool gravity_gradient = false;
-  std::vector<PulseTorque<B>> pulses = {};
-  std::vector<CustomTorque<I, B>> torques = {};
-  static_assert(detail::may_be_left_out<PulseTorque<B>> && detail::may_be_left_out<CustomTorque<I, B>>);
+  std::vector<PulseTorque<B>> pulses{detail::no_list<PulseTorque<B>>()};
+  std::vector<CustomTorque<I, B>> torques{detail::no_list<CustomTorque<I, B>>()};
 
   bool torque_free() const { return !gravity_gradient && pulses.empty() && torques.empty(); }
 };
