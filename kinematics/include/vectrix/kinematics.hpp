@@ -7,7 +7,6 @@
 #include <vectrix/kinematics/attitude_sample.hpp>
 #include <vectrix/kinematics/axis_angle.hpp>
 #include <vectrix/kinematics/coning.hpp>
-#include <vectrix/kinematics/dcm_rate.hpp>
 #include <vectrix/kinematics/derivative.hpp>
 #include <vectrix/kinematics/estimate_motion.hpp>
 #include <vectrix/kinematics/euler_rates.hpp>
@@ -28,6 +27,7 @@
 #include <vectrix/kinematics/moving_transform.hpp>
 #include <vectrix/kinematics/observation.hpp>
 #include <vectrix/kinematics/quaternion.hpp>
+#include <vectrix/kinematics/rate.hpp>
 #include <vectrix/kinematics/rigid_edge.hpp>
 #include <vectrix/kinematics/rotation_spline.hpp>
 #include <vectrix/kinematics/rotation_vector.hpp>

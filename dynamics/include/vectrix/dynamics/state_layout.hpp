@@ -6,7 +6,7 @@
 #include <vector>
 #include <vectrix/dynamics/scenario.hpp>
 #include <vectrix/frames/dcm_doors.hpp>
-#include <vectrix/kinematics/dcm_rate.hpp>
+#include <vectrix/kinematics/rate.hpp>
 
 namespace vectrix {
 

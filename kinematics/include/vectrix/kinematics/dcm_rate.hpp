@@ -1,17 +1,9 @@
 #pragma once
 
-#include <vectrix/kinematics/angular_velocity.hpp>
+#include <vectrix/kinematics/angular_acceleration.hpp>
 #include <vectrix/kinematics/hat.hpp>
-#include <vectrix/kinematics/quaternion.hpp>
 
 namespace vectrix {
-namespace detail {
-
-template <class Rotation, class Rate>
-using DerivativeOf = decltype(attitude_rate(std::declval<const Rotation&>(), std::declval<const Rate&>()));
-
-}  // namespace detail
-
 /// Rdot_b^a, `Rdot_a_from_b`, of type DcmRate<A, B>: the time derivative of R_b^a, 1/s. Not a rotation, and
 /// not convertible to one.
 template <Frame A, Frame B, class S = double> class VECTRIX_QUANTITY DcmRate : public detail::Stamped {
@@ -86,58 +78,103 @@ Vector<A, unit_of_vector_quotient<U, si::time>, S> product(const DcmRate<A, B, S
   return {detail::trusted, Rdot_a_from_b.matrix() * r_b.coordinates()};
 }
 
-/// The time derivative of q_b^a, four numbers, 1/s; not a rotation.
-template <Frame A, Frame B, class S = double> class VECTRIX_QUANTITY QuaternionRate : public detail::Stamped {
- public:
-  template <detail::Makes<Eigen::Quaternion<S>> Make>
-  QuaternionRate(detail::Trusted key, const Make& make) : detail::Stamped(key), value_(make()) {}
+namespace detail {
 
-  const Eigen::Quaternion<S>& eigen() const& { return value_; }
-  Eigen::Quaternion<S> eigen() && { return value_; }
-  std::array<S, 4> scalar_first() const { return {value_.w(), value_.x(), value_.y(), value_.z()}; }
+/// That the symmetric part of R^T Rddot is [w]x^2; what is skew may be any angular acceleration.
+template <class A, class B, class S> void require_centripetal(const Square<S>& turn, const Square<S>& w) {
+  const double tolerance = door_tolerance<S>(1e-9);
+  if (!all_finite(turn)) {
+    throw BadInput("second derivative of R(" + frame_name<A>() + " from " + frame_name<B>() +
+                   "): an entry is not finite");
+  }
+  const Square<S> apart = (turn + turn.transpose()) / S(2) - w * w;
+  const S error = apart.cwiseAbs().maxCoeff();
+  const S largest = turn.cwiseAbs().maxCoeff();
+  if (!all(error <= S(tolerance) * largest)) {
+    throw BadInput("second derivative of R(" + frame_name<A>() + " from " + frame_name<B>() +
+                   "): the symmetric part of R^T Rddot differs from [w]x^2 by " + text(error) +
+                   " beside entries of " + text(largest) + "; it is not one at this rate");
+  }
+}
+
+}  // namespace detail
+
+/// Rddot_b^a, `Rddot_a_from_b`: the second time derivative of R_b^a, 1/s^2; made by
+/// second_rate(R_a_from_b, w_ab_c, alpha_ab_c), or from a matrix by dcm_second_rate().
+template <Frame A, Frame B, class S = double> class VECTRIX_QUANTITY DcmSecondRate : public detail::Stamped {
+ public:
+  template <class Derived>
+  DcmSecondRate(detail::Trusted key, const Eigen::MatrixBase<Derived>& matrix)
+      : detail::Stamped(key), matrix_(matrix) {}
+
+  const detail::Square<S>& matrix() const& { return matrix_; }
+  detail::Square<S> matrix() && { return matrix_; }
+
+  /// The inverse of second_rate(): alpha_ab^b = vee(R^T Rddot - [w_ab^b]x^2), alpha_ab^a = vee(Rddot R^T -
+  /// [w_ab^a]x^2). Throws BadInput when the three do not belong together: the symmetric part of R^T Rddot
+  /// then differs from [w]x^2 by more than 1e-9 of the largest entry.
+  template <class C>
+    requires(std::same_as<C, A> || std::same_as<C, B>)
+  AngularAcceleration<A, B, In<C>, S> angular_acceleration(const Dcm<A, B, S>& R_a_from_b,
+                                                           const DcmRate<A, B, S>& Rdot_a_from_b, In<C>)
+  const {
+    const auto& R = R_a_from_b.matrix();
+    const detail::Square<S> w = hat(angular_velocity(R_a_from_b, Rdot_a_from_b, in<C>).coordinates());
+    detail::Square<S> turn;
+    if constexpr (std::same_as<C, B>) {
+      turn = R.transpose() * matrix_;
+    } else {
+      turn = matrix_ * R.transpose();
+    }
+    detail::require_centripetal<A, B>(turn, w);
+    const detail::Square<S> skew = (turn - turn.transpose()) / S(2);
+    return AngularAcceleration<A, B, In<C>, S>{detail::trusted_like(R_a_from_b, Rdot_a_from_b, *this),
+                                               vee(skew)};
+  }
+  template <class Rotation, class Rate, class InFrame, class SecondRate = DcmSecondRate>
+  auto
+  angular_acceleration(  // Rddot_a_from_b.angular_acceleration(R_a_from_b, Rdot_a_from_b, in<B>) or in<A>
+      const Rotation&, const Rate&, const InFrame&) const -> Refused = delete;
 
  private:
-  Eigen::Quaternion<S> value_;
+  detail::Square<S> matrix_;
 };
 
-// d/dt q_b^a = 1/2 q_b^a (0, w_ab^b) = 1/2 (0, w_ab^a) q_b^a
-template <class A, class B, class S>
-inline QuaternionRate<A, B, S> attitude_rate(const Quaternion<A, B, S>& q_a_from_b,
-                                             const AngularVelocity<A, B, In<B>, S>& w_ab_b) {
-  const detail::Column<S> h = w_ab_b.coordinates() / S(2);
-  return {detail::trusted,
-          [&] { return q_a_from_b.eigen() * Eigen::Quaternion<S>(S(0), h.x(), h.y(), h.z()); }};
-}
-template <class A, class B, class S>
-  requires(!std::same_as<A, B>)
-inline QuaternionRate<A, B, S> attitude_rate(const Quaternion<A, B, S>& q_a_from_b,
-                                             const AngularVelocity<A, B, In<A>, S>& w_ab_a) {
-  const detail::Column<S> h = w_ab_a.coordinates() / S(2);
-  return {detail::trusted,
-          [&] { return Eigen::Quaternion<S>(S(0), h.x(), h.y(), h.z()) * q_a_from_b.eigen(); }};
+template <class A, class B, class S> inline constexpr bool detail::is_framed<DcmSecondRate<A, B, S>> = true;
+
+// d2/dt2 R_b^a = R_b^a ([w]x^2 + [alpha]x) of w_ab^b and alpha_ab^b, ([w]x^2 + [alpha]x) R_b^a of those in a
+template <class A, class B, class C, class S>
+  requires(std::same_as<C, A> || std::same_as<C, B>)
+DcmSecondRate<A, B, S> attitude_second_rate(const Dcm<A, B, S>& R_a_from_b,
+                                            const AngularVelocity<A, B, In<C>, S>& w_ab_c,
+                                            const AngularAcceleration<A, B, In<C>, S>& alpha_ab_c) {
+  const auto& R = R_a_from_b.matrix();
+  const detail::Square<S> w = hat(w_ab_c.coordinates());
+  const detail::Square<S> turn = w * w + hat(alpha_ab_c.coordinates());
+  if constexpr (std::same_as<C, B>) {
+    return {detail::trusted, R * turn};
+  } else {
+    return {detail::trusted, turn * R};
+  }
 }
 
-/// The derivative of a rotation, a DcmRate or a QuaternionRate:
-///     Body form:       d/dt R_b^a = R_b^a [w_ab^b]x     d/dt q_b^a = 1/2 q_b^a (0, w_ab^b)
-///     Reference form:  d/dt R_b^a = [w_ab^a]x R_b^a     d/dt q_b^a = 1/2 (0, w_ab^a) q_b^a
-/// Any finite input is valid.
-template <class Rotation, class Rate>
-[[gnu::always_inline]] inline detail::DerivativeOf<Rotation, Rate> rate(const Rotation& rotation,
-                                                                        const Rate& omega) {
-  return VECTRIX_OF_ONE_INSTANT("rate", attitude_rate(rotation, omega), rotation, omega);
+/// The checked door for a second derivative that comes as a matrix. Throws BadInput when it is not finite, or
+/// belongs to no angular acceleration of this rotation and rate.
+template <class A, class B, class Derived, class S>
+DcmSecondRate<A, B, S> dcm_second_rate(const Dcm<A, B, S>& R_a_from_b, const DcmRate<A, B, S>& Rdot_a_from_b,
+                                       const Eigen::MatrixBase<Derived>& matrix) {
+  const DcmSecondRate<A, B, S> Rddot_a_from_b{detail::trusted_like(R_a_from_b, Rdot_a_from_b), matrix};
+  Rddot_a_from_b.angular_acceleration(R_a_from_b, Rdot_a_from_b, in<B>);
+  return Rddot_a_from_b;
 }
-template <class Rotation, class Rate>
-  requires(detail::FramedPair<Rotation, Rate> && !detail::Lawful<detail::DerivativeOf, Rotation, Rate>)
-auto rate(  // rate(R_a_from_b, w_ab_b) or rate(R_a_from_b, w_ab_a)
-    const Rotation&, const Rate&) -> Refused = delete;
 
 template <class A, class B, class S>
 std::ostream& print_framed(std::ostream& out, const DcmRate<A, B, S>& Rdot_a_from_b) {
   return detail::print_square(out, Rdot_a_from_b.matrix()) << " 1/s" << detail::print_to_from<A, B>;
 }
 template <class A, class B, class S>
-std::ostream& print_framed(std::ostream& out, const QuaternionRate<A, B, S>& qdot_a_from_b) {
-  return detail::print_quaternion(out, qdot_a_from_b.eigen()) << " 1/s" << detail::print_to_from<A, B>;
+std::ostream& print_framed(std::ostream& out, const DcmSecondRate<A, B, S>& Rddot_a_from_b) {
+  return detail::print_square(out, Rddot_a_from_b.matrix()) << " 1/s^2" << detail::print_to_from<A, B>;
 }
 
 }  // namespace vectrix

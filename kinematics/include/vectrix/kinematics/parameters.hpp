@@ -1,7 +1,6 @@
 #pragma once
 
-#include <vectrix/kinematics/angular_acceleration.hpp>
-#include <vectrix/kinematics/dcm_rate.hpp>
+#include <vectrix/kinematics/rate.hpp>
 
 namespace vectrix {
 
@@ -201,10 +200,9 @@ ParameterRate<X> attitude_rate(const X& x_ab, const AngularVelocity<A, B, In<C>,
   return {detail::trusted, Kinematics::rate(x_ab, w_ab_c.coordinates())};
 }
 
-/// xddot_ab, the second derivative of the parameters, from the rate and the angular acceleration, both
-/// expressed in b or both in a. Throws BadInput at the singularity, and says how near.
+// What second_rate(x_ab, w_ab_c, alpha_ab_c) is. Throws BadInput at the singularity, and says how near.
 template <class X, class A, class B, class C, class S>
-detail::SecondRateOf<X, AngularVelocity<A, B, In<C>, S>, C> second_rate(
+detail::SecondRateOf<X, AngularVelocity<A, B, In<C>, S>, C> attitude_second_rate(
     const X& x_ab, const AngularVelocity<A, B, In<C>, S>& w_ab_c,
     const AngularAcceleration<A, B, In<C>, S>& alpha_ab_c) {
   using Kinematics = detail::KinematicsOf<X, std::same_as<C, B>>;
@@ -212,9 +210,6 @@ detail::SecondRateOf<X, AngularVelocity<A, B, In<C>, S>, C> second_rate(
   return {detail::trusted,
           Kinematics::second_rate(x_ab, Kinematics::rate(x_ab, w), w, alpha_ab_c.coordinates())};
 }
-template <class X, class Rate, class Acceleration>
-auto second_rate(  // second_rate(x_ab, w_ab_c, alpha_ab_c): both expressed in b, or both in a
-    const X&, const Rate&, const Acceleration&) -> Refused = delete;
 
 namespace detail {
 
