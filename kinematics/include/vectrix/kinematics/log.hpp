@@ -44,8 +44,20 @@ template <class A, class B, class S> RotationVector<A, B, S> log(const Quaternio
   return {detail::trusted_like(q_a_from_b), select<S>(flipped, -factor, factor) * v};
 }
 
-/// log of a DCM, by way of its quaternion; the same range, accuracy and choice of axis.
+/// log of a DCM; the same range, accuracy and choice of axis. By way of its quaternion, but where cos |theta|
+/// is above -1/2: there tan |theta| = |vee(R - R^T)| / (tr R - 1) will do.
 template <class A, class B, class S> RotationVector<A, B, S> log(const Dcm<A, B, S>& R_a_from_b) {
+  if constexpr (!detail::Batch<S>) {
+    const auto& m = R_a_from_b.matrix();
+    if (const S trace = m(0, 0) + m(1, 1) + m(2, 2); trace > S(0)) {
+      const detail::Column<S> v(m(2, 1) - m(1, 2), m(0, 2) - m(2, 0), m(1, 0) - m(0, 1));
+      const S square = v.squaredNorm();
+      const S scalar = trace - S(1);
+      const S factor =
+          square < S(1e-4) ? detail::turn_factor_series(scalar, square) : detail::turn_factor(scalar, square);
+      return {detail::trusted_like(R_a_from_b), factor / S(2) * v};
+    }
+  }
   return log(quaternion(R_a_from_b));
 }
 

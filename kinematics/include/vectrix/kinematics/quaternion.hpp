@@ -210,10 +210,9 @@ template <Eigen::Index i, class S> QuaternionMultiple<S> multiple_by_diagonal(co
 template <class S> QuaternionMultiple<S> multiple_by_trace(const Square<S>& m) {
   return {m(2, 1) - m(1, 2), m(0, 2) - m(2, 0), m(1, 0) - m(0, 1), S(1) + m(0, 0) + m(1, 1) + m(2, 2)};
 }
-template <class S> QuaternionMultiple<S> largest_multiple(const Square<S>& m) {
+template <class S> QuaternionMultiple<S> large_multiple(const Square<S>& m) {
   const S x = m(0, 0), y = m(1, 1), z = m(2, 2);
-  const S trace = x + y + z;
-  if (trace > x && trace > y && trace > z) return multiple_by_trace(m);
+  if (x + y + z > S(0)) return multiple_by_trace(m);
   if (x >= y && x >= z) return multiple_by_diagonal<0>(m);
   return y >= z ? multiple_by_diagonal<1>(m) : multiple_by_diagonal<2>(m);
 }
@@ -225,7 +224,7 @@ template <Batch S>
   return {select(holds, yes.x, no.x), select(holds, yes.y, no.y), select(holds, yes.z, no.z),
           select(holds, yes.w, no.w)};
 }
-template <Batch S> [[gnu::always_inline]] inline QuaternionMultiple<S> largest_multiple(const Square<S>& m) {
+template <Batch S> [[gnu::always_inline]] inline QuaternionMultiple<S> large_multiple(const Square<S>& m) {
   const S x = m(0, 0), y = m(1, 1), z = m(2, 2);
   const S y_or_z = select(y >= z, y, z);
   const S largest = select(x >= y_or_z, x, y_or_z);
@@ -237,10 +236,10 @@ template <Batch S> [[gnu::always_inline]] inline QuaternionMultiple<S> largest_m
 }  // namespace detail
 
 /// q_a^b of R_a^b, with q_w >= 0, and at q_w = 0 the first non-zero of x, y, z positive. Accurate for every
-/// rotation: the largest of the four components is taken from the diagonal (Shepperd 1978), the others by
+/// rotation: a component of at least 1/2 is taken from the diagonal (after Shepperd 1978), the others by
 /// division.
 template <class B, class A, class S> Quaternion<B, A, S> quaternion(const Dcm<B, A, S>& R_b_from_a) {
-  return {detail::trusted_like(R_b_from_a), detail::largest_multiple<S>(R_b_from_a.matrix()).unit()};
+  return {detail::trusted_like(R_b_from_a), detail::large_multiple<S>(R_b_from_a.matrix()).unit()};
 }
 
 template <class B, class A, class S>
