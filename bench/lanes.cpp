@@ -223,6 +223,18 @@ int main() {
       },
       [](const auto& theta_ab) { return exp_quaternion(theta_ab); });
   agree &= time(
+      "exp to DCM",
+      [](auto& n) {
+        return std::tuple{rotation_vector(of<B>, relative_to<A>, vector<si::angle>(in<B>, n.column()))};
+      },
+      [](const auto& theta_ab) { return exp(theta_ab); });
+  agree &= time(
+      "log of a quaternion", [](auto& n) { return std::tuple{n.quaternion(A{}, B{})}; },
+      [](const auto& q_a_from_b) { return log(q_a_from_b); });
+  agree &= time(
+      "DCM of a quaternion", [](auto& n) { return std::tuple{n.quaternion(A{}, B{})}; },
+      [](const auto& q_a_from_b) { return dcm(q_a_from_b); });
+  agree &= time(
       "quaternion of a DCM", [](auto& n) { return std::tuple{n.rotation(A{}, B{})}; },
       [](const auto& R_a_from_b) { return quaternion(R_a_from_b); });
   return agree ? 0 : 1;

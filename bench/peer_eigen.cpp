@@ -50,6 +50,21 @@ struct List {
   return turn.angle() * turn.axis();
 }
 
+[[gnu::noinline]] Matrix3d quaternion_to_dcm(const Quaterniond& q_b_from_a) {
+  return q_b_from_a.toRotationMatrix();
+}
+
+[[gnu::noinline]] Matrix3d euler_to_dcm(const Vector3d& yaw_pitch_roll) {
+  return (Eigen::AngleAxisd(yaw_pitch_roll(0), Vector3d::UnitZ()) *
+          Eigen::AngleAxisd(yaw_pitch_roll(1), Vector3d::UnitY()) *
+          Eigen::AngleAxisd(yaw_pitch_roll(2), Vector3d::UnitX()))
+      .toRotationMatrix();
+}
+
+[[gnu::noinline]] Vector3d dcm_to_euler(const Matrix3d& R_a_from_b) {
+  return R_a_from_b.eulerAngles(2, 1, 0);
+}
+
 }  // namespace bench::raw_eigen
 
 namespace bench {
@@ -77,6 +92,10 @@ Peer eigen_peer(const Given& given) {
   peer[Task::exp_to_quaternion_small] = way<&exp_to_quaternion>(List{}, g.small_theta);
   peer[Task::exp_to_dcm] = way<&exp_to_dcm>(List{}, g.theta);
   peer[Task::log_of_dcm] = way<&log_of_dcm>(List{}, g.R_below);
+  peer[Task::log_of_dcm_small] = way<&log_of_dcm>(List{}, g.R_small);
+  peer[Task::quaternion_to_dcm] = way<&quaternion_to_dcm>(List{}, q_b_from_a);
+  peer[Task::euler_to_dcm] = way<&euler_to_dcm>(List{}, g.yaw_pitch_roll);
+  peer[Task::dcm_to_euler] = way<&dcm_to_euler>(List{}, g.R_below);
   return peer;
 }
 

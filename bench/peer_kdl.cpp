@@ -39,6 +39,20 @@ struct List {
   return R_a_from_b.GetRot();
 }
 
+[[gnu::noinline]] Rotation quaternion_to_dcm(const Quaternion& q) {
+  return Rotation::Quaternion(q.x, q.y, q.z, q.w);
+}
+
+[[gnu::noinline]] Rotation euler_to_dcm(const Vector& yaw_pitch_roll) {
+  return Rotation::EulerZYX(yaw_pitch_roll.x(), yaw_pitch_roll.y(), yaw_pitch_roll.z());
+}
+
+[[gnu::noinline]] Vector dcm_to_euler(const Rotation& R_a_from_b) {
+  double yaw, pitch, roll;
+  R_a_from_b.GetEulerZYX(yaw, pitch, roll);
+  return Vector(yaw, pitch, roll);
+}
+
 }  // namespace bench::kdl
 
 namespace bench {
@@ -51,12 +65,18 @@ Peer kdl_peer(const Given& given) {
   const auto vector = [](const Three& v) { return Vector(v[0], v[1], v[2]); };
   const auto transform = [](const Rotation& R, const Vector& r) { return Frame(R, r); };
   static const Operands g(given, rotation, vector, transform);
+  const auto& q = given.q[0];
+  alignas(64) static const Quaternion q_b_from_a{q[1], q[2], q[3], q[0]};
 
   Peer peer = g.ways(List{});
   peer[Task::dcm_to_quaternion_below] = way<&dcm_to_quaternion>(List{}, g.R_below);
   peer[Task::dcm_to_quaternion_above] = way<&dcm_to_quaternion>(List{}, g.R_above);
   peer[Task::exp_to_dcm] = way<&exp_to_dcm>(List{}, g.theta);
   peer[Task::log_of_dcm] = way<&log_of_dcm>(List{}, g.R_below);
+  peer[Task::log_of_dcm_small] = way<&log_of_dcm>(List{}, g.R_small);
+  peer[Task::quaternion_to_dcm] = way<&quaternion_to_dcm>(List{}, q_b_from_a);
+  peer[Task::euler_to_dcm] = way<&euler_to_dcm>(List{}, g.yaw_pitch_roll);
+  peer[Task::dcm_to_euler] = way<&dcm_to_euler>(List{}, g.R_below);
   return peer;
 }
 

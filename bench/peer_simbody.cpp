@@ -49,6 +49,20 @@ struct List {
   return turn[0] * turn.getSubVec<3>(1);
 }
 
+[[gnu::noinline]] Rotation quaternion_to_dcm(const Quaternion& q_b_from_a) {
+  return Rotation(q_b_from_a);
+}
+
+[[gnu::noinline]] Rotation euler_to_dcm(const Vec3& yaw_pitch_roll) {
+  return Rotation(SimTK::BodyRotationSequence, yaw_pitch_roll[0], SimTK::ZAxis, yaw_pitch_roll[1],
+                  SimTK::YAxis, yaw_pitch_roll[2], SimTK::XAxis);
+}
+
+[[gnu::noinline]] Vec3 dcm_to_euler(const Rotation& R_a_from_b) {
+  return R_a_from_b.convertThreeAxesRotationToThreeAngles(SimTK::BodyRotationSequence, SimTK::ZAxis,
+                                                          SimTK::YAxis, SimTK::XAxis);
+}
+
 }  // namespace bench::simbody
 
 namespace bench {
@@ -61,6 +75,8 @@ Peer simbody_peer(const Given& given) {
   const auto vector = [](const Three& v) { return Vec3(v[0], v[1], v[2]); };
   const auto transform = [](const Rotation& R, const Vec3& r) { return Transform(R, r); };
   static const Operands g(given, rotation, vector, transform);
+  const auto& q = given.q[0];
+  alignas(64) static const Quaternion q_b_from_a(Vec4(q[0], q[1], q[2], q[3]));
 
   Peer peer = g.ways(List{});
   peer[Task::dcm_to_quaternion_below] = way<&dcm_to_quaternion>(List{}, g.R_below);
@@ -69,6 +85,10 @@ Peer simbody_peer(const Given& given) {
   peer[Task::exp_to_quaternion_small] = way<&exp_to_quaternion>(List{}, g.small_theta);
   peer[Task::exp_to_dcm] = way<&exp_to_dcm>(List{}, g.theta);
   peer[Task::log_of_dcm] = way<&log_of_dcm>(List{}, g.R_below);
+  peer[Task::log_of_dcm_small] = way<&log_of_dcm>(List{}, g.R_small);
+  peer[Task::quaternion_to_dcm] = way<&quaternion_to_dcm>(List{}, q_b_from_a);
+  peer[Task::euler_to_dcm] = way<&euler_to_dcm>(List{}, g.yaw_pitch_roll);
+  peer[Task::dcm_to_euler] = way<&dcm_to_euler>(List{}, g.R_below);
   return peer;
 }
 

@@ -50,6 +50,22 @@ struct List {
   return q.getAxis() * q.getAngle();
 }
 
+[[gnu::noinline]] Matrix3x3 quaternion_to_dcm(const Quaternion& q_b_from_a) {
+  return Matrix3x3(q_b_from_a);
+}
+
+[[gnu::noinline]] Matrix3x3 euler_to_dcm(const Vector3& yaw_pitch_roll) {
+  Matrix3x3 R_a_from_b;
+  R_a_from_b.setEulerYPR(yaw_pitch_roll.x(), yaw_pitch_roll.y(), yaw_pitch_roll.z());
+  return R_a_from_b;
+}
+
+[[gnu::noinline]] Vector3 dcm_to_euler(const Matrix3x3& R_a_from_b) {
+  double yaw, pitch, roll;
+  R_a_from_b.getEulerYPR(yaw, pitch, roll);
+  return Vector3(yaw, pitch, roll);
+}
+
 }  // namespace bench::ros
 
 namespace bench {
@@ -74,6 +90,10 @@ Peer tf2_peer(const Given& given) {
   peer[Task::exp_to_quaternion_small] = way<&exp_to_quaternion>(List{}, g.small_theta);
   peer[Task::exp_to_dcm] = way<&exp_to_dcm>(List{}, g.theta);
   peer[Task::log_of_dcm] = way<&log_of_dcm>(List{}, g.R_below);
+  peer[Task::log_of_dcm_small] = way<&log_of_dcm>(List{}, g.R_small);
+  peer[Task::quaternion_to_dcm] = way<&quaternion_to_dcm>(List{}, q_b_from_a);
+  peer[Task::euler_to_dcm] = way<&euler_to_dcm>(List{}, g.yaw_pitch_roll);
+  peer[Task::dcm_to_euler] = way<&dcm_to_euler>(List{}, g.R_below);
   return peer;
 }
 

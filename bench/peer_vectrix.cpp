@@ -45,6 +45,7 @@ struct Operands {
   alignas(64) Dcm<F, E> R_f_from_e;
   alignas(64) Dcm<A, B> R_below;
   alignas(64) Dcm<A, B> R_above;
+  alignas(64) Dcm<A, B> R_small;
   alignas(64) AngularVelocity<A, B, In<B>> w_ab_b;
   alignas(64) AngularVelocity<B, C, In<C>> w_bc_c;
   alignas(64) AngularVelocity<C, D, In<D>> w_cd_d;
@@ -53,6 +54,7 @@ struct Operands {
   alignas(64) Vector<A, si::length> r_a;
   alignas(64) RotationVector<A, B> theta;
   alignas(64) RotationVector<A, B> small_theta;
+  alignas(64) EulerAngles<Intrinsic<3, 2, 1>, A, B> yaw_pitch_roll;
   alignas(64) Quaternion<B, A> q_b_from_a;
   alignas(64) Quaternion<C, B> q_c_from_b;
   alignas(64) Transform<B, A> X_b_from_a;
@@ -105,6 +107,20 @@ struct Operands {
   return log(R_a_from_b);
 }
 
+[[gnu::noinline]] Dcm<B, A> quaternion_to_dcm(const Quaternion<B, A>& q_b_from_a) {
+  return dcm(q_b_from_a);
+}
+
+using YawPitchRoll = EulerAngles<Intrinsic<3, 2, 1>, A, B>;
+
+[[gnu::noinline]] Dcm<A, B> euler_to_dcm(const YawPitchRoll& x_ab) {
+  return dcm(x_ab);
+}
+
+[[gnu::noinline]] YawPitchRoll dcm_to_euler(const Dcm<A, B>& R_a_from_b) {
+  return euler_angles(intrinsic<3, 2, 1>, R_a_from_b);
+}
+
 template <class G, class F> Dcm<G, F> rotation(To<G>, From<F>, const Nine& m) {
   return trust_dcm(to<G>, from<F>, Eigen::Matrix3d::ConstMapType(m.data()).transpose());
 }
@@ -118,6 +134,10 @@ Operands operands(const Given& given) {
   const auto turn = [](const Three& v) {
     return rotation_vector(of<B>, relative_to<A>,
                            vector<si::angle>(in<B>, Eigen::Vector3d(v[0], v[1], v[2])));
+  };
+  const auto angles = [](const Three& v) {
+    return euler_angles(intrinsic<3, 2, 1>, of<B>, relative_to<A>, v[0] * si::radian, v[1] * si::radian,
+                        v[2] * si::radian);
   };
   const auto rate = [&]<class G, class F>(Of<G>, RelativeTo<F>, const Three& v) {
     return angular_velocity(of<G>, relative_to<F>,
@@ -135,6 +155,7 @@ Operands operands(const Given& given) {
           rotation(to<F>, from<E>, R[4]),
           rotation(to<A>, from<B>, given.R_below),
           rotation(to<A>, from<B>, given.R_above),
+          rotation(to<A>, from<B>, given.R_small),
           rate(of<B>, relative_to<A>, w[0]),
           rate(of<C>, relative_to<B>, w[1]),
           rate(of<D>, relative_to<C>, w[2]),
@@ -143,6 +164,7 @@ Operands operands(const Given& given) {
           vector<si::length>(in<A>, Eigen::Vector3d(given.r_a[0], given.r_a[1], given.r_a[2])),
           turn(given.theta),
           turn(given.small_theta),
+          angles(given.yaw_pitch_roll),
           quaternion(to<B>, from<A>, given.q[0]),
           quaternion(to<C>, from<B>, given.q[1]),
           place(rotation(to<B>, from<A>, R[0]), given.r[0]),
@@ -167,7 +189,11 @@ Peer vectrix_peer(const Given& given) {
           {Task::exp_to_quaternion, way<&exp_to_quaternion>(List{}, g.theta)},
           {Task::exp_to_quaternion_small, way<&exp_to_quaternion>(List{}, g.small_theta)},
           {Task::exp_to_dcm, way<&exp_to_dcm>(List{}, g.theta)},
-          {Task::log_of_dcm, way<&log_of_dcm>(List{}, g.R_below)}};
+          {Task::log_of_dcm, way<&log_of_dcm>(List{}, g.R_below)},
+          {Task::log_of_dcm_small, way<&log_of_dcm>(List{}, g.R_small)},
+          {Task::quaternion_to_dcm, way<&quaternion_to_dcm>(List{}, g.q_b_from_a)},
+          {Task::euler_to_dcm, way<&euler_to_dcm>(List{}, g.yaw_pitch_roll)},
+          {Task::dcm_to_euler, way<&dcm_to_euler>(List{}, g.R_below)}};
 }
 
 }  // namespace bench

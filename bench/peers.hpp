@@ -23,6 +23,8 @@ struct Given {
   Three r_a;
   Three theta, small_theta;  // rotation vectors, rad
   Nine R_below, R_above;     // below 120 degrees, where the scalar of the quaternion is largest, and above
+  Nine R_small;              // by 1e-7 rad
+  Three yaw_pitch_roll;      // rad, about z, then the turned y, then the turned x
 };
 
 enum class Task {
@@ -37,7 +39,11 @@ enum class Task {
   exp_to_quaternion,
   exp_to_quaternion_small,
   exp_to_dcm,
-  log_of_dcm
+  log_of_dcm,
+  log_of_dcm_small,
+  quaternion_to_dcm,
+  euler_to_dcm,
+  dcm_to_euler
 };
 
 /// One task as one library does it. `result`: matrices row by row, quaternions scalar first, the rotation of
@@ -102,6 +108,7 @@ template <class Rotation, class Vector, class Transform> struct Untyped {
         R_f_from_e(R(given.R[4])),
         R_below(R(given.R_below)),
         R_above(R(given.R_above)),
+        R_small(R(given.R_small)),
         w_ab_b(v(given.w[0])),
         w_bc_c(v(given.w[1])),
         w_cd_d(v(given.w[2])),
@@ -110,6 +117,7 @@ template <class Rotation, class Vector, class Transform> struct Untyped {
         r_a(v(given.r_a)),
         theta(v(given.theta)),
         small_theta(v(given.small_theta)),
+        yaw_pitch_roll(v(given.yaw_pitch_roll)),
         X_b_from_a(X(R_b_from_a, v(given.r[0]))),
         X_c_from_b(X(R_c_from_b, v(given.r[1]))) {}
 
@@ -129,6 +137,7 @@ template <class Rotation, class Vector, class Transform> struct Untyped {
   alignas(64) Rotation R_f_from_e;
   alignas(64) Rotation R_below;
   alignas(64) Rotation R_above;
+  alignas(64) Rotation R_small;
   alignas(64) Vector w_ab_b;
   alignas(64) Vector w_bc_c;
   alignas(64) Vector w_cd_d;
@@ -137,6 +146,7 @@ template <class Rotation, class Vector, class Transform> struct Untyped {
   alignas(64) Vector r_a;
   alignas(64) Vector theta;
   alignas(64) Vector small_theta;
+  alignas(64) Vector yaw_pitch_roll;
   alignas(64) Transform X_b_from_a;
   alignas(64) Transform X_c_from_b;
 };

@@ -169,7 +169,7 @@ template <class B, class A, class S> Quaternion<A, B, S> inverse(const Quaternio
 
 /// R_a^b of q_a^b: entries such as 1 - 2 (y^2 + z^2) and 2 (x y - w z).
 template <class B, class A, class S> Dcm<B, A, S> dcm(const Quaternion<B, A, S>& q_b_from_a) {
-  return {detail::trusted_like(q_b_from_a), q_b_from_a.eigen().toRotationMatrix()};
+  return {detail::trusted_like(q_b_from_a), [&] { return q_b_from_a.eigen().toRotationMatrix(); }};
 }
 
 namespace detail {
