@@ -10,8 +10,8 @@ namespace vectrix {
 /// Largest | |q| - 1 | that the checked doors let in: ten printed digits pass.
 inline constexpr double unit_norm_tolerance = 1e-9;
 
-template <Frame A, Frame B, class S = double> class QuaternionRate;
-template <Frame A, Frame B, class S = double> class QuaternionSecondRate;
+template <Frame A, Frame B, class S = double> class VECTRIX_QUANTITY QuaternionRate;
+template <Frame A, Frame B, class S = double> class VECTRIX_QUANTITY QuaternionSecondRate;
 
 /// q_a^b, `q_b_from_a`, of type Quaternion<B, A>: a unit quaternion (Hamilton's product) that maps
 /// coordinates as R_a^b:

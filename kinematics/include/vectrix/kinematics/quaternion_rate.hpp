@@ -6,7 +6,7 @@
 namespace vectrix {
 
 /// The time derivative of q_b^a, four numbers, 1/s; not a rotation.
-template <Frame A, Frame B, class S> class VECTRIX_QUANTITY QuaternionRate : public detail::Stamped {
+template <Frame A, Frame B, class S> class QuaternionRate : public detail::Stamped {
  public:
   template <detail::Makes<Eigen::Quaternion<S>> Make>
   QuaternionRate(detail::Trusted key, const Make& make) : detail::Stamped(key), value_(make()) {}
@@ -97,7 +97,7 @@ QuaternionRate<A, B, S> quaternion_rate_scalar_last(const Quaternion<A, B, S>& q
 
 /// The second time derivative of q_b^a, four numbers, 1/s^2; made by second_rate(q_a_from_b, w_ab_c,
 /// alpha_ab_c), or from numbers by quaternion_second_rate_scalar_first().
-template <Frame A, Frame B, class S> class VECTRIX_QUANTITY QuaternionSecondRate : public detail::Stamped {
+template <Frame A, Frame B, class S> class QuaternionSecondRate : public detail::Stamped {
  public:
   template <detail::Makes<Eigen::Quaternion<S>> Make>
   QuaternionSecondRate(detail::Trusted key, const Make& make) : detail::Stamped(key), value_(make()) {}
