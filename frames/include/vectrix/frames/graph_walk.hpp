@@ -91,10 +91,10 @@ template <class Topology, class Values> class GraphWalk {
   }
 
   // The paths from a to b and to c part at m: w_ab^m = w_am^m + w_mb^m, then from m to c.
-  template <class B, class A, class C> auto angular_velocity() const {
+  template <class B, class A, class C> [[gnu::always_inline]] auto angular_velocity() const {
     static constexpr auto& to_b = Topology::template path_between<A, B>;
     static constexpr std::size_t parting = Topology::template shared_steps<A, B, C>();
-    return carried<A, C, parting>([&] {
+    return carried<A, C, parting>([&]() __attribute__((always_inline)) {
       if constexpr (parting == 0) {
         return rate_back<A, B, 0>();
       } else if constexpr (parting == to_b.length) {
@@ -139,8 +139,10 @@ template <class Topology, class Values> class GraphWalk {
   }
 
   // w_am^m, of the frame m that is `end` steps from A on the way to B; `before` is that of the first `step`.
+  // Inlined by force, as all of a query for a rate: clang would call it, and set up values that nobody asks
+  // for.
   template <class A, class B, std::size_t end, std::size_t step = 0, class... Rate>
-  auto rate(const Rate&... before) const {
+  [[gnu::always_inline]] auto rate(const Rate&... before) const {
     static constexpr auto& path = Topology::template path_between<A, B>;
     const auto& here = value<path.edge[step]>();
     const auto next = [&] {
@@ -158,7 +160,7 @@ template <class Topology, class Values> class GraphWalk {
   }
 
   // w_mb^m, of the frame m that is `step` steps from A on the way to B.
-  template <class A, class B, std::size_t step> auto rate_back() const {
+  template <class A, class B, std::size_t step> [[gnu::always_inline]] auto rate_back() const {
     static constexpr auto& path = Topology::template path_between<A, B>;
     if constexpr (step + 1 == path.length) {
       return rate_back_over<path.edge[step], path.reversed[step]>();
@@ -166,7 +168,8 @@ template <class Topology, class Values> class GraphWalk {
       return rate_back_over<path.edge[step], path.reversed[step]>(rate_back<A, B, step + 1>());
     }
   }
-  template <std::size_t edge, bool reversed, class... Rate> auto rate_back_over(const Rate&... beyond) const {
+  template <std::size_t edge, bool reversed, class... Rate>
+  [[gnu::always_inline]] auto rate_back_over(const Rate&... beyond) const {
     const auto& here = value<edge>();
     if constexpr (reversed) {
       return rate_back_against(moving_part(here), beyond...);
@@ -179,14 +182,16 @@ template <class Topology, class Values> class GraphWalk {
 
   // What `rate()` gives in the frame `step` steps from A on the way to C, expressed in C. Nothing is copied
   // on the way.
-  template <class A, class C, std::size_t step, class Rate> auto carried(Rate rate) const {
+  template <class A, class C, std::size_t step, class Rate>
+  [[gnu::always_inline]] auto carried(Rate rate) const {
     static constexpr auto& path = Topology::template path_between<A, C>;
     if constexpr (step == path.length) {
       return rate();
     } else {
       const auto& here = value<path.edge[step]>();
-      return carried<A, C, step + 1>(
-          [&] { return oriented<!path.reversed[step]>(rotation_of(here)) * rate(); });
+      return carried<A, C, step + 1>([&]() __attribute__((always_inline)) {
+        return oriented<!path.reversed[step]>(rotation_of(here)) * rate();
+      });
     }
   }
 
