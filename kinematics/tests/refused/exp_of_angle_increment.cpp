@@ -1,7 +1,7 @@
 // mistake: the exponential of the integral of a rate, which is no rotation vector
 // expect: exp
 // expect: Given = (vectrix::)?AngleIncrement<Gcrf, Body
-// expect: the integral of a rate
+// expect: of a rotation vector or a screw
 #include <vectrix/kinematics.hpp>
 
 struct Gcrf : vectrix::inertial_frame {};
