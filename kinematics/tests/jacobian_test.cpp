@@ -125,6 +125,30 @@ TEST(Jacobian, OfScrewsIsThePowerSeriesOfTheBracket) {
   }
 }
 
+// The integral of exp(s A), s from 0 to 1: of 2A half that of A and half that of exp(A) times it.
+ExtendedMatrix<6> doubled_power_series(const ExtendedMatrix<6>& A, int doublings) {
+  const ExtendedMatrix<6> part = A / std::ldexp(1.0L, doublings);
+  ExtendedMatrix<6> exponential = power_series<6>(part, 0);
+  ExtendedMatrix<6> integral = power_series<6>(part, 1);
+  for (int i = 0; i < doublings; ++i) {
+    integral = ((integral + exponential * integral) / 2).eval();
+    exponential = (exponential * exponential).eval();
+  }
+  return integral;
+}
+
+// Its lower block has the derivatives of coefficients, in which terms of the order of |theta|^2 cancel.
+TEST(Jacobian, OfScrewsKeepsItsDigitsOverManyTurns) {
+  for (const double angle : {6.0, 20.0, 85.0, 1000.0}) {
+    for (const Six& xi : screws_of(angle, 1.0)) {
+      const auto exact = doubled_power_series(bracket(extended(xi)), 10);
+      const double error = static_cast<double>(
+          (extended(left_jacobian(screw_of(xi))) - exact).bottomLeftCorner<3, 3>().cwiseAbs().maxCoeff());
+      EXPECT_LE(error, few * epsilon * xi.tail<3>().norm()) << xi.transpose();
+    }
+  }
+}
+
 TEST(Jacobian, TheInverseOfThatOfScrewsIsAccurateToAHalfTurn) {
   const ExtendedMatrix<6> one = ExtendedMatrix<6>::Identity();
   for (const double angle : angles_to_a_half_turn()) {

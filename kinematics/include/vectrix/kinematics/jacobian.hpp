@@ -32,10 +32,10 @@ template <class S> Column<S> left_jacobian_times(const Turn<S>& turn, const Colu
   const Column<S> cross = turn.theta.cross(x);
   return x + turn.c.c2 * cross + turn.c.c3 * turn.theta.cross(cross);
 }
-/// J_l^-1 x = x - 1/2 theta x x + e theta x (theta x x), e = (c_3 - 2 c_4)/(2 c_2).
+/// J_l^-1 x = x - 1/2 theta x x + e theta x (theta x x), e = -d_2/(2 c_2).
 template <class S> Column<S> inverse_left_jacobian_times(const Turn<S>& turn, const Column<S>& x) {
   const Column<S> cross = turn.theta.cross(x);
-  const S e = (turn.c.c3 - S(2) * turn.c.c4) / (S(2) * turn.c.c2);
+  const S e = -turn.c.d2 / (S(2) * turn.c.c2);
   return x - cross / S(2) + e * turn.theta.cross(cross);
 }
 /// d/ds J_l(theta + s rho) x at s = 0; dc_2/ds and dc_3/ds by the derivatives of Stumpff's functions.
@@ -45,7 +45,7 @@ Column<S> left_jacobian_change_times(const Turn<S>& turn, const Column<S>& rho, 
   const Column<S> cross = theta.cross(x);
   const S along = theta.dot(rho);
   return c.c2 * rho.cross(x) + c.c3 * (theta.cross(rho.cross(x)) + rho.cross(cross)) +
-         along * ((S(2) * c.c4 - c.c3) * cross + (S(3) * c.c5 - c.c4) * theta.cross(cross));
+         along * (c.d2 * cross + c.d3 * theta.cross(cross));
 }
 
 /// The matrix of x -> f(x).
