@@ -4,11 +4,17 @@ set(DOXYGEN_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/docs)
 set(DOXYGEN_PROJECT_NAME Vectrix)
 set(DOXYGEN_USE_MDFILE_AS_MAINPAGE ${PROJECT_SOURCE_DIR}/README.md)
 set(DOXYGEN_STRIP_FROM_PATH ${PROJECT_SOURCE_DIR})
+set(DOXYGEN_IMAGE_PATH ${PROJECT_SOURCE_DIR}/docs)
 set(DOXYGEN_EXTRACT_ALL YES)
 set(DOXYGEN_QUIET YES)
 set(DOXYGEN_HAVE_DOT NO)
 doxygen_add_docs(docs frames/include kinematics/include dynamics/include docs README.md
                  WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
+
+# docs/pictures.
+if(TARGET draw_pictures)
+  add_dependencies(docs draw_pictures)
+endif()
 
 # The compiler's message in README.md.
 get_target_property(eigen Eigen3::Eigen INTERFACE_INCLUDE_DIRECTORIES)

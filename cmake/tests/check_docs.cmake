@@ -3,10 +3,12 @@
 #     ```text          right after a program: what it prints
 #     ```csv <file>    a file that the programs of the page find beside them
 #     ```cpp <file>    lines out of a program that the tests compile, in its order; blanks do not count
+# Every picture of docs/pictures is on a page.
 cmake_minimum_required(VERSION 3.25)
 include(${CMAKE_CURRENT_LIST_DIR}/../doc_blocks.cmake)
 if(NOT DEFINED PAGES)
   file(GLOB PAGES ${ROOT}/README.md ${ROOT}/docs/*.md)
+  file(GLOB pictures RELATIVE ${ROOT}/docs ${ROOT}/docs/pictures/*)
 endif()
 set(compiled "^(examples|(frames|kinematics|dynamics)/tests(/refused)?)/[a-z0-9_]+[.]cpp$")
 set(violations 0)
@@ -75,6 +77,22 @@ foreach(page IN LISTS PAGES)
       violation("no test reads a block of the kind '${kind}'")
     endif()
   endforeach()
+endforeach()
+
+foreach(picture IN LISTS pictures)
+  set(shown OFF)
+  foreach(page IN LISTS PAGES)
+    file(READ ${page} text)
+    string(FIND "${text}" "](${picture})" at)
+    if(at GREATER_EQUAL 0)
+      set(shown ON)
+    endif()
+  endforeach()
+  if(NOT shown)
+    set(page docs)
+    set(line 0)
+    violation("no page shows ${picture}")
+  endif()
 endforeach()
 
 if(violations GREATER 0)

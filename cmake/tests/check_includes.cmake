@@ -1,5 +1,5 @@
 # The direction of dependence, read from the #include lines: cmake -D ROOT=<source folder> -P check_includes.cmake
-#     frames <- kinematics <- dynamics <- examples, validation
+#     frames <- kinematics <- dynamics <- examples, pictures, validation
 # SUNDIALS and ERFA are known in dynamics/src alone, Simbody in validation/**/simbody_* and
 # bench/peer_simbody.cpp alone.
 cmake_minimum_required(VERSION 3.25)
@@ -27,8 +27,8 @@ endfunction()
 
 forbid("${kinematics}|${dynamics}" frames/*)
 forbid("${dynamics}" kinematics/*)
-forbid("${solvers}" frames/* kinematics/* dynamics/include/* dynamics/tests/* examples/* validation/*)
-forbid("${simbody}" frames/* kinematics/* dynamics/* examples/* validation/* bench/*)
+forbid("${solvers}" frames/* kinematics/* dynamics/include/* dynamics/tests/* examples/* pictures/* validation/*)
+forbid("${simbody}" frames/* kinematics/* dynamics/* examples/* pictures/* validation/* bench/*)
 
 # Public headers do not use a name of the engines either (an enumerator such as cvode_adams is ours).
 file(GLOB_RECURSE headers RELATIVE ${ROOT} ${ROOT}/frames/include/*.hpp ${ROOT}/kinematics/include/*.hpp

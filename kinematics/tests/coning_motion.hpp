@@ -3,8 +3,6 @@
 #include <cmath>
 #include <vectrix/kinematics.hpp>
 
-#include "../../frames/tests/attitudes.hpp"
-
 namespace vectrix_test {
 
 /// The classical coning motion: b is turned from a by the constant angle `cone` about an axis that goes round
@@ -12,35 +10,35 @@ namespace vectrix_test {
 ///     q_b^a = (cos c/2, 0, sin c/2 cos st, sin c/2 sin st)
 ///     w_ab^b = s (-2 sin^2 c/2, -sin c sin st, sin c cos st)
 /// b comes back each time round, though the integral of w does not.
-struct ConingMotion {
+template <vectrix::Frame A, vectrix::Frame B> struct ConingMotion {
   double cone;
   double speed;
 
-  vectrix::Quaternion<Gcrf, Body> attitude(double t) const {
+  vectrix::Quaternion<A, B> attitude(double t) const {
     const double s = std::sin(cone / 2), c = std::cos(cone / 2);
-    return vectrix::quaternion_scalar_first(vectrix::to<Gcrf>, vectrix::from<Body>, c, 0.0,
-                                            s * std::cos(speed * t), s * std::sin(speed * t));
+    return vectrix::quaternion_scalar_first(vectrix::to<A>, vectrix::from<B>, c, 0.0, s * std::cos(speed * t),
+                                            s * std::sin(speed * t));
   }
-  vectrix::AngularVelocity<Gcrf, Body, vectrix::In<Body>> rate(double t) const {
+  vectrix::AngularVelocity<A, B, vectrix::In<B>> rate(double t) const {
     using namespace vectrix;
     const double s = std::sin(cone / 2);
     return angular_velocity(
-        of<Body>, relative_to<Gcrf>,
+        of<B>, relative_to<A>,
         vector<si::angular_velocity>(
-            in<Body>, speed * Eigen::Vector3d(-2 * s * s, -std::sin(cone) * std::sin(speed * t),
-                                              std::sin(cone) * std::cos(speed * t))));
+            in<B>, speed * Eigen::Vector3d(-2 * s * s, -std::sin(cone) * std::sin(speed * t),
+                                           std::sin(cone) * std::cos(speed * t))));
   }
   /// The integral of the rate from t to t + h.
-  vectrix::AngleIncrement<Gcrf, Body> count(double t, double h) const {
+  vectrix::AngleIncrement<A, B> count(double t, double h) const {
     using namespace vectrix;
     const double s = std::sin(cone / 2);
     // Differences of cosines and sines, as products.
     const double chord = 2 * std::sin(cone) * std::sin(speed * h / 2);
     const double middle = speed * (t + h / 2);
     return angle_increment(
-        of<Body>, relative_to<Gcrf>,
-        vector<si::angle>(in<Body>, Eigen::Vector3d(-2 * s * s * speed * h, -chord * std::sin(middle),
-                                                    chord * std::cos(middle))));
+        of<B>, relative_to<A>,
+        vector<si::angle>(in<B>, Eigen::Vector3d(-2 * s * s * speed * h, -chord * std::sin(middle),
+                                                 chord * std::cos(middle))));
   }
   /// The rotation vector of the turn from t to t + h.
   Eigen::Vector3d increment(double t, double h) const {

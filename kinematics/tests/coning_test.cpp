@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "../../frames/tests/attitudes.hpp"
 #include "coning_motion.hpp"
 
 using namespace vectrix;
@@ -7,10 +8,11 @@ using namespace vectrix_test;
 
 namespace {
 
-const ConingMotion motion{1e-3, 50.0};  // 1 mrad, about 8 turns a second
+using Coning = ConingMotion<Gcrf, Body>;
+const Coning motion{1e-3, 50.0};  // 1 mrad, about 8 turns a second
 
 TEST(Coning, TheMotionIsThatOfItsRate) {
-  const ConingMotion wide{0.7, 3.0};
+  const Coning wide{0.7, 3.0};
   const double t = 0.4, h = 1e-5;
   const auto R = [&](double at) { return dcm(wide.attitude(at)).matrix(); };
   EXPECT_LE(distance(R(t) * hat(wide.rate(t).coordinates()), (R(t + h) - R(t - h)) / (2 * h)), 1e-9);
@@ -68,7 +70,7 @@ TEST(Coning, DriftsAsTheClosedFormSays) {
 // Against the closed form over a second, turning wide: the attitude itself. What is left of the last is of
 // third order in the counts, which no product of two takes away.
 TEST(Coning, CorrectedCountsKeepTheAttitude) {
-  const ConingMotion wide{0.1, 20.0};
+  const Coning wide{0.1, 20.0};
   const double h = 1.0 / 240;
   const auto run = [&](int counts, auto increment) {
     Quaternion<Gcrf, Body> q = wide.attitude(0.0);
@@ -119,7 +121,7 @@ TEST(Gyro, MeasuresByItsModel) {
 }
 
 TEST(Gyro, CarriesTheAttitudeAlong) {
-  const ConingMotion wide{0.1, 20.0};
+  const Coning wide{0.1, 20.0};
   const double h = 1.0 / 500;
   const auto dt = h * si::second;
   GyroAttitude<Gcrf, Body> known(wide.attitude(0.0), errors());

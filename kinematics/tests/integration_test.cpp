@@ -1,8 +1,9 @@
 #include <gtest/gtest.h>
 
 #include <functional>
+#include <vectrix/kinematics.hpp>
 
-#include "coning_motion.hpp"
+#include "../../frames/tests/attitudes.hpp"
 
 using namespace vectrix;
 using namespace vectrix_test;

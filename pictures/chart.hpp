@@ -1,0 +1,42 @@
+#pragma once
+
+#include <utility>
+
+#include "svg.hpp"
+
+namespace pictures {
+
+/// An axis: what is drawn along it with its unit, from where to where, and the numbers written beside it.
+struct Axis {
+  std::string label;
+  double from, to;
+  bool logarithmic;
+  std::vector<std::pair<double, std::string>> ticks;
+
+  /// From 0 at the start of the axis to 1 at its end.
+  double along(double value) const;
+};
+
+/// Powers of ten from 10^first to 10^last, each `every`-th with its number.
+Axis decades(std::string label, int first, int last, int every = 1);
+/// Multiples of the step.
+Axis steps(std::string label, double from, double to, double step, int decimals);
+
+/// Two axes with a title between the corners of a rectangle, and curves of numbers within.
+class Chart {
+ public:
+  Chart(Svg& svg, const Point& upper_left, const Point& lower_right, std::string_view title, Axis x, Axis y);
+
+  void curve(const std::vector<Point>& numbers, const Stroke& stroke, bool dots = true);
+  /// Words beside a pair of numbers, moved by so many pixels.
+  void label(const Point& numbers, std::string_view words, const Font& font, const Point& moved = {7, 4});
+
+ private:
+  Point at(const Point& numbers) const;
+
+  Svg& svg_;
+  Point upper_left_, lower_right_;
+  Axis x_, y_;
+};
+
+}  // namespace pictures
