@@ -3,7 +3,7 @@
 #     ```text          right after a program: what it prints
 #     ```csv <file>    a file that the programs of the page find beside them
 #     ```cpp <file>    lines out of a program that the tests compile, in its order; blanks do not count
-# Every picture of docs/pictures is on a page.
+# Every test that a page names, `<file> <suite>.<name>`, is in that file; every picture of docs/pictures is on a page.
 cmake_minimum_required(VERSION 3.25)
 include(${CMAKE_CURRENT_LIST_DIR}/../doc_blocks.cmake)
 if(NOT DEFINED PAGES)
@@ -79,6 +79,24 @@ foreach(page IN LISTS PAGES)
   endforeach()
 endforeach()
 
+foreach(page IN LISTS PAGES)
+  file(READ ${page} text)
+  set(line 0)
+  while(text MATCHES "`([a-z]+/tests/[a-z_]+[.]cpp) ([A-Za-z0-9]+)[.]([A-Za-z0-9_]+)`(.*)")
+    set(file ${CMAKE_MATCH_1})
+    set(suite ${CMAKE_MATCH_2})
+    set(name ${CMAKE_MATCH_3})
+    set(text "${CMAKE_MATCH_4}")
+    set(source "")
+    if(EXISTS ${ROOT}/${file})
+      file(READ ${ROOT}/${file} source)
+    endif()
+    if(NOT source MATCHES "[A-Z]\\(${suite}, ${name}[,)]")
+      violation("${file} has no ${suite}.${name}")
+    endif()
+  endwhile()
+endforeach()
+
 foreach(picture IN LISTS pictures)
   set(shown OFF)
   foreach(page IN LISTS PAGES)
@@ -96,5 +114,5 @@ foreach(picture IN LISTS pictures)
 endforeach()
 
 if(violations GREATER 0)
-  message(FATAL_ERROR "${violations} blocks that the tests would pass over")
+  message(FATAL_ERROR "${violations} violations")
 endif()
