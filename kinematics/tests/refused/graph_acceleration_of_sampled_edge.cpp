@@ -1,5 +1,5 @@
 // mistake: the acceleration across samples joined by slerp: its rate jumps from one to the next
-// expect: SampledAttitude<Gcrf, Body
+// expect: AccelerationOn<(vectrix::)?Link<Gcrf, Body
 #include <vectrix/kinematics.hpp>
 
 struct Gcrf : vectrix::inertial_frame {};
