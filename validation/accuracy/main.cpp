@@ -39,9 +39,9 @@ int run(const Arguments& arguments) {
   const long samples = std::stol(arguments.samples);
   if (samples < 1) throw std::invalid_argument("accuracy: the number of samples is " + arguments.samples);
   Table table(static_cast<std::size_t>(samples));
-  for (const auto rows :
-       {frame_rows, rotation_rows, quaternion_rows, parameter_rows, parameter_rate_rows, euler_rows,
-        euler_rate_rows, jacobian_rows, screw_rows, law_rows, step_rows, free_rotation_rows}) {
+  for (const auto rows : {frame_rows, rotation_rows, quaternion_rows, parameter_rows, parameter_rate_rows,
+                          euler_rows, euler_rate_rows, jacobian_rows, screw_rows, law_rows, step_rows,
+                          sampled_rows, fit_rows, free_rotation_rows}) {
     rows(table);
   }
   const std::string page = heading + table.markdown();

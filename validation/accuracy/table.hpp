@@ -104,6 +104,8 @@ void jacobian_rows(Table& table);
 void screw_rows(Table& table);
 void law_rows(Table& table);
 void step_rows(Table& table);
+void sampled_rows(Table& table);
+void fit_rows(Table& table);
 void free_rotation_rows(Table& table);
 
 }  // namespace vectrix::accuracy
