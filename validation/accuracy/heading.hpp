@@ -4,7 +4,7 @@ namespace vectrix::accuracy {
 
 inline constexpr const char* heading = R"(# Accuracy
 
-Written by `./dev validate`. The error of every function in double precision, against `long double` of 64 digits, which
+Written by `./dev validate`. The error of every function in double precision, against `long double` of 64 binary digits, which
 takes the same double numbers exactly.
 
 - **ulp**: an error e counts |e| / (2^-52 scale), |e| being the Euclidean norm of the difference of vectors or
@@ -21,8 +21,7 @@ takes the same double numbers exactly.
   logarithms, Jacobians, angles, motions. For sums and products, *rounding alone*: the same formula in `long double`;
   that it is the right one is the business of the tests.
 - **The promise** counts roundings, half an ulp each, as if all went to one side, times what the domain can make of one.
-  It does not depend on what was measured; a row fails beyond it. The test suite measures the same rows with fewer
-  samples.
+  A row fails beyond it. The test suite measures the same rows with fewer samples.
 - The samples are drawn with a fixed seed, lengths evenly over the powers of two. Sine, cosine and arc tangent are those
   of the C library, within one ulp.
 
