@@ -28,8 +28,8 @@ takes the same double numbers exactly.
 Left out, for they round nothing of their own: the doors that only check, `inverse` of rotations, `aligned`,
 conversions that reorder numbers, `hat`, `ad`, sums and differences of two vectors. Graphs, snapshots and moving
 transforms compose what is here; `SampledAttitude` is a slerp, `GyroErrors` a product with a matrix. Left out though
-they round: covariances and `estimate_motion`, whose errors are those of noisy samples. Integration and the Earth
-are in [validation.md](validation.md).
+they round: covariances and `estimate_motion`, whose errors are those of noisy samples; the Earth. Integration is in
+[validation.md](validation.md).
 )";
 
 }  // namespace vectrix::accuracy
