@@ -19,9 +19,12 @@ template <int N> ExtendedMatrix<N> power_series(const ExtendedMatrix<N>& M, int 
   ExtendedMatrix<N> term = ExtendedMatrix<N>::Identity();
   for (int k = 2; k <= first; ++k) term /= k;
   ExtendedMatrix<N> sum = term;
-  for (int n = 1; n <= 80; ++n) {
+  int lost = 0;  // terms without effect in a row, of which every other may vanish
+  for (int n = 1; n <= 80 && lost < 3; ++n) {
     term = (term * M / (n + first)).eval();
+    const ExtendedMatrix<N> before = sum;
     sum += term;
+    lost = sum == before ? lost + 1 : 0;
   }
   return sum;
 }
