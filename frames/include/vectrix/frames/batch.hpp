@@ -54,28 +54,6 @@ template <Batch S, class Function> S each_lane(const S& x, const Function& f) {
   return S([&](auto i) { return f(typename S::value_type(x[i])); });
 }
 
-/// Above it libstdc++'s sine and cosine of a batch go wrong: they count quarter turns in 32 bits.
-inline constexpr double batch_angle_limit = 1e8;
-
-template <class S> S sine(const S& x) {
-  using std::abs;
-  using std::sin;
-  if constexpr (Batch<S>) {
-    if (!all(abs(x) <= number<S>(batch_angle_limit)))
-      return each_lane(x, [](auto angle) { return sin(angle); });
-  }
-  return sin(x);
-}
-template <class S> S cosine(const S& x) {
-  using std::abs;
-  using std::cos;
-  if constexpr (Batch<S>) {
-    if (!all(abs(x) <= number<S>(batch_angle_limit)))
-      return each_lane(x, [](auto angle) { return cos(angle); });
-  }
-  return cos(x);
-}
-
 /// Whether every entry of a matrix is finite, in every lane.
 template <class Matrix> bool all_finite(const Matrix& matrix) {
   using S = typename Matrix::Scalar;

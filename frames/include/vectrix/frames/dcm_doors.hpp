@@ -3,6 +3,7 @@
 #include <Eigen/SVD>
 #include <cmath>
 #include <vectrix/frames/dcm_chain.hpp>
+#include <vectrix/frames/sine_cosine.hpp>
 
 namespace vectrix {
 
@@ -151,8 +152,8 @@ template <class B, class A, class S>
 template <Eigen::Index axis, class B, class A, class S>
 Dcm<B, A, S> turned(const char* door, const Quantity<si::angle, S>& angle) {
   const S theta = angle.value();
-  const S c = cosine(theta);
-  const S s = sine(theta);
+  const auto turn = sine_cosine(theta);
+  const S s = turn.sine, c = turn.cosine;
   if (!all(c == c)) {  // the cosine of an infinity is no number
     refuse_angle<B, A>(door, theta);
   }

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cmath>
+#include <vectrix/frames/sine_cosine.hpp>
 #include <vectrix/kinematics/along_axis.hpp>
+#include <vectrix/kinematics/arc_tangent.hpp>
 #include <vectrix/kinematics/rotation_vector.hpp>
 
 namespace vectrix {
@@ -32,10 +34,10 @@ class AxisAngle : public detail::AttitudeParameters<AxisAngle<A, B, S>, A, B, S,
   /// How far the angle is from the nearest whole number of turns.
   Quantity<si::angle, S> distance_from_singularity() const {
     using std::abs;
-    using std::atan2;
     const S half = this->coordinates()(0) / S(2);
-    return Quantity<si::angle, S>::from_value(
-        S(2) * S(atan2(S(abs(detail::sine<S>(half))), S(abs(detail::cosine<S>(half))))));
+    const auto turn = detail::sine_cosine(half);
+    return Quantity<si::angle, S>::from_value(S(2) *
+                                              detail::arc_tangent(S(abs(turn.sine)), S(abs(turn.cosine))));
   }
 
   /// Turning b by it gives a: the opposite axis.
@@ -49,9 +51,9 @@ class AxisAngle : public detail::AttitudeParameters<AxisAngle<A, B, S>, A, B, S,
   }
   friend Quaternion<A, B, S> quaternion(const AxisAngle& x_ab) {
     const S half = x_ab.coordinates()(0) / S(2);
-    const detail::Column<S> v = detail::sine<S>(half) * x_ab.coordinates().template tail<3>();
-    return {detail::trusted,
-            [&] { return Eigen::Quaternion<S>(detail::cosine<S>(half), v.x(), v.y(), v.z()); }};
+    const auto turn = detail::sine_cosine(half);
+    const detail::Column<S> v = turn.sine * x_ab.coordinates().template tail<3>();
+    return {detail::trusted, [&] { return Eigen::Quaternion<S>(turn.cosine, v.x(), v.y(), v.z()); }};
   }
   friend Dcm<A, B, S> dcm(const AxisAngle& x_ab) { return dcm(quaternion(x_ab)); }
 
@@ -89,7 +91,6 @@ auto axis_angle(  // of<B>, relative_to<A>: two frames; a direction in one of th
 namespace detail {
 
 template <class A, class B, class S> AxisAngle<A, B, S> axis_angle_of(const Quaternion<A, B, S>& q_a_from_b) {
-  using std::atan2;
   const Eigen::Quaternion<S> q = shorter_way(q_a_from_b.eigen());
   const Column<S> v = q.vec();
   const S largest = v.cwiseAbs().maxCoeff();
@@ -103,7 +104,7 @@ template <class A, class B, class S> AxisAngle<A, B, S> axis_angle_of(const Quat
   const S scale = select<S>(none, S(1), largest);
   const Column<S> scaled(select<S>(none, S(1), S(v.x() / scale)), S(v.y() / scale), S(v.z() / scale));
   const S norm = scaled.norm();
-  return {trusted, S(2) * S(atan2(S(norm * largest), q.w())), scaled / norm};
+  return {trusted, S(2) * arc_tangent(S(norm * largest), q.w()), scaled / norm};
 }
 
 }  // namespace detail
@@ -154,7 +155,7 @@ struct KinematicsOf<AxisAngle<A, B, S>, expressed_in_turned> {
   static Column<S> velocity(const AxisAngle<A, B, S>& x, const Numbers& xdot) {
     const Column<S> n = x.coordinates().template tail<3>();
     const Column<S> ndot = xdot.template tail<3>();
-    return n * xdot(0) + sine<S>(x.coordinates()(0)) * ndot - versine(x) * turn(n, ndot);
+    return n * xdot(0) + sine_cosine(x.coordinates()(0)).sine * ndot - versine(x) * turn(n, ndot);
   }
   static Numbers second_rate(const AxisAngle<A, B, S>& x, const Numbers& xdot, const Column<S>& w,
                              const Column<S>& alpha) {
@@ -172,8 +173,7 @@ struct KinematicsOf<AxisAngle<A, B, S>, expressed_in_turned> {
     const Column<S> n = x.coordinates().template tail<3>();
     const Column<S> ndot = xdot.template tail<3>();
     const Column<S> nddot = xddot.template tail<3>();
-    const S s = sine<S>(x.coordinates()(0));
-    const S c = cosine<S>(x.coordinates()(0));
+    const auto [s, c] = sine_cosine(x.coordinates()(0));
     return n * xddot(0) + (S(1) + c) * xdot(0) * ndot + s * nddot - s * xdot(0) * turn(n, ndot) -
            versine(x) * turn(n, nddot);
   }
@@ -189,14 +189,14 @@ struct KinematicsOf<AxisAngle<A, B, S>, expressed_in_turned> {
   }
   // 1 - cos phi
   static S versine(const AxisAngle<A, B, S>& x) {
-    const S s = sine<S>(x.coordinates()(0) / S(2));
+    const S s = sine_cosine<S>(x.coordinates()(0) / S(2)).sine;
     return S(2) * s * s;
   }
   static S cotangent(const AxisAngle<A, B, S>& x, const char* action) {
     const S half = x.coordinates()(0) / S(2);
-    const S s = sine<S>(half);
+    const auto [s, c] = sine_cosine<S>(half);
     require_regular<AxisAngle<A, B, S>>(S(2) * s, action);
-    return cosine<S>(half) / s;
+    return c / s;
   }
 };
 

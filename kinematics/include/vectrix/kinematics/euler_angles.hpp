@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cmath>
+#include <vectrix/frames/sine_cosine.hpp>
+#include <vectrix/kinematics/arc_tangent.hpp>
 #include <vectrix/kinematics/euler_sequence.hpp>
 #include <vectrix/kinematics/parameters.hpp>
 
@@ -17,8 +19,9 @@ template <int axis, class Matrix, class S> Matrix turned_about(const Matrix& x, 
   return y;
 }
 template <int axis, class S> Eigen::Quaternion<S> turn_about(const S& angle) {
-  Eigen::Quaternion<S> q(cosine<S>(angle / S(2)), S(0), S(0), S(0));
-  q.vec()(axis) = sine<S>(angle / S(2));
+  const auto [sine, cosine] = sine_cosine<S>(angle / S(2));
+  Eigen::Quaternion<S> q(cosine, S(0), S(0), S(0));
+  q.vec()(axis) = sine;
   return q;
 }
 
@@ -41,16 +44,20 @@ class EulerAngles : public detail::AttitudeParameters<EulerAngles<Sequence, A, B
   /// How far the second angle is from the nearest at which the third axis is parallel to the first.
   Quantity<si::angle, S> distance_from_singularity() const {
     using std::abs;
-    using std::atan2;
-    const S s = abs(detail::sine<S>(this->coordinates()(1)));
-    const S c = abs(detail::cosine<S>(this->coordinates()(1)));
-    return Quantity<si::angle, S>::from_value(Sequence::proper ? atan2(s, c) : atan2(c, s));
+    const auto [sine, cosine] = detail::sine_cosine(this->coordinates()(1));
+    const S s = abs(sine), c = abs(cosine);
+    return Quantity<si::angle, S>::from_value(Sequence::proper ? detail::arc_tangent(s, c)
+                                                               : detail::arc_tangent(c, s));
   }
 
   /// Entries that are products of sines and cosines alone keep all their digits near the singularity.
   friend Dcm<A, B, S> dcm(const EulerAngles& x_ab) {
-    const detail::Column<S> s = x_ab.coordinates().unaryExpr([](const S& t) { return detail::sine(t); });
-    const detail::Column<S> c = x_ab.coordinates().unaryExpr([](const S& t) { return detail::cosine(t); });
+    detail::Column<S> s, c;
+    for (int turn = 0; turn < 3; ++turn) {
+      const auto [sine, cosine] = detail::sine_cosine(x_ab.coordinates()(turn));
+      s(turn) = sine;
+      c(turn) = cosine;
+    }
     using detail::turned_about;
     const detail::Square<S> none = detail::Square<S>::Identity();
     constexpr int i = Sequence::first, j = Sequence::second, k = Sequence::third;
@@ -111,7 +118,6 @@ namespace detail {
 
 template <EulerSequence Sequence, class A, class B, class S>
 EulerAngles<Sequence, A, B, S> euler_angles_of(const Dcm<A, B, S>& R_a_from_b) {
-  using std::atan2;
   using std::sqrt;
   constexpr int i = Sequence::first, j = Sequence::second, l = Sequence::other;
   // In the axes i, j, l, with the angles times their handedness, all 12 products have two forms. The inverse
@@ -126,7 +132,7 @@ EulerAngles<Sequence, A, B, S> euler_angles_of(const Dcm<A, B, S>& R_a_from_b) {
   const auto singular = h <= singular_angle<S>();
   const S opposite = Sequence::proper ? h : S(sign * R(i, l));
   const S adjacent = Sequence::proper ? R(i, i) : h;
-  const S second = atan2(opposite, adjacent);
+  const S second = arc_tangent(opposite, adjacent);
   if constexpr (Differentiated<S>) {
     if (singular) {
       refuse_singular<EulerAngles<Sequence, A, B, S>>(without_derivatives(h), "euler_angles");
@@ -137,8 +143,8 @@ EulerAngles<Sequence, A, B, S> euler_angles_of(const Dcm<A, B, S>& R_a_from_b) {
   const S s = select<S>(singular, S(0), S(s3 / length));
   const S c1 = Sequence::proper ? S(c * R(j, j) - s * R(j, l)) : S(s * R(j, i) + c * R(j, j));
   const S s1 = Sequence::proper ? S(c * R(l, j) - s * R(l, l)) : S(s * R(l, i) + c * R(l, j));
-  const S first = atan2(S(sign * s1), c1);
-  const S third = select<S>(singular, S(0), S(atan2(S(sign * s), c)));
+  const S first = arc_tangent(S(sign * s1), c1);
+  const S third = select<S>(singular, S(0), S(arc_tangent(S(sign * s), c)));
   return {trusted, Column<S>(first, second, third)};
 }
 

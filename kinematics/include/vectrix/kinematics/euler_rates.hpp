@@ -32,18 +32,17 @@ struct KinematicsOf<EulerAngles<Sequence, A, B, S>, expressed_in_turned> {
     constexpr int i = Sequence::first, j = Sequence::second, k = Sequence::third;
     constexpr int sign = Sequence::intrinsic ? 1 : -1;
     const auto& t = x.coordinates();
-    const S c2 = cosine<S>(t(1));
-    const S s2 = sine<S>(t(1));
+    const auto [s2, c2] = sine_cosine(t(1));
     Square<S> u;
     if constexpr (Sequence::intrinsic != expressed_in_turned) {
-      const S c1 = cosine<S>(t(0));
-      const S s1 = S(sign) * sine<S>(t(0));
+      const auto [sine, c1] = sine_cosine(t(0));
+      const S s1 = S(sign) * sine;
       u.col(0) = unit(i);
       u.col(1) = turned_about<i>(unit(j), c1, s1);
       u.col(2) = turned_about<i>(turned_about<j>(unit(k), c2, S(S(sign) * s2)), c1, s1);
     } else {
-      const S c3 = cosine<S>(t(2));
-      const S s3 = S(-sign) * sine<S>(t(2));
+      const auto [sine, c3] = sine_cosine(t(2));
+      const S s3 = S(-sign) * sine;
       u.col(2) = unit(k);
       u.col(1) = turned_about<k>(unit(j), c3, s3);
       u.col(0) = turned_about<k>(turned_about<j>(unit(i), c2, S(S(-sign) * s2)), c3, s3);
@@ -59,7 +58,8 @@ struct KinematicsOf<EulerAngles<Sequence, A, B, S>, expressed_in_turned> {
     const S triple = u.col(0).dot(n1);
     if (!is_regular(triple)) {
       const auto second = without_derivatives(x.coordinates()(1));
-      refuse_singular<Angles>(Sequence::proper ? sine(second) : cosine(second), action);
+      refuse_singular<Angles>(Sequence::proper ? sine_cosine(second).sine : sine_cosine(second).cosine,
+                              action);
     }
     return {n1.dot(w) / triple, u.col(1).dot(w), n3.dot(w) / triple};
   }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <vectrix/frames/sine_cosine.hpp>
 #include <vectrix/kinematics/quaternion.hpp>
 #include <vectrix/kinematics/rotation_vector.hpp>
 
@@ -15,13 +16,14 @@ template <class S> struct HalfTurn {
 /// By their series; for |theta| < 1e-2 the first terms left out are below 1e-22.
 template <class S> HalfTurn<S> half_turn_series(const S& square) {
   const S h2 = square / S(4);
-  return {S(1) - h2 / S(2) * (S(1) - h2 / S(12) * (S(1) - h2 / S(30) * (S(1) - h2 / S(56)))),
-          (S(1) - h2 / S(6) * (S(1) - h2 / S(20) * (S(1) - h2 / S(42)))) / S(2)};
+  return {S(1) - h2 * (S(1) / S(2) - h2 * (S(1) / S(24) - h2 * (S(1) / S(720) - h2 * (S(1) / S(40320))))),
+          S(1) / S(2) - h2 * (S(1) / S(12) - h2 * (S(1) / S(240) - h2 * (S(1) / S(10080))))};
 }
 template <class S> HalfTurn<S> half_turn(const S& square) {
   using std::sqrt;
   const S angle = sqrt(square);
-  return {cosine<S>(angle / S(2)), sine<S>(angle / S(2)) / angle};
+  const auto [sine, cosine] = sine_cosine<S>(angle / S(2));
+  return {cosine, sine / angle};
 }
 
 template <class B, class A, class S> [[noreturn, gnu::cold, gnu::noinline]] void refuse_exp(S square) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <vectrix/kinematics/along_axis.hpp>
+#include <vectrix/kinematics/arc_tangent.hpp>
 
 namespace vectrix {
 
@@ -16,9 +17,8 @@ class GibbsVector : public detail::AlongAxis<GibbsVector<A, B, S>, A, B, S> {
 
   /// How far the turn is from half a turn: pi - phi.
   Quantity<si::angle, S> distance_from_singularity() const {
-    using std::atan2;
-    return Quantity<si::angle, S>::from_value(S(2) *
-                                              S(atan2(S(1), detail::scaled_norm(this->coordinates()))));
+    return Quantity<si::angle, S>::from_value(
+        S(2) * detail::arc_tangent<S>(S(1), detail::scaled_norm(this->coordinates())));
   }
   /// g_ba = -g_ab
   GibbsVector<B, A, S> operator-() const { return {detail::trusted, -this->coordinates()}; }

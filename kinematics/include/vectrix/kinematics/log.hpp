@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <vectrix/kinematics/arc_tangent.hpp>
 #include <vectrix/kinematics/quaternion.hpp>
 #include <vectrix/kinematics/rotation_vector.hpp>
 
@@ -9,10 +10,9 @@ namespace detail {
 
 /// |theta| / |v| of the shortest turn, from q_w >= 0 and |v|^2, where q = (q_w, v).
 template <class S> S turn_factor(const S& scalar, const S& square) {
-  using std::atan2;
   using std::sqrt;
   const S length = sqrt(square);
-  return S(2) * atan2(length, scalar) / length;
+  return S(2) * arc_tangent(length, scalar) / length;
 }
 /// The same for |v|^2 < 1e-4, 2 atan(t)/t / w with t^2 = |v|^2 / w^2; the first term left out is below 1e-17.
 template <class S> S turn_factor_series(const S& scalar, const S& square) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <vectrix/kinematics/along_axis.hpp>
+#include <vectrix/kinematics/arc_tangent.hpp>
 
 namespace vectrix {
 
@@ -17,9 +18,8 @@ class ModifiedRodrigues : public detail::AlongAxis<ModifiedRodrigues<A, B, S>, A
 
   /// How far the turn is from a full one: 2 pi - phi.
   Quantity<si::angle, S> distance_from_singularity() const {
-    using std::atan2;
-    return Quantity<si::angle, S>::from_value(S(4) *
-                                              S(atan2(S(1), detail::scaled_norm(this->coordinates()))));
+    return Quantity<si::angle, S>::from_value(
+        S(4) * detail::arc_tangent<S>(S(1), detail::scaled_norm(this->coordinates())));
   }
   /// The other parameters of the same rotation, -sigma / |sigma|^2. Throws BadInput for those of no turn,
   /// whose shadow is at the singularity.

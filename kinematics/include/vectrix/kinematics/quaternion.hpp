@@ -189,7 +189,7 @@ template <class S> struct QuaternionMultiple {
   // Of the first of w, x, y, z that is not zero.
   S sign() const {
     if constexpr (Batch<S>) {
-      const S first = select(w != S(0), w, select(x != S(0), x, select(y != S(0), y, z)));
+      const S first = select(w != S(0), w, select(x != S(0), x, y));  // else z, the largest and so positive
       return select(first < S(0), S(-1), S(1));
     } else {
       return S((w != S(0) ? w > S(0) : x != S(0) ? x > S(0) : y != S(0) ? y > S(0) : z > S(0)) ? 1 : -1);
@@ -216,21 +216,23 @@ template <class S> QuaternionMultiple<S> large_multiple(const Square<S>& m) {
   if (x >= y && x >= z) return multiple_by_diagonal<0>(m);
   return y >= z ? multiple_by_diagonal<1>(m) : multiple_by_diagonal<2>(m);
 }
-/// Of a batch: every component's formula is computed and one chosen lane by lane.
-template <Batch S>
-[[gnu::always_inline]] inline QuaternionMultiple<S> select(const typename S::mask_type& holds,
-                                                           const QuaternionMultiple<S>& yes,
-                                                           const QuaternionMultiple<S>& no) {
-  return {select(holds, yes.x, no.x), select(holds, yes.y, no.y), select(holds, yes.z, no.z),
-          select(holds, yes.w, no.w)};
-}
+/// Of a batch: which of w, x and of y, z holds half the norm, and which of the two its larger part, as two
+/// choices of every lane.
 template <Batch S> [[gnu::always_inline]] inline QuaternionMultiple<S> large_multiple(const Square<S>& m) {
   const S x = m(0, 0), y = m(1, 1), z = m(2, 2);
-  const S y_or_z = select(y >= z, y, z);
-  const S largest = select(x >= y_or_z, x, y_or_z);
-  const auto by_y_or_z = select(y >= z, multiple_by_diagonal<1>(m), multiple_by_diagonal<2>(m));
-  const auto by_diagonal = select(x >= y_or_z, multiple_by_diagonal<0>(m), by_y_or_z);
-  return select(x + y + z > largest, multiple_by_trace(m), by_diagonal);
+  const S wx = m(2, 1) - m(1, 2), wy = m(0, 2) - m(2, 0), wz = m(1, 0) - m(0, 1);
+  const S xy = m(1, 0) + m(0, 1), xz = m(0, 2) + m(2, 0), yz = m(2, 1) + m(1, 2);
+  const auto w_or_x = x >= S(0);
+  const S rest = select(w_or_x, S(y + z), S(y - z));
+  const auto w_or_y = rest >= S(0);
+  using std::abs;
+  const S large = S(1) + abs(x) + abs(rest);
+  const S other = select(w_or_x, wx, yz);
+  const S first = select(w_or_y, large, other), second = select(w_or_y, other, large);
+  const S third = select(w_or_y, wy, select(w_or_x, xy, wz));
+  const S fourth = select(w_or_y, select(w_or_x, wz, xy), xz);
+  return {select(w_or_x, second, fourth), select(w_or_x, third, first), select(w_or_x, fourth, second),
+          select(w_or_x, first, third)};
 }
 
 }  // namespace detail

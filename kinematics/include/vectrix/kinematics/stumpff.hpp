@@ -1,7 +1,7 @@
 #pragma once
 
 #include <cmath>
-#include <vectrix/frames/batch.hpp>
+#include <vectrix/frames/sine_cosine.hpp>
 
 namespace vectrix::detail {
 
@@ -26,9 +26,9 @@ template <class S> Stumpff<S> stumpff_by_series(const S& x) {
 template <class S> Stumpff<S> stumpff_by_sine(const S& x) {
   using std::sqrt;
   const S angle = sqrt(x);
-  const S s = sine<S>(angle / S(2));
+  const auto [s, c] = sine_cosine<S>(angle / S(2));
   const S c2 = S(2) * (s / angle) * (s / angle);  // not 1 - cos: it vanishes at every full turn
-  const S c1 = S(2) * s * cosine<S>(angle / S(2)) / angle;
+  const S c1 = S(2) * s * c / angle;
   const S c3 = (S(1) - c1) / x;
   return {c2, c3, (c1 - S(2) * c2) / x, (c2 - S(3) * c3) / x};
 }

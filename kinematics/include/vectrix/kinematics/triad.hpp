@@ -70,7 +70,6 @@ detail::OfTwo<B, A, TriadEstimate<B, A, S>> triad(To<B>, From<A>, const Observat
   const detail::Column<S>& b2 = second.measured().coordinates();
   const detail::Column<S>& a1 = first.reference().coordinates();
   const detail::Column<S>& a2 = second.reference().coordinates();
-  using std::atan2;
   const S cosine = b1.dot(b2), sine = b1.cross(b2).norm();
   const S sigma1 = first.deviation().value(), sigma2 = second.deviation().value();
   const detail::Column<S> t = (b2 - cosine * b1) / sine;
@@ -79,7 +78,8 @@ detail::OfTwo<B, A, TriadEstimate<B, A, S>> triad(To<B>, From<A>, const Observat
   const detail::Column<S> n = b1.cross(t), alone = (sigma2 / sine) * b1;
   const detail::Square<S> P =
       sigma1 * sigma1 * (both * both.transpose() + n * n.transpose()) + alone * alone.transpose();
-  const S mismatch = atan2(sine, cosine) - atan2(a1.cross(a2).norm(), a1.dot(a2));
+  const S mismatch =
+      detail::arc_tangent(sine, cosine) - detail::arc_tangent<S>(a1.cross(a2).norm(), a1.dot(a2));
   return {R, Covariance<B, si::angle, S>{detail::trusted, P}, Quantity<si::angle, S>::from_value(mismatch)};
 }
 template <class ToFrame, class FromFrame, class First, class Second, class... Others>
