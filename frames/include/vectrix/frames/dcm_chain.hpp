@@ -2,8 +2,10 @@
 
 #include <array>
 #include <cstddef>
+#include <type_traits>
 #include <utility>
 #include <vectrix/frames/chained.hpp>
+#include <vectrix/frames/column_pair.hpp>
 
 namespace vectrix {
 namespace detail {
@@ -94,13 +96,20 @@ template <class B, class A, class S>
 }
 
 // R1 (R2 (... (Rn x)))
-template <std::size_t first = 0, class S, std::size_t N, class Derived>
-[[gnu::always_inline]] inline Column<S> applied(const std::array<Factor<S>, N>& factors,
-                                                const Eigen::MatrixBase<Derived>& x) {
-  if constexpr (first + 1 == N) {
-    return factors[first].matrix() * x;
+template <std::size_t first = 0, class S, std::size_t N, class X>
+[[gnu::always_inline]] inline X turned_by(const std::array<Factor<S>, N>& factors, const X& x) {
+  if constexpr (first == N) {
+    return x;
   } else {
-    return factors[first].matrix() * applied<first + 1>(factors, x);
+    return factors[first].matrix() * turned_by<first + 1>(factors, x);
+  }
+}
+template <class S, std::size_t N>
+[[gnu::always_inline]] inline Column<S> applied(const std::array<Factor<S>, N>& factors, const Column<S>& x) {
+  if constexpr (std::is_same_v<S, double> && !Square<S>::IsRowMajor) {
+    return turned_by(factors, ColumnPair(x)).column();
+  } else {
+    return turned_by(factors, x);
   }
 }
 

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <Eigen/Core>
+
+namespace vectrix::detail {
+
+/// Three doubles as registers of two hold them. Eigen's product takes the second number out of the first two
+/// twice, for their sum and for the third's; a chain of products pays that at every matrix.
+class ColumnPair {
+  using Two = double __attribute__((vector_size(16)));
+
+ public:
+  explicit ColumnPair(const Eigen::Vector3d& x) : first_two{x[0], x[1]}, third(x[2]) {}
+  ColumnPair(Two xy, double z) : first_two(xy), third(z) {}
+  Eigen::Vector3d column() const { return {first_two[0], first_two[1], third}; }
+
+  [[gnu::always_inline]] friend ColumnPair operator*(const Eigen::Matrix3d& m, const ColumnPair& v) {
+    const auto two = [&m](Eigen::Index j) { return Two{m(0, j), m(1, j)}; };
+    const double x = v.first_two[0], y = v.first_two[1], z = v.third;
+    return {two(0) * Two{x, x} + two(1) * Two{y, y} + two(2) * Two{z, z},
+            m(2, 0) * x + m(2, 2) * z + m(2, 1) * y};
+  }
+
+ private:
+  Two first_two;
+  double third;
+};
+
+}  // namespace vectrix::detail
