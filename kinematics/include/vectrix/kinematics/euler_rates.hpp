@@ -1,5 +1,6 @@
 #pragma once
 
+#include <vectrix/frames/sine_cosine.hpp>
 #include <vectrix/kinematics/euler_angles.hpp>
 
 namespace vectrix {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <vectrix/frames/covariance.hpp>
+#include <vectrix/kinematics/arc_tangent.hpp>
 #include <vectrix/kinematics/observation.hpp>
 
 namespace vectrix {
