@@ -68,10 +68,51 @@ template <class F, class S> void require_covariance(const Square<S>& matrix) {
   }
 }
 
+/// The solver branches: lane by lane.
+template <class F, Batch S> void require_covariance(const Square<S>& matrix) {
+  for (std::size_t i = 0; i < S::size(); ++i) require_covariance<F, typename S::value_type>(lane(matrix, i));
+}
+
+template <class F, class S> void require_deviations(const Column<S>& deviations) {
+  if constexpr (Batch<S>) {
+    for (std::size_t i = 0; i < S::size(); ++i)
+      require_deviations<F, typename S::value_type>(lane(deviations, i));
+  } else {
+    const Column<S> variances = deviations.cwiseAbs2();
+    const bool underflows = ((deviations.array() > S(0)) && (variances.array() == S(0))).any();
+    if (!(deviations.minCoeff() >= S(0) && variances.allFinite()) || underflows) {
+      throw BadInput("covariance_from_standard_deviations(in<" + frame_name<F>() + ">): (" +
+                     text(deviations.x()) + ", " + text(deviations.y()) + ", " + text(deviations.z()) +
+                     ") are not all zero, or positive with a square that a number can hold");
+    }
+  }
+}
+
 template <class F, class S> [[noreturn, gnu::cold, gnu::noinline]] void refuse_distance(const S& share) {
   throw BadInput("mahalanobis_distance(covariance in " + frame_name<F>() +
                  "): the covariance is singular: the share of a variance that the other axes leave open is " +
                  text(share));
+}
+
+template <class F, class S> S mahalanobis(const Square<S>& P, const Column<S>& r) {
+  if constexpr (Batch<S>) {
+    return S([&](std::size_t i) { return mahalanobis<F, typename S::value_type>(lane(P, i), lane(r, i)); });
+  } else {
+    const S open = S(door_tolerance<S>(covariance_tolerance));
+    const Column<S> variances = P.diagonal();
+    if (!(variances.minCoeff() > S(0))) {
+      refuse_distance<F, S>(S(0));
+    }
+    // In units of the axes' own standard deviations, so that their ratio does not count as singular.
+    const Column<S> scale = variances.cwiseSqrt().cwiseInverse();
+    const Eigen::LLT<Square<S>> factor(Square<S>(scale.asDiagonal() * P * scale.asDiagonal()));
+    const S share = factor.matrixLLT().diagonal().cwiseAbs2().minCoeff();
+    if (factor.info() != Eigen::Success || !(share > open)) {
+      refuse_distance<F, S>(factor.info() == Eigen::Success ? share : S(0));
+    }
+    const Column<S> normal = factor.matrixL().solve(scale.cwiseProduct(r));
+    return normal.norm();
+  }
 }
 
 }  // namespace detail
@@ -104,14 +145,8 @@ Covariance<F, unit_tag<BoostUnit>, S> covariance_from_standard_deviations(
     In<F>, const AnyQuantity<BoostUnit, S>& x, const AnyQuantity<BoostUnit, S>& y,
     const AnyQuantity<BoostUnit, S>& z) {
   const detail::Column<S> deviations{x.value(), y.value(), z.value()};
-  const detail::Column<S> variances = deviations.cwiseAbs2();
-  const bool underflows = ((deviations.array() > S(0)) && (variances.array() == S(0))).any();
-  if (!(deviations.minCoeff() >= S(0) && variances.allFinite()) || underflows) {
-    throw BadInput("covariance_from_standard_deviations(in<" + frame_name<F>() + ">): (" +
-                   detail::text(x.value()) + ", " + detail::text(y.value()) + ", " + detail::text(z.value()) +
-                   ") are not all zero, or positive with a square that a number can hold");
-  }
-  return {detail::trusted, detail::Square<S>(variances.asDiagonal())};
+  detail::require_deviations<F>(deviations);
+  return {detail::trusted, detail::Square<S>(deviations.cwiseAbs2().asDiagonal())};
 }
 template <class F, class X, class Y, class Z, class UnitGiven = typename detail::UnitOf<X>::type>
 auto covariance_from_standard_deviations(  // one SI vector unit for all: convert<U>()
@@ -135,8 +170,8 @@ template <class F, class U, class S>
 Quantity<unit_product<U, U>, S> variance_along(const Covariance<F, U, S>& P_a,
                                                const Vector<F, si::dimensionless, S>& n_a) {
   const S length = n_a.coordinates().norm();
-  const S tolerance = S(detail::door_tolerance<S>(orthonormality_tolerance));
-  if (!(length - S(1) <= tolerance && S(1) - length <= tolerance)) {
+  const S tolerance = detail::number<S>(detail::door_tolerance<S>(orthonormality_tolerance));
+  if (!detail::all(length - S(1) <= tolerance && S(1) - length <= tolerance)) {
     throw BadInput("variance_along(covariance in " + frame_name<F>() + "): |n| is " + detail::text(length) +
                    "; direction() has length 1");
   }
@@ -152,21 +187,8 @@ auto variance_along(  // variance_along(P_a, n_a): one frame; n is a direction
 template <class F, class U, class S>
 Quantity<si::dimensionless, S> mahalanobis_distance(const Covariance<F, U, S>& P_a,
                                                     const Vector<F, U, S>& r_a) {
-  const S open = S(detail::door_tolerance<S>(covariance_tolerance));
-  const detail::Column<S> variances = P_a.matrix().diagonal();
-  if (!(variances.minCoeff() > S(0))) {
-    detail::refuse_distance<F, S>(S(0));
-  }
-  // In units of the axes' own standard deviations, so that their ratio does not count as singular.
-  const detail::Column<S> scale = variances.cwiseSqrt().cwiseInverse();
-  const Eigen::LLT<detail::Square<S>> factor(
-      detail::Square<S>(scale.asDiagonal() * P_a.matrix() * scale.asDiagonal()));
-  const S share = factor.matrixLLT().diagonal().cwiseAbs2().minCoeff();
-  if (factor.info() != Eigen::Success || !(share > open)) {
-    detail::refuse_distance<F, S>(factor.info() == Eigen::Success ? share : S(0));
-  }
-  const detail::Column<S> normal = factor.matrixL().solve(scale.cwiseProduct(r_a.coordinates()));
-  return Quantity<si::dimensionless, S>::from_value(normal.norm());
+  return Quantity<si::dimensionless, S>::from_value(
+      detail::mahalanobis<F, S>(P_a.matrix(), r_a.coordinates()));
 }
 template <class CovarianceIn, class CovarianceUnit, class VectorIn, class UnitGiven, class S>
   requires(!(std::same_as<CovarianceIn, VectorIn> && std::same_as<CovarianceUnit, UnitGiven>))

@@ -77,7 +77,7 @@ detail::OfTwo<B, A, detail::InOneOf<C, A, B, AxisAngle<A, B, S>>> axis_angle(
   const S square = axis.coordinates().squaredNorm();
   const S error = detail::select(square > S(1), S(square - S(1)), S(S(1) - square)) / S(2);
   const double tolerance = detail::door_tolerance<S>(unit_norm_tolerance);
-  if (!detail::all(error <= S(tolerance))) {
+  if (!detail::all(error <= detail::number<S>(tolerance))) {
     throw BadInput(detail::parameters_name<AxisAngle<A, B, S>>("axis_angle") +
                    "the square of the axis differs from 1 by " + detail::text(S(S(2) * error)) +
                    ", tolerance " + detail::text(2 * tolerance) + "; direction() projects");

@@ -90,7 +90,7 @@ template <class A, class B, class S> void require_centripetal(const Square<S>& t
   const Square<S> apart = (turn + turn.transpose()) / S(2) - w * w;
   const S error = apart.cwiseAbs().maxCoeff();
   const S largest = turn.cwiseAbs().maxCoeff();
-  if (!all(error <= S(tolerance) * largest)) {
+  if (!all(error <= number<S>(tolerance) * largest)) {
     throw BadInput("second derivative of R(" + frame_name<A>() + " from " + frame_name<B>() +
                    "): the symmetric part of R^T Rddot differs from [w]x^2 by " + text(error) +
                    " beside entries of " + text(largest) + "; it is not one at this rate");

@@ -97,7 +97,7 @@ GyroErrors<B, S> gyro_errors(const Vector<B, si::angular_velocity, S>& bias_b,
   }
   using std::abs;
   const S determinant = sensitivity.determinant();
-  if (!detail::all(abs(determinant) >= S(1e-3))) {
+  if (!detail::all(abs(determinant) >= detail::number<S>(1e-3))) {
     throw BadInput(place + "the determinant of the sensitivity is " + detail::text(determinant));
   }
   return {detail::trusted, bias_b.coordinates(), sensitivity};

@@ -29,7 +29,7 @@ template <class Derived> auto vee(const Eigen::MatrixBase<Derived>& matrix) {
   }
   const S symmetric = ((m + m.transpose()) / S(2)).cwiseAbs().maxCoeff();
   const S largest = m.cwiseAbs().maxCoeff();
-  if (!detail::all(symmetric <= S(skew_tolerance) * largest)) {
+  if (!detail::all(symmetric <= detail::number<S>(skew_tolerance) * largest)) {
     throw BadInput("vee(matrix): the symmetric part reaches " + detail::text(symmetric) +
                    " beside entries of " + detail::text(largest) + "; the matrix is not skew");
   }

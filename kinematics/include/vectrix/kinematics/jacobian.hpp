@@ -61,7 +61,7 @@ template <class S, class Function> Square<S> matrix_of(const Function& f) {
 template <class X, class S> Turn<S> invertible_turn(const Column<S>& theta, const char* action) {
   const Turn<S> result = turn<X>(theta, action);
   // 2 c_2 = (2 sin(|theta|/2) / |theta|)^2; near a full turn that is the relative distance from it, squared.
-  const S limit = singular_angle<S>() / S(2 * std::numbers::pi);
+  const S limit = singular_angle<S>() / number<S>(2 * std::numbers::pi);
   if (const S relative = S(2) * result.c.c2; !all(relative > limit * limit)) {
     using std::sqrt;
     const auto square = without_derivatives(S(relative * theta.squaredNorm()));

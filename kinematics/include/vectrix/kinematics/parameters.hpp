@@ -99,7 +99,7 @@ template <class A, class B, class S> Dcm<A, B, S> as_dcm(const Quaternion<A, B, 
 /// Nearer than this to its singularity, in radians, a parametrisation is at it: its derivatives have no right
 /// digit left, and which of the attitude's numbers are which is rounding.
 template <class S> S singular_angle() {
-  return S(8 * static_cast<double>(Eigen::NumTraits<S>::epsilon()));
+  return number<S>(8 * static_cast<double>(Eigen::NumTraits<S>::epsilon()));
 }
 
 /// The number alone: Eigen has no absolute value, root or arc tangent of nested derivatives.

@@ -57,7 +57,7 @@ void require_on_sphere(const Eigen::Quaternion<S>& part, const S& scalar, const 
   if (!all_finite(part.coeffs())) throw BadInput(name() + "a number is not finite");
   const S error = select(part.w() < scalar, S(scalar - part.w()), S(part.w() - scalar));
   const S largest = part.coeffs().cwiseAbs().maxCoeff();
-  if (!all(error <= S(tolerance) * largest)) {
+  if (!all(error <= number<S>(tolerance) * largest)) {
     throw BadInput(name() + "the norm of q would leave 1: the scalar part of 2 q* times it differs from " +
                    text(scalar) + " by " + text(error) + " beside numbers of " + text(largest));
   }

@@ -23,7 +23,7 @@ detail::OfTwo<B, A, Screw<A, B, S>> screw_along(Of<B>, RelativeTo<A>, const Scre
   const detail::Column<S>& n = axis.direction.coordinates();
   const S norm = detail::scaled_norm(n);
   const S error = detail::select(norm > S(1), S(norm - S(1)), S(S(1) - norm));
-  if (!detail::all(error <= S(detail::door_tolerance<S>(unit_norm_tolerance)))) {
+  if (!detail::all(error <= detail::number<S>(detail::door_tolerance<S>(unit_norm_tolerance)))) {
     throw BadInput(detail::parameters_name<Screw<A, B, S>>("screw_along") +
                    "the norm of its direction differs from 1 by " + detail::text(error) +
                    "; direction() projects");

@@ -27,7 +27,7 @@ Square<S> triad_axes(const Vector<F, si::dimensionless, S>& r, const Vector<F, s
   const Column<S>& first = r.coordinates();
   const Column<S> across = s.coordinates() - first * first.dot(s.coordinates());
   const S sine = across.norm();
-  if (!all(sine > S(door_tolerance<S>(nearly_parallel)))) {
+  if (!all(sine > number<S>(door_tolerance<S>(nearly_parallel)))) {
     throw BadInput(dcm_door<B, A>("triad") + "the sine of the angle between the two directions in " +
                    frame_name<F>() + " is " + text(sine) + "; parallel directions fix no rotation");
   }
