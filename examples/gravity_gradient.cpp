@@ -111,7 +111,7 @@ void run() {
           Eigen::Map<const Eigen::Vector3d>(simbody.w_ib_b.data()),
           Eigen::Map<const Eigen::Vector3d>(simbody.r_i_m.data()), simbody_bounds);
 #else
-  std::printf("Simbody   not installed when this example was built, not compared\n");
+  std::printf("Simbody   not compared: this example was built without it\n");
 #endif
 }
 

@@ -61,6 +61,8 @@ struct QuaternionAxes : moving_frame {};
 struct Body : moving_frame {};
 struct Antenna : moving_frame {};
 
+constexpr double printed_to = 1e-6;  // the quaternions have seven decimals
+
 struct OrbitSample {
   Epoch epoch;
   PositionVelocity<Itrf> itrf;
@@ -80,11 +82,33 @@ struct Look {
   double latitude, longitude, incidence;                    // of the antenna's axis on the ground
 };
 
+// What a row says of something, or why it cannot be used, and where it stands.
+template <class Make>
+auto from_row(const CsvTable& table, std::size_t row, const char* column, const Make& make) {
+  try {
+    return make();
+  } catch (const CsvError&) {
+    throw;
+  } catch (const BadInput& error) {
+    table.refuse(row, column, error.what());
+  }
+}
+
+template <class Sample>
+Epoch next_epoch(const std::vector<Sample>& samples, const CsvTable& table, std::size_t row) {
+  const char* const column = "time_utc";
+  const auto epoch = from_row(table, row, column, [&] { return Epoch::from_utc(table.text(row, column)); });
+  if (!samples.empty() && !(samples.back().epoch < epoch)) {
+    table.refuse(row, column, table.text(row, column) + " is not after the row before");
+  }
+  return epoch;
+}
+
 std::vector<OrbitSample> read_orbit(const std::filesystem::path& file) {
   const auto table = CsvTable::read(file, {"time_utc", "x_m", "y_m", "z_m", "vx_mps", "vy_mps", "vz_mps"});
   std::vector<OrbitSample> samples;
   for (std::size_t i = 0; i < table.rows(); ++i) {
-    samples.push_back({Epoch::from_utc(table.text(i, "time_utc")),
+    samples.push_back({next_epoch(samples, table, i),
                        {read_vector<si::length>(in<Itrf>, table, i, {"x_m", "y_m", "z_m"}),
                         read_vector<si::velocity>(in<Itrf>, table, i, {"vx_mps", "vy_mps", "vz_mps"})}});
   }
@@ -97,10 +121,13 @@ std::vector<AttitudeSample> read_attitude(const std::filesystem::path& file) {
   std::vector<AttitudeSample> samples;
   for (std::size_t i = 0; i < table.rows(); ++i) {
     const auto q = [&](const char* column) { return table.number(i, column); };
-    samples.push_back(
-        {Epoch::from_utc(table.text(i, "time_utc")),
-         nearest_quaternion_scalar_last(to<Gcrf>, from<QuaternionAxes>, q("q0"), q("q1"), q("q2"), q("q3")),
-         read_vector<si::angular_velocity>(in<Body>, table, i, {"wx", "wy", "wz"})});
+    const auto nearest = from_row(table, i, "q0", [&] {
+      return nearest_quaternion_scalar_last(to<Gcrf>, from<QuaternionAxes>, q("q0"), q("q1"), q("q2"),
+                                            q("q3"));
+    });
+    if (nearest.distance > printed_to) table.refuse(i, "q0", "q0 to q3 are no quaternion of norm 1");
+    samples.push_back({next_epoch(samples, table, i), nearest,
+                       read_vector<si::angular_velocity>(in<Body>, table, i, {"wx", "wy", "wz"})});
   }
   return samples;
 }
@@ -268,7 +295,7 @@ void run(const std::filesystem::path& data, const std::filesystem::path& table) 
 }  // namespace
 
 int main(int count, char** words) {
-  if (count > 3) {
+  if (count > 3 || (count > 1 && words[count - 1][0] == '-')) {
     std::fprintf(stderr, "usage: sentinel1_pass [data directory] [table to write, .csv]\n");
     return 1;
   }

@@ -89,10 +89,14 @@ double CsvTable::number(std::size_t row, std::string_view column) const {
   const std::string& written = text(row, column);
   const auto value = detail::parse_number(written);
   if (!value || !std::isfinite(*value)) {
-    fail(lines_[row], field(row, column),
-         "'" + written + (value ? "' is not a finite number" : "' is not a number"));
+    refuse(row, column, "'" + written + (value ? "' is not a finite number" : "' is not a number"));
   }
   return *value;
+}
+
+void CsvTable::refuse(std::size_t row, std::string_view column, const std::string& reason) const {
+  const std::size_t which = field(row, column);
+  fail(lines_[row], which, reason);
 }
 
 std::size_t CsvTable::field(std::size_t row, std::string_view column) const {

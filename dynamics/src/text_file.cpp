@@ -15,6 +15,10 @@ std::optional<TextFile> read_lines(const std::filesystem::path& file) {
     if (!line.empty() && line.back() == '\r') line.pop_back();
     result.lines.push_back(line);
   }
+  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+  if (!result.lines.empty() && result.lines.front().starts_with(byte_order_mark)) {
+    result.lines.front().erase(0, byte_order_mark.size());
+  }
   return in.bad() ? std::nullopt : std::optional{result};
 }
 

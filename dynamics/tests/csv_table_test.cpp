@@ -42,6 +42,18 @@ TEST(CsvTable, ReadsLinesThatEndWithCarriageReturn) {
   EXPECT_EQ(table.number(0, "x"), 2.0);
 }
 
+TEST(CsvTable, ReadsPastAByteOrderMark) {
+  EXPECT_EQ(read("\xEF\xBB\xBF# a comment\nt,x\n1,2\n").number(0, "t"), 1.0);
+}
+
+TEST(CsvTable, RefusesWhatItsReaderCannotUse) {
+  const TemporaryFile file("# a comment\nt,x\n1,2\n0,3\n");
+  const auto table = CsvTable::read(file.path(), {"t", "x"});
+  EXPECT_EQ(complaint([&] { table.refuse(1, "t", "0 is not after the row before"); }, file.path()),
+            "table FILE, line 4, column 1 ('t'): 0 is not after the row before");
+  EXPECT_THROW(table.refuse(2, "t", ""), CsvError);
+}
+
 TEST(CsvTable, MayHaveNoRows) {
   EXPECT_EQ(read("t,x\n").rows(), 0U);
 }

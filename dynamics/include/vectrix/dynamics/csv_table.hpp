@@ -22,8 +22,9 @@ class VECTRIX_EXPORT CsvError : public BadInput {
 
 /// A text table: one header line of column names, then one line of fields per row, separated by commas.
 /// Lines that begin with '#' in front of the header are comments. Blanks around a field do not count, a line
-/// may end with CR LF, quotation marks are not supported. Every line, the last too, must end: a file that
-/// stops within a line was truncated. Rows are counted from 0, lines and columns in messages from 1.
+/// may end with CR LF, a byte order mark may precede the first, quotation marks are not supported. Every
+/// line, the last too, must end: a file that stops within a line was truncated. Rows are counted from 0,
+/// lines and columns in messages from 1.
 class VECTRIX_EXPORT CsvTable {
  public:
   /// Throws CsvError when the file cannot be read, is empty, ends within a line, lacks a required column, has
@@ -38,6 +39,8 @@ class VECTRIX_EXPORT CsvTable {
   [[nodiscard]] const std::string& text(std::size_t row, std::string_view column) const;
   /// The field as a finite number. Throws CsvError when it is anything else.
   [[nodiscard]] double number(std::size_t row, std::string_view column) const;
+  /// Throws CsvError for a field that the caller cannot use: file, line, column, and the reason given.
+  [[noreturn]] void refuse(std::size_t row, std::string_view column, const std::string& reason) const;
 
  private:
   explicit CsvTable(std::filesystem::path file);
