@@ -42,7 +42,8 @@ template <InertialFrame I, Frame B> struct Propagation {
 };
 
 /// A propagation that could not be finished: time, step and flag of the solver, and the trajectory up to
-/// there. What the solver, a torque or a root function threw is nested in it (std::rethrow_if_nested).
+/// there. The ode::Failure is nested in it (std::rethrow_if_nested), and in that what a torque or a root
+/// function threw.
 template <InertialFrame I, Frame B> class PropagationFailure : public ode::Failure {
  public:
   PropagationFailure(const ode::Failure& failure, Trajectory<I, B> trajectory)

@@ -32,12 +32,10 @@ template <class B, class A, class S> void require_finite(const Square<S>& matrix
   }
 }
 
-template <class B, class A, class S> void require_right_handed(const Square<S>& matrix, const char* door) {
-  const S determinant = matrix.determinant();
-  if (!all(determinant > S(0))) {
-    throw BadInput(dcm_door<B, A>(door) + "the determinant is " + text(determinant) +
-                   "; a rotation is right-handed");
-  }
+template <class B, class A, class S>
+[[noreturn, gnu::cold, gnu::noinline]] void refuse_left_handed(const S& determinant, const char* door) {
+  throw BadInput(dcm_door<B, A>(door) + "the determinant is " + text(determinant) +
+                 "; a rotation is right-handed");
 }
 
 }  // namespace detail
@@ -57,7 +55,9 @@ detail::OfTwo<B, A, Dcm<B, A, typename Matrix::Scalar>> dcm(To<B>, From<A>, cons
                    detail::text(error) + ", tolerance " + detail::text(tolerance) +
                    "; nearest_dcm() projects");
   }
-  detail::require_right_handed<B, A>(entries, "dcm");
+  if (const S determinant = entries.determinant(); !detail::all(determinant > S(0))) {
+    detail::refuse_left_handed<B, A>(determinant, "dcm");
+  }
   return Dcm<B, A, S>{detail::trusted, entries};
 }
 template <class ToFrame, class FromFrame, class Given>
@@ -83,7 +83,7 @@ template <class B, class A, class S> NearestDcm<B, A, S> nearest(const Square<S>
     throw BadInput(dcm_door<B, A>("nearest_dcm") + "the determinant is " + text(determinant) +
                    " times the cube of the largest entry; no rotation is nearest to a singular matrix");
   }
-  require_right_handed<B, A>(scaled, "nearest_dcm");
+  if (determinant < S(0)) refuse_left_handed<B, A>(S(entries.determinant()), "nearest_dcm");
   const Eigen::JacobiSVD<Square<S>> svd(scaled, Eigen::ComputeFullU | Eigen::ComputeFullV);
   const Square<S> rotation = svd.matrixU() * svd.matrixV().transpose();
   const Square<S> correction = rotation - entries;

@@ -124,19 +124,27 @@ template <class B, class A, class S> struct NearestQuaternion {
   S distance;
 };
 
+namespace detail {
+
+template <class B, class A, class S>
+NearestQuaternion<B, A, S> nearest_quaternion(const Eigen::Quaternion<S>& q, const char* door) {
+  using std::abs;
+  const S norm = checked_norm<B, A>(q, door);
+  // Scaled first: the square of a tiny or huge component is not a number that can be divided by.
+  const Eigen::Matrix<S, 4, 1> scaled = q.coeffs() / q.coeffs().cwiseAbs().maxCoeff();
+  const Eigen::Quaternion<S> unit(scaled / scaled.norm());
+  return {Quaternion<B, A, S>{trusted, unit}, abs(norm - S(1))};
+}
+
+}  // namespace detail
+
 /// The projecting doors: q / |q|, and how far |q| was from 1. Throw BadInput for a zero or not finite
 /// quaternion.
 template <Frame B, Frame A, class S>
   requires(!std::integral<S>)
 detail::OfTwo<B, A, NearestQuaternion<B, A, S>> nearest_quaternion_scalar_first(To<B>, From<A>, S w, S x, S y,
                                                                                 S z) {
-  using std::abs;
-  const Eigen::Quaternion<S> q{w, x, y, z};
-  const S norm = detail::checked_norm<B, A>(q, "nearest_quaternion_scalar_first");
-  // Scaled first: the square of a tiny or huge component is not a number that can be divided by.
-  const Eigen::Matrix<S, 4, 1> scaled = q.coeffs() / q.coeffs().cwiseAbs().maxCoeff();
-  const Eigen::Quaternion<S> unit(scaled / scaled.norm());
-  return {Quaternion<B, A, S>{detail::trusted, unit}, abs(norm - S(1))};
+  return detail::nearest_quaternion<B, A, S>({w, x, y, z}, "nearest_quaternion_scalar_first");
 }
 template <class ToFrame, class FromFrame, class W, class X, class Y, class Z>
 auto nearest_quaternion_scalar_first(  // to<B>, from<A>: two frames; four numbers of one floating type
@@ -145,7 +153,7 @@ template <Frame B, Frame A, class S>
   requires(!std::integral<S>)
 detail::OfTwo<B, A, NearestQuaternion<B, A, S>> nearest_quaternion_scalar_last(To<B>, From<A>, S x, S y, S z,
                                                                                S w) {
-  return nearest_quaternion_scalar_first(to<B>, from<A>, w, x, y, z);
+  return detail::nearest_quaternion<B, A, S>({w, x, y, z}, "nearest_quaternion_scalar_last");
 }
 template <class ToFrame, class FromFrame, class X, class Y, class Z, class W>
 auto nearest_quaternion_scalar_last(  // to<B>, from<A>: two frames; four numbers of one floating type

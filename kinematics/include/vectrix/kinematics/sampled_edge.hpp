@@ -163,6 +163,7 @@ inline void check_samples(const std::vector<NamedSample>& samples, double longes
 
 /// The edge that interpolates an attitude file: slerp from sample to sample, by the shortest way. Its rate is
 /// that of the interpolation, constant from one sample up to the next, where it jumps; no acceleration.
+/// Samples exactly half a turn apart are joined as by Slerp: which of the two ways, the data do not say.
 /// Throws BadInput for fewer than two samples, times that do not increase, or frames that differ; and, when
 /// asked, outside the samples or inside a step longer than `longest_gap`.
 inline NamedEdge sampled_edge(const std::vector<NamedSample>& samples,

@@ -8,7 +8,8 @@ namespace vectrix {
 
 /// The turn at constant rate from one attitude to another, by the shortest way (Shoemake 1985):
 ///     q_b^a(t) = q_b^a(t0) exp(s theta),  theta = log(q_b^a(t0)^-1 q_b^a(t1)),  s = (t - t0)/(t1 - t0)
-/// w_ab^b = theta / (t1 - t0) throughout. The sign of a quaternion does not matter.
+/// w_ab^b = theta / (t1 - t0) throughout. The sign of a quaternion does not matter. Of the two ways between
+/// attitudes exactly half a turn apart, the axis log() chooses.
 /// Throws BadInput when t0 < t1 does not hold, or when asked outside [t0, t1].
 template <Frame A, Frame B, class S = double> class Slerp {
  public:
