@@ -8,8 +8,8 @@
 
 namespace vectrix::detail {
 
-/// The lines of a text file, without their ends (LF or CR LF) and a byte order mark. `whole` tells whether the
-/// last one had an end.
+/// The lines of a text file, without their ends (LF or CR LF) and a byte order mark. `whole` tells whether
+/// the last one had an end.
 struct TextFile {
   std::vector<std::string> lines;
   bool whole = true;

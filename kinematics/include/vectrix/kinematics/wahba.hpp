@@ -108,8 +108,8 @@ concept WahbaSolves = requires {
 /// Wahba's problem: the R_a^b with the least sum_i w_i |b_i - R_a^b a_i|^2 / 2, by Markley's singular value
 /// method; no first guess is needed, and no attitude is special. Of Observations an AttitudeEstimate, with
 ///     P = M^-1 (sum_i w_i^2 sigma_i^2 (I - c_i c_i^T)) M^-1,    M = sum_i w_i (I - c_i c_i^T)
-/// with the fitted directions c_i = R_a^b a_i, to first order in the errors; for w_i = 1/sigma_i^2 the inverse
-/// of Fisher's information, M^-1 (Shuster 1989). Of WeightedObservations an AttitudeFit, without it.
+/// with the fitted directions c_i = R_a^b a_i, to first order in the errors; for w_i = 1/sigma_i^2 the
+/// inverse of Fisher's information, M^-1 (Shuster 1989). Of WeightedObservations an AttitudeFit, without it.
 /// Throws BadInput for fewer than two observations and when the observability is below nearly_unobservable.
 template <Frame B, Frame A, class Given>
 detail::WahbaOf<B, A, Given> wahba(To<B>, From<A>, const std::vector<Given>& observations) {
