@@ -10,5 +10,6 @@ endforeach()
 configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/vectrix-config.cmake.in
                               ${PROJECT_BINARY_DIR}/vectrix-config.cmake INSTALL_DESTINATION ${package})
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/vectrix-config-version.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT frames)
 install(FILES ${PROJECT_BINARY_DIR}/vectrix-config.cmake ${PROJECT_BINARY_DIR}/vectrix-config-version.cmake
         DESTINATION ${package} COMPONENT frames)
