@@ -99,7 +99,9 @@ Epoch next_epoch(const std::vector<Sample>& samples, const CsvTable& table, std:
   const char* const column = "time_utc";
   const auto epoch = from_row(table, row, column, [&] { return Epoch::from_utc(table.text(row, column)); });
   if (!samples.empty() && !(samples.back().epoch < epoch)) {
-    table.refuse(row, column, table.text(row, column) + " is not after the row before");
+    table.refuse(
+        row, column,
+        table.text(row, column) + " is not after " + samples.back().epoch.utc() + " of the row before");
   }
   return epoch;
 }
@@ -125,7 +127,8 @@ std::vector<AttitudeSample> read_attitude(const std::filesystem::path& file) {
       return nearest_quaternion_scalar_last(to<Gcrf>, from<QuaternionAxes>, q("q0"), q("q1"), q("q2"),
                                             q("q3"));
     });
-    if (nearest.distance > printed_to) table.refuse(i, "q0", "q0 to q3 are no quaternion of norm 1");
+    if (nearest.distance > printed_to)
+      table.refuse(i, "q0", "the norm of q0 to q3 is off 1 by " + std::to_string(nearest.distance));
     samples.push_back({next_epoch(samples, table, i), nearest,
                        read_vector<si::angular_velocity>(in<Body>, table, i, {"wx", "wy", "wz"})});
   }

@@ -1,15 +1,13 @@
 #include <gtest/gtest.h>
 
 #include <random>
-#include <vectrix/frames/simd.hpp>
 
 #include "any_scalar.hpp"
+#include "batches.hpp"
 
 // The sine, cosine and arc tangent of a batch, lane by lane against long double.
 namespace vectrix_test {
 namespace {
-
-namespace simd = std::experimental;
 
 constexpr int instances = 20000;
 /// One rounding of the angle less its quarter turns, and one of each of the last two operations.
@@ -25,12 +23,6 @@ double ulp_error(double found, long double wanted) {
 }
 
 template <class S> struct LaneAngles : testing::Test {};
-#ifdef __clang__  // puts no batch into Eigen's matrices that wants more alignment than the machine's
-                  // registers
-using Batches = testing::Types<simd::native_simd<double>, simd::simd<double, simd::simd_abi::scalar>>;
-#else
-using Batches = testing::Types<simd::native_simd<double>, simd::fixed_size_simd<double, 4>>;
-#endif
 TYPED_TEST_SUITE(LaneAngles, Batches);
 
 /// Angles of every size up to `largest`, and those next to a multiple of a quarter turn.

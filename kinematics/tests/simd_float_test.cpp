@@ -33,6 +33,24 @@ TEST(SimdFloat, GivesInEachLaneWhatAFloatGives) {
   }
 }
 
+// What a door and a parametrisation ask of a scalar is not double.
+TEST(SimdFloat, GoesThroughEveryParametrisation) {
+  const detail::Column<Lanes> x(Lanes(0.3f), Lanes(-0.2f), Lanes(0.5f));
+  const auto theta = rotation_vector(of<Body>, relative_to<Gcrf>, vector<si::angle>(in<Gcrf>, x));
+  const auto R = exp(theta);
+  const auto expect_near = [](const detail::Square<Lanes>& found, const detail::Square<Lanes>& wanted) {
+    for (Eigen::Index k = 0; k < 9; ++k) {
+      for (std::size_t i = 0; i < Lanes::size(); ++i)
+        EXPECT_NEAR(float(found(k)[i]), float(wanted(k)[i]), float_tolerance) << k << ", lane " << i;
+    }
+  };
+  expect_near(dcm(euler_angles(intrinsic<3, 2, 1>, R)).matrix(), R.matrix());
+  expect_near(dcm(gibbs_vector(quaternion(R))).matrix(), R.matrix());
+  expect_near(dcm(modified_rodrigues(R)).matrix(), R.matrix());
+  expect_near(dcm(axis_angle(R)).matrix(), R.matrix());
+  expect_near(left_jacobian(theta) * inverse_left_jacobian(theta), detail::Square<Lanes>::Identity());
+}
+
 TEST(SimdFloat, IsRefusedForOneBadLane) {
   Lanes one(1.0f);
   one[Lanes::size() - 1] = 1.01f;

@@ -1,8 +1,7 @@
 #include <gtest/gtest.h>
 
-#include <vectrix/frames/simd.hpp>
-
 #include "any_scalar.hpp"
+#include "batches.hpp"
 
 // Several attitudes at once: each lane gives what a double gives, and a door refuses a bad lane.
 namespace vectrix_test {
@@ -32,12 +31,6 @@ template <class S> class Simd : public testing::Test {
     return matrix;
   }
 };
-#ifdef __clang__  // puts no batch into Eigen's matrices that wants more alignment than the machine's
-                  // registers
-using Batches = testing::Types<simd::native_simd<double>, simd::simd<double, simd::simd_abi::scalar>>;
-#else
-using Batches = testing::Types<simd::native_simd<double>, simd::fixed_size_simd<double, 4>>;
-#endif
 TYPED_TEST_SUITE(Simd, Batches);
 
 TYPED_TEST(Simd, EachLaneIsThatOfADouble) {

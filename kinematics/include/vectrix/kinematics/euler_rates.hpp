@@ -58,9 +58,8 @@ struct KinematicsOf<EulerAngles<Sequence, A, B, S>, expressed_in_turned> {
     const Column<S> n3 = u.col(0).cross(u.col(1));
     const S triple = u.col(0).dot(n1);
     if (!is_regular(triple)) {
-      const auto second = without_derivatives(x.coordinates()(1));
-      refuse_singular<Angles>(Sequence::proper ? sine_cosine(second).sine : sine_cosine(second).cosine,
-                              action);
+      const auto [sine, cosine] = sine_cosine(without_derivatives(x.coordinates()(1)));
+      refuse_singular<Angles>(Sequence::proper ? sine : cosine, action);
     }
     return {n1.dot(w) / triple, u.col(1).dot(w), n3.dot(w) / triple};
   }

@@ -40,15 +40,14 @@ template <class A, class B, class S>
 Quaternion<A, B, S> exp_quaternion(const RotationVector<A, B, S>& theta_ab) {
   const detail::Column<S>& theta = theta_ab.coordinates();
   const S square = theta.squaredNorm();
-  const detail::HalfTurn<S> series = detail::half_turn_series(square);
-  detail::HalfTurn<S> half = series;
+  detail::HalfTurn<S> half = detail::half_turn_series(square);
   if (const auto small = square < detail::number<S>(1e-4); !detail::all(small)) {
     const detail::HalfTurn<S> other = detail::half_turn(square);
     if (!detail::all(other.scalar == other.scalar)) {  // the cosine of an infinity is no number
       detail::refuse_exp<B, A>(square);
     }
-    half = {detail::select(small, series.scalar, other.scalar),
-            detail::select(small, series.factor, other.factor)};
+    half = {detail::select(small, half.scalar, other.scalar),
+            detail::select(small, half.factor, other.factor)};
   }
   return {detail::trusted_like(theta_ab), [&] {
             return Eigen::Quaternion<S>(half.scalar, half.factor * theta.x(), half.factor * theta.y(),

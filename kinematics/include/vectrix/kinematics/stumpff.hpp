@@ -33,12 +33,11 @@ template <class S> Stumpff<S> stumpff_by_sine(const S& x) {
   return {c2, c3, (c1 - S(2) * c2) / x, (c2 - S(3) * c3) / x};
 }
 template <class S> Stumpff<S> stumpff(const S& x) {
-  const Stumpff<S> series = stumpff_by_series(x);
-  Stumpff<S> c = series;
+  Stumpff<S> c = stumpff_by_series(x);
   if (const auto small = x < S(9); !all(small)) {
     const Stumpff<S> other = stumpff_by_sine(x);
-    c = {select(small, series.c2, other.c2), select(small, series.c3, other.c3),
-         select(small, series.d2, other.d2), select(small, series.d3, other.d3)};
+    c = {select(small, c.c2, other.c2), select(small, c.c3, other.c3), select(small, c.d2, other.d2),
+         select(small, c.d3, other.d3)};
   }
   return c;
 }
