@@ -18,9 +18,12 @@ set(frames_subjects
 set(kinematics_subjects
     "Angular velocity|omega_|at_rest_"
     "Angular acceleration|alpha_|unaccelerated_"
-    "Rotations that move|dcm_rate_|moving_dcm_|accelerating_dcm_"
-    "Quaternions and rotation vectors|quaternion_|nearest_quaternion_|slerp_|rotation_vector_|exp_"
+    "Rotations that move|dcm_rate_|moving_dcm_|accelerating_dcm_|second_rate_"
+    "Quaternions and rotation vectors|quaternion_|nearest_quaternion_|slerp_|rotation_vector|exp_|log_"
+    "Euler angles and other parameters|euler_|axis_angle_|gibbs_|modified_rodrigues_"
+    "Rotations from data|triad_|wahba_|observation_|mean_|attitude_sample_|rotation_spline_|estimate_motion_"
     "Steps on the group and gyro counts|increment_|exponential_step_|first_order_|magnus_|munthe_kaas_|commutator_free_|coning_|gyro_|angle_increment_"
+    "Rigid motions, screws and twists|moving_transform_|screw|twist_"
     "The frame graph with motion|graph_|named_graph_"
     "Velocities and accelerations of points|.")
 set(dynamics_subjects

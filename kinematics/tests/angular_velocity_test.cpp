@@ -128,7 +128,7 @@ TEST(Hat, VeeRefusesWhatIsNotSkew) {
   EXPECT_EQ(message<BadInput>([&] { vee(matrix); }),
             "vee(matrix): the symmetric part reaches 0.5 beside entries of 4; the matrix is not skew");
   matrix(0, 0) = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(message<BadInput>([&] { vee(matrix); }), "vee(matrix): an entry is not finite");
+  EXPECT_EQ(message<BadInput>([&] { vee(matrix); }), "vee(matrix): entry (1, 1) is nan");
   EXPECT_EQ(vee(Eigen::Matrix3d(Eigen::Matrix3d::Zero())), Eigen::Vector3d::Zero());
 }
 

@@ -164,6 +164,35 @@ TEST(GroupRungeKutta, TakesRatesOfTheTimeAndLongSteps) {
   EXPECT_LE((R.matrix() - exact).norm(), 1e-5);
 }
 
+TEST(Steps, OfNoFiniteDurationAreBadInput) {
+  for (const double bad : {std::numeric_limits<double>::quiet_NaN(), HUGE_VAL}) {
+    const auto dt = bad * si::second;
+    const auto said = [&](const char* step) {
+      return std::string{step} + "(of " + frame_name<Body>() + " relative to " + frame_name<Gcrf>() +
+             "): dt is " + detail::text(bad) + " s";
+    };
+    const BodyRate w = coning(0.0 * si::second);
+    EXPECT_EQ(message<BadInput>([&] { exponential_step(start(), w, dt); }), said("exponential_step"));
+    EXPECT_EQ(message<BadInput>([&] { first_order_step(start(), w, dt); }), said("first_order_step"));
+    const auto once = first_order_step(start(), w, 0.1 * si::second);
+    EXPECT_EQ(message<BadInput>([&] { first_order_step(once, w, dt); }), said("first_order_step"));
+  }
+}
+
+// Where J_r^-1 is nearly singular, no shorter result is right: a rate of nearly one turn in the step.
+TEST(GroupRungeKutta, AStageNearAFullTurnIsBadInput) {
+  const auto spin = [](const Time& t, const Rotation&) {
+    return angular_velocity(
+        of<Body>, relative_to<Gcrf>,
+        vector<si::angular_velocity>(in<Body>, Eigen::Vector3d(1e-3 * t.value(), 0.0, 2 * std::numbers::pi)));
+  };
+  const auto step = [&](double dt) {
+    return message<BadInput>([&] { munthe_kaas_step<4>(spin, start(), 0.0 * si::second, dt * si::second); });
+  };
+  EXPECT_TRUE(contains(step(1.0), "a stage turns by 6.283")) << step(1.0);
+  EXPECT_EQ(step(0.9), "");
+}
+
 template <class Function, class... Given>
 concept Takes = requires(const Function& f, const Given&... given) {
   f(given...);

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <sstream>
 #include <vectrix/kinematics/named_dcm_doors.hpp>
 #include <vectrix/kinematics/named_graph.hpp>
 
@@ -184,6 +185,32 @@ RC_GTEST_PROP(NamedMovingDcm, JoinsWhatBelongsTogether, ()) {
   RC_ASSERT(
       contains(refusal([&] { accelerating_dcm(R, x.w(x.b, x.a, x.b, x.v1), x.alpha(x.c, x.a, x.b, x.v1)); }),
                R"(accelerating_dcm(R to "a" from "b", alpha of "c" relative to "a" in "b"): )"));
+}
+
+TEST(NamedValues, PrintWithTheirFrames) {
+  NamedGraph graph;
+  const NamedFrame a = graph.add_frame("a", FrameMotion::moving);
+  const NamedFrame b = graph.add_frame("b", FrameMotion::moving);
+  Eigen::Matrix3d quarter_turn;  // about z
+  quarter_turn << 0, 1, 0, -1, 0, 0, 0, 0, 1;
+  const NamedDcm R_a_from_b = dcm(To(a), From(b), quarter_turn);
+  const Eigen::Vector3d v(1, 0, -2);
+  const auto w_ab_b = angular_velocity(Of(b), RelativeTo(a), vector<si::angular_velocity>(In(b), v));
+  const auto alpha_ab_b =
+      angular_acceleration(Of(b), RelativeTo(a), vector<si::angular_acceleration>(In(b), v));
+  const auto printed = [](const auto& value) {
+    std::ostringstream out;
+    out << value;
+    return out.str();
+  };
+  EXPECT_EQ(printed(vector<si::length>(In(a), v)), R"((1, 0, -2) m in "a")");
+  EXPECT_EQ(printed(quaternion_scalar_first(To(a), From(b), 1.0, 0.0, 0.0, 0.0)),
+            R"((1; 0, 0, 0) to "a" from "b")");
+  EXPECT_EQ(printed(accelerating_dcm(R_a_from_b, w_ab_b, alpha_ab_b)),
+            R"([0 1 0; -1 0 0; 0 0 1] to "a" from "b"; (1, 0, -2) rad/s of "b" relative to "a" in "b"; )"
+            R"((1, 0, -2) rad/s^2 of "b" relative to "a" in "b")");
+  EXPECT_EQ(printed(moving_dcm(R_a_from_b, w_ab_b)),
+            R"([0 1 0; -1 0 0; 0 0 1] to "a" from "b"; (1, 0, -2) rad/s of "b" relative to "a" in "b")");
 }
 
 // A typed value and a named one do not mix, nor does a name at a door: a name belongs to no graph yet.

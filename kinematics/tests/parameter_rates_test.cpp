@@ -93,6 +93,21 @@ TEST(AxisAngleRate, ItsDoorKeepsTheAxisAUnitVector) {
   }
 }
 
+// n . n'' = -|n'|^2: of the two accelerations of a turning axis one is lawful.
+TEST(AxisAngleRate, ASecondRateThatStretchesTheAxisIsBadInput) {
+  const auto x = axis_angle(of<Body>, relative_to<Gcrf>, unit_x(in<Gcrf>), 1.0 * si::radian);
+  const auto xdot = parameter_rate(x, Eigen::Vector4d(0, 0, 2, 0));
+  const auto alpha = [&](double along) {
+    return x.angular_acceleration(xdot, second_parameter_rate(x, Eigen::Vector4d(0, along, 0, 0)), in<Body>);
+  };
+  // alpha = s n'' + phi' terms, none, - (1 - c) n x n'', none along n: -4 sin 1 about x.
+  EXPECT_LE(distance(alpha(-4).coordinates(), Eigen::Vector3d(-4 * std::sin(1.0), 0, 0)), rounding);
+  const std::string text = message<BadInput>([&] { alpha(0); });
+  EXPECT_TRUE(contains(text, "angular_acceleration(angle and axis of ") &&
+              contains(text, "along the axis is 0 1/s^2; that of a unit vector is -|n'|^2, -4 1/s^2"))
+      << text;
+}
+
 // At no turn the parameters are a quarter and half of the rotation vector, and their rates of the rate.
 TEST(ModifiedRodriguesRate, AtNoTurnIsAQuarterOfTheRateAndOfGibbsHalf) {
   const Eigen::Vector3d w(0.25, -0.75, 0.5);

@@ -100,4 +100,36 @@ TEST(RotationVectorRate, AtAFullTurnIsBadInputThatSaysHowNear) {
   EXPECT_LE(distance(there.coordinates(), Vector3d(0, 0, 3)), rounding);
 }
 
+TEST(RotationVector, SaysHowFarFromAFullTurnItIs) {
+  const Vector3d axis = Vector3d(2, -1, 2) / 3;
+  const auto distance_of = [&](double angle) {
+    return turn_of(angle * axis).distance_from_singularity().value();
+  };
+  for (const double angle : {0.0, 1e-200, 0.5, 3.0, 3.3, 6.2, 2 * pi - 1e-9}) {
+    EXPECT_NEAR(distance_of(angle), 2 * pi - angle, 4 * rounding);
+  }
+  for (const double beyond : {1e-9, 0.5, 3.0}) {
+    EXPECT_NEAR(distance_of(2 * pi + beyond), beyond, 4 * rounding);
+    EXPECT_NEAR(distance_of(4 * pi - beyond), beyond, 8 * rounding);
+    EXPECT_NEAR(distance_of(4 * pi + beyond), beyond, 8 * rounding);
+  }
+}
+
+// d|theta| = n . dtheta, of any size; at none it has no derivative.
+TEST(RotationVector, TheDerivativeOfItsAngleIsAlongTheAxis) {
+  using Dual = Eigen::AutoDiffScalar<Eigen::Matrix<double, 1, 1>>;
+  const auto slope = [](const Vector3d& theta) {
+    const Eigen::Matrix<Dual, 3, 1> moving(Dual(theta.x()), Dual(theta.y(), 1, 0), Dual(theta.z()));
+    return rotation_vector(of<Body>, relative_to<Gcrf>, vector<si::angle>(in<Gcrf>, moving))
+        .angle()
+        .value()
+        .derivatives()(0);
+  };
+  for (const double size : {1.0, 1e-200, 1e155}) {
+    EXPECT_NEAR(slope(size * Vector3d(0.6, 0.8, 0)), 0.8, rounding);
+    EXPECT_NEAR(slope(size * Vector3d(0, -1, 0)), -1, rounding);
+  }
+  EXPECT_TRUE(std::isnan(slope(Vector3d::Zero())));
+}
+
 }  // namespace

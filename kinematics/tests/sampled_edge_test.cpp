@@ -132,23 +132,24 @@ TEST_F(SampledEdge, BadSamplesAreRefused) {
   };
   const double infinity = std::numeric_limits<double>::infinity();
   const double nan = std::numeric_limits<double>::quiet_NaN();
+  const std::string edge = R"(sampled_edge(q to "gcrf" from "body"): )";
   EXPECT_EQ(make({}), "sampled_edge: 0 samples; two are needed to interpolate");
-  EXPECT_EQ(make({1}), "sampled_edge: 1 samples; two are needed to interpolate");
-  EXPECT_EQ(make({0, 1, 1, 2}), "sampled_edge: samples 1 and 2 have one time, 1 s");
-  EXPECT_EQ(make({0, 2, 1}), "sampled_edge: the time of sample 2, 1 s, is before that of sample 1, 2 s");
-  EXPECT_EQ(make({0, 5e-324}), "sampled_edge: samples 0 and 1 are 5e-324 s apart");
-  EXPECT_EQ(make({-1.5e308, 1.5e308}), "sampled_edge: the samples span inf s");
-  EXPECT_EQ(make({0, 1}, 0), "sampled_edge: the longest gap is 0 s");
-  EXPECT_EQ(make({0, 1}, infinity), "sampled_edge: the longest gap is inf s");
+  EXPECT_EQ(make({1}), edge + "1 samples; two are needed to interpolate");
+  EXPECT_EQ(make({0, 1, 1, 2}), edge + "samples 1 and 2 have one time, 1 s");
+  EXPECT_EQ(make({0, 2, 1}), edge + "the time of sample 2, 1 s, is before that of sample 1, 2 s");
+  EXPECT_EQ(make({0, 5e-324}), edge + "samples 0 and 1 are 5e-324 s apart");
+  EXPECT_EQ(make({-1.5e308, 1.5e308}), edge + "the samples span inf s");
+  EXPECT_EQ(make({0, 1}, 0), edge + "the longest gap is 0 s");
+  EXPECT_EQ(make({0, 1}, infinity), edge + "the longest gap is inf s");
   const auto at = [&](double t) {
     return message<BadInput>([&] { sampled_edge({sample(0), sample(t)}, 1.0 * si::second); });
   };
-  EXPECT_EQ(at(nan), "sampled_edge: the time of sample 1 is nan s");
-  EXPECT_EQ(at(infinity), "sampled_edge: the time of sample 1 is inf s");
+  EXPECT_EQ(at(nan), edge + "the time of sample 1 is nan s");
+  EXPECT_EQ(at(infinity), edge + "the time of sample 1 is inf s");
   auto list = samples({0, 1});
   list.push_back({2.0 * si::second, quaternion_scalar_last(To(body), From(gcrf), 0.0, 0.0, 0.0, 1.0)});
-  expect(R"(sampled_edge: sample 2 is to "body" from "gcrf", the first to "gcrf" from "body")",
-         [&] { sampled_edge(list, 1.0 * si::second); });
+  EXPECT_EQ(message<BadInput>([&] { sampled_edge(list, 1.0 * si::second); }),
+            edge + R"(sample 2 is to "body" from "gcrf", the first to "gcrf" from "body")");
 }
 
 }  // namespace

@@ -272,6 +272,16 @@ TEST(Wahba, WhatFixesNoRotationIsRefused) {
   // A mirror image: every half turn fits as well as any other.
   const auto mirrored = [](const Vector3d& r) { return observation(measured(-r), reference(r), rad(0.01)); };
   EXPECT_TRUE(contains(said({mirrored(x), mirrored(y), mirrored(z)}), "contradict each other"));
+  // Of float the bound is that of its rounding, and the message says so.
+  const auto one_of_float = [](const Vector3d& r, float weight) {
+    const Eigen::Vector3f direction = r.cast<float>();
+    return weighted_observation(vector<si::dimensionless>(in<Body>, direction),
+                                vector<si::dimensionless>(in<Gcrf>, direction), weight);
+  };
+  const std::string of_float = message<BadInput>([&] {
+    wahba(to<Body>, from<Gcrf>, std::vector{one_of_float(x, 1.0f), one_of_float(y, 1e-6f)});
+  });
+  EXPECT_TRUE(contains(of_float, "at least 1.9073486328125e-06 is needed")) << of_float;
   // One outweighs the other by more than a number holds.
   EXPECT_TRUE(contains(said({seen(R, x, 1e-8), seen(R, y, 1.0)}), "outweighs the rest"));
 }
@@ -289,6 +299,8 @@ TEST(Observation, WhatIsNoneIsRefused) {
   for (const double value : {-1.0, std::nan(""), HUGE_VAL, 1e-200, 1e200}) {
     EXPECT_TRUE(contains(sigma(value), "the standard deviation is " + detail::text(value) + " rad")) << value;
   }
+  EXPECT_EQ(observation(x_b, y_a, rad(1), 2).weight(), 2.0);
+  EXPECT_EQ(weighted_observation(x_b, y_a, 2.0f).weight(), 2.0);
   for (const double value : {0.0, -1.0, std::nan(""), HUGE_VAL}) {
     const std::string said = "the weight is " + detail::text(value) + "; it is positive and finite";
     EXPECT_EQ(message<BadInput>([&] { observation(x_b, y_a, rad(1), value); }),

@@ -127,11 +127,11 @@ void from_angles(Table& table) {
 
 void to_angles(Table& table) {
   const Bound backward = roundings(
-      40,
-      "entries of R off by one rounding, taken from different places, 9; root and division 5, arc tangents 2 "
+      49,
+      "entries of R off by one rounding, taken from different places, 9; root and division 5, arc tangents 5 "
       "each, the first angle with the third turn undone 8");
   const Bound forward = roundings(
-      60, "the backward 40, times the square root of 2 by which the axes that are not normal stretch it");
+      70, "the backward 49, times the square root of 2 by which the axes that are not normal stretch it");
   table.row("euler_angles(R)", "0.5 rad and more from gimbal lock; 24 sequences in turn",
             "1 / sine of the distance", forward, [](Draw& draw) {
               const Sequence& sequence = sequence_of(draw);

@@ -22,14 +22,25 @@ template <class Sequence, class C> OfSequence described() {
   return {Sequence::proper, rate_errors<Angles<Sequence>, 3, C>};
 }
 
-// Each form and each handedness, as the library has them: what differs otherwise is the order of the rows.
+template <template <int, int, int> class Kind, class C> void add_twelve(std::vector<OfSequence>& list) {
+  const OfSequence twelve[] = {
+      described<Kind<1, 2, 3>, C>(), described<Kind<1, 3, 2>, C>(), described<Kind<2, 1, 3>, C>(),
+      described<Kind<2, 3, 1>, C>(), described<Kind<3, 1, 2>, C>(), described<Kind<3, 2, 1>, C>(),
+      described<Kind<1, 2, 1>, C>(), described<Kind<1, 3, 1>, C>(), described<Kind<2, 1, 2>, C>(),
+      described<Kind<2, 3, 2>, C>(), described<Kind<3, 1, 3>, C>(), described<Kind<3, 2, 3>, C>()};
+  list.insert(list.end(), std::begin(twelve), std::end(twelve));
+}
+// In either frame.
 const OfSequence& sequence_of(const Draw& draw) {
-  static const OfSequence all[] = {described<Intrinsic<3, 2, 1>, B>(), described<Intrinsic<3, 2, 1>, A>(),
-                                   described<Extrinsic<3, 2, 1>, B>(), described<Extrinsic<3, 2, 1>, A>(),
-                                   described<Intrinsic<3, 1, 3>, B>(), described<Intrinsic<3, 1, 3>, A>(),
-                                   described<Extrinsic<3, 1, 3>, B>(), described<Extrinsic<3, 1, 3>, A>(),
-                                   described<Intrinsic<1, 2, 3>, B>(), described<Extrinsic<2, 1, 2>, A>()};
-  return all[draw.index % std::size(all)];
+  static const std::vector<OfSequence> all = [] {
+    std::vector<OfSequence> list;
+    add_twelve<Intrinsic, A>(list);
+    add_twelve<Intrinsic, B>(list);
+    add_twelve<Extrinsic, A>(list);
+    add_twelve<Extrinsic, B>(list);
+    return list;
+  }();
+  return all[draw.index % all.size()];
 }
 
 void rows(Table& table, const std::string& domain, double from, double to, double gain) {
@@ -59,8 +70,8 @@ void rows(Table& table, const std::string& domain, double from, double to, doubl
 void euler_rate_rows(Table& table) {
   table.section(
       "Rates of Euler angles, both ways",
-      "As above, of sequences 3-2-1 and 3-1-3, intrinsic and extrinsic, expressed in a and in b, of "
-      "intrinsic 1-2-3 and extrinsic 2-1-2, in turn. The rates of the angles are divided by the sine s of "
+      "As above, of the 24 sequences, expressed in a and in b, in turn. The rates of the angles are divided "
+      "by the sine s of "
       "the distance from gimbal lock, itself known to rounding: their scale is what goes in, over s^2.");
   rows(table, "0.3 to 1.5 rad from gimbal lock", 0.3, 1.5, 2.0);
   rows(table, "1e-6 to 0.3 rad from gimbal lock", 1e-6, 0.3, 2.0);

@@ -37,7 +37,7 @@ void axis_angle_rows(Table& table) {
   for (const Turns& kind : turns()) {
     table.row(
         "axis_angle(q), angle relative to itself, and axis", kind.name, "1",
-        roundings(13, "scaling 1, norm 4, product 1, arc tangent 2; division 1 of three components"),
+        roundings(16, "scaling 1, norm 4, product 1, arc tangent 5; division 1 of three components"),
         [&](Draw& draw) {
           const Eigen::Vector4d q = rounded_quaternion(kind.draw(draw));
           return axis_angle_error(axis_angle(q_of<A, B>(q)), rotation_vector_of(wide_quaternion(q)));

@@ -81,7 +81,7 @@ Found slerp_error(Draw& draw, double angle) {
 
 void slerp_rows(Table& table) {
   const Bound bound =
-      roundings(60, "product and log of the quaternions 22, scaled 1, exp 12, product 9, dcm 16");
+      roundings(63, "product and log of the quaternions 25, scaled 1, exp 12, product 9, dcm 16");
   table.row("Slerp, the rotation", "samples 1e-8 to 1 rad apart", "1", bound,
             [](Draw& draw) { return slerp_error(draw, draw.logarithmic(1e-8, 1.0)); });
   table.row("Slerp, the rotation", "samples 1 to 3.14 rad apart", "1", bound,

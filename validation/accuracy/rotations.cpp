@@ -9,9 +9,9 @@ const Bound exp_bound =
     roundings(12, "|theta|^2 5, its root, half, sine or cosine 2, quotient, product, the given half");
 const Bound dcm_bound = roundings(24, "the quaternion's 12, felt twice");
 const Bound log_bound =
-    roundings(14, "|v|^2 5, root, arc tangent 2, its quotient by |v| 2, products 2, rest 2");
+    roundings(17, "|v|^2 5, root, arc tangent 5, its quotient by |v| 2, products 2, rest 2");
 const Bound log_dcm_bound =
-    roundings(22, "log's 14; before it q, as an angle twice its own: sums of entries 3, scaling 1");
+    roundings(25, "log's 17; before it q, as an angle twice its own: sums of entries 3, scaling 1");
 
 void exp_rows(Table& table) {
   for (const Turns& kind : turns()) {

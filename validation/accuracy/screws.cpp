@@ -42,7 +42,7 @@ void exp_rows(Table& table, const Turns& kind) {
 void log_rows(Table& table, const Turns& kind) {
   table.row(
       "log(X), rho", kind.name, "|r|",
-      roundings(62, "those of the inverse Jacobian 40; theta's 22 from log(R), by which rho turns"),
+      roundings(65, "those of the inverse Jacobian 40; theta's 25 from log(R), by which rho turns"),
       [&](Draw& draw) {
         const Eigen::Matrix3d R = rounded_dcm(kind.draw(draw));
         const Eigen::Vector3d r = draw.vector(1e-3, 1e3);

@@ -14,9 +14,8 @@ auto motion(const std::vector<AttitudeSample<Gcrf, Body>>& samples,
   const auto in_body = [&](const AttitudeSample<Gcrf, Body>& sample) {
     return inverse(sample.q_a_from_b) * w_ib_i;
   };
-  return RotationSpline<Gcrf, Body>(samples, 10.0 * si::second, in_body(samples.front()),
-                                    in_body(samples.back()));
+  return RotationSpline(samples, 10.0 * si::second, in_body(samples.front()), in_body(samples.back()));
 #else
-  return RotationSpline<Gcrf, Body>(samples, 10.0 * si::second, w_ib_i, w_ib_i);
+  return RotationSpline(samples, 10.0 * si::second, w_ib_i, w_ib_i);
 #endif
 }

@@ -11,9 +11,9 @@ using namespace vectrix;
 auto slew(const Quaternion<Gcrf, Body>& q0, const Quaternion<Gcrf, Camera>& q1,
           const Dcm<Camera, Body>& R_camera_from_body) {
 #ifdef REPAIRED
-  return Slerp<Gcrf, Body>(0.0 * si::second, q0, 10.0 * si::second, q1 * quaternion(R_camera_from_body));
+  return Slerp(0.0 * si::second, q0, 10.0 * si::second, q1 * quaternion(R_camera_from_body));
 #else
   static_cast<void>(R_camera_from_body);
-  return Slerp<Gcrf, Body>(0.0 * si::second, q0, 10.0 * si::second, q1);
+  return Slerp(0.0 * si::second, q0, 10.0 * si::second, q1);
 #endif
 }

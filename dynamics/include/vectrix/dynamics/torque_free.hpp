@@ -14,7 +14,8 @@ namespace vectrix {
 /// with l along the angular momentum h, s(h) the shortest turn of the third axis onto h, and
 ///     Phi(t) = mean rate (t - t0) + 2 arg theta(u + i eta)              theta of the squared nome
 /// in every regime. Attitude and rate are accurate to a few roundings; the phases, kept in long double, lose
-/// 1e-19 of the angle turned: on x86, 1e-15 rad after 1e4 rad. Made by torque_free(); copies are cheap.
+/// 1e-19 of |h| (t - t0) over the smallest moment: on x86, 1e-15 rad after 1e4 rad, and of a needle as much
+/// more as its moments differ. Made by torque_free(); copies are cheap.
 template <InertialFrame I, Frame B> class TorqueFree {
  public:
   TorqueFree(detail::Trusted, const Inertia<B>& J_b, const Quantity<si::time>& epoch,

@@ -22,6 +22,15 @@ concept Differentiated = requires(const S& number) {
   number.derivatives();
 };
 
+/// The number alone: Eigen has no absolute value, root or arc tangent of nested derivatives.
+template <class S> auto without_derivatives(const S& x) {
+  if constexpr (Differentiated<S>) {
+    return without_derivatives(x.value());
+  } else {
+    return x;
+  }
+}
+
 /// Whether a comparison holds: of one number, or in every lane.
 inline bool all(bool holds) {
   return holds;

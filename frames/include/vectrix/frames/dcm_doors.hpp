@@ -38,6 +38,20 @@ template <class B, class A, class S>
                  "; a rotation is right-handed");
 }
 
+template <class B, class A, class S> Dcm<B, A, S> checked_dcm(const Square<S>& entries, const char* door) {
+  require_finite<B, A>(entries, door);
+  const S error = (entries.transpose() * entries - Square<S>::Identity()).cwiseAbs().maxCoeff();
+  const double tolerance = door_tolerance<S>(orthonormality_tolerance);
+  if (!all(error <= number<S>(tolerance))) {
+    throw BadInput(dcm_door<B, A>(door) + "M^T M differs from the identity by " + text(error) +
+                   ", tolerance " + text(tolerance) + "; nearest_dcm() projects");
+  }
+  if (const S determinant = entries.determinant(); !all(determinant > S(0))) {
+    refuse_left_handed<B, A>(determinant, door);
+  }
+  return Dcm<B, A, S>{trusted, entries};
+}
+
 }  // namespace detail
 
 /// The checked door: claims that `matrix` takes coordinates in a to coordinates in b.
@@ -45,20 +59,7 @@ template <class B, class A, class S>
 /// orthonormality_tolerance, or when the determinant is not positive.
 template <Frame B, Frame A, detail::Matrix3x3 Matrix>
 detail::OfTwo<B, A, Dcm<B, A, typename Matrix::Scalar>> dcm(To<B>, From<A>, const Matrix& matrix) {
-  using S = typename Matrix::Scalar;
-  const detail::Square<S> entries = matrix;
-  detail::require_finite<B, A>(entries, "dcm");
-  const S error = (entries.transpose() * entries - detail::Square<S>::Identity()).cwiseAbs().maxCoeff();
-  const double tolerance = detail::door_tolerance<S>(orthonormality_tolerance);
-  if (!detail::all(error <= detail::number<S>(tolerance))) {
-    throw BadInput(detail::dcm_door<B, A>("dcm") + "M^T M differs from the identity by " +
-                   detail::text(error) + ", tolerance " + detail::text(tolerance) +
-                   "; nearest_dcm() projects");
-  }
-  if (const S determinant = entries.determinant(); !detail::all(determinant > S(0))) {
-    detail::refuse_left_handed<B, A>(determinant, "dcm");
-  }
-  return Dcm<B, A, S>{detail::trusted, entries};
+  return detail::checked_dcm<B, A, typename Matrix::Scalar>(matrix, "dcm");
 }
 template <class ToFrame, class FromFrame, class Given>
 auto dcm(  // to<B>, from<A>: two frames; a 3x3 matrix
@@ -205,7 +206,8 @@ detail::OfTwo<B, A, Dcm<B, A, S>> dcm_from_axes(To<B>, const Vector<A, si::dimen
                                                 const Vector<A, si::dimensionless, S>& z_a) {
   detail::Square<S> rows;
   rows << x_a.coordinates().transpose(), y_a.coordinates().transpose(), z_a.coordinates().transpose();
-  return VECTRIX_OF_ONE_INSTANT("dcm_from_axes", dcm(to<B>, from<A>, rows), x_a, y_a, z_a);
+  return VECTRIX_OF_ONE_INSTANT("dcm_from_axes", (detail::checked_dcm<B, A>(rows, "dcm_from_axes")), x_a, y_a,
+                                z_a);
 }
 template <class ToFrame, class X, class Y, class Z>
 auto dcm_from_axes(  // to<B>, x_a, y_a, z_a: two frames; directions

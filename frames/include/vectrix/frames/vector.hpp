@@ -17,11 +17,20 @@ namespace detail {
 
 template <class S> using Column = Eigen::Matrix<S, 3, 1>;
 
-/// The norm of finite numbers, of any size: their squares neither over- nor underflow.
+/// The norm of finite numbers, of any size: their squares neither over- nor underflow. The derivatives of
+/// zero's are not numbers.
 template <class Derived> auto scaled_norm(const Eigen::MatrixBase<Derived>& numbers) {
   using S = typename Derived::Scalar;
-  const S largest = numbers.cwiseAbs().maxCoeff();
-  return select(largest > S(0), S(largest * (numbers / largest).norm()), largest);
+  if constexpr (Differentiated<S>) {
+    // Scaled by a constant, which has no part in the derivatives, and not divided by it: its square
+    // underflows.
+    const auto plain = numbers.unaryExpr([](const S& x) { return without_derivatives(x); }).eval();
+    const auto largest = plain.cwiseAbs().maxCoeff();
+    return largest > 0 ? S(S(largest) * S((numbers * S(1 / largest)).norm())) : S(numbers.norm());
+  } else {
+    const S largest = numbers.cwiseAbs().maxCoeff();
+    return select(largest > S(0), S(largest * (numbers / largest).norm()), largest);
+  }
 }
 
 /// A function whose result, a T, is built where it is to stay: a T taken by reference would be copied.

@@ -141,7 +141,7 @@ namespace detail {
 /// With the upper sign for a rate expressed in b, the lower for one in a:
 ///     phi' = n . w        n' = 1/2 (+- n x w + cot(phi/2) (w - n (n . w)))
 ///     w = n phi' + sin phi n' -+ (1 - cos phi) n x n'
-/// and their derivatives.
+/// and their derivatives. An n'' by which n would not stay a unit vector throws BadInput.
 template <class A, class B, class S, bool expressed_in_turned>
 struct KinematicsOf<AxisAngle<A, B, S>, expressed_in_turned> {
   using Numbers = Eigen::Matrix<S, 4, 1>;
@@ -173,12 +173,23 @@ struct KinematicsOf<AxisAngle<A, B, S>, expressed_in_turned> {
     const Column<S> n = x.coordinates().template tail<3>();
     const Column<S> ndot = xdot.template tail<3>();
     const Column<S> nddot = xddot.template tail<3>();
+    require_unit_axis(n.dot(nddot), ndot.squaredNorm(), nddot.norm());
     const auto [s, c] = sine_cosine(x.coordinates()(0));
     return n * xddot(0) + (S(1) + c) * xdot(0) * ndot + s * nddot - s * xdot(0) * turn(n, ndot) -
            versine(x) * turn(n, nddot);
   }
 
  private:
+  // n . n'' = -|n'|^2, as of every unit vector.
+  static void require_unit_axis(const S& along, const S& square, const S& largest) {
+    const S apart = along + square;
+    const S allowed = number<S>(door_tolerance<S>(unit_norm_tolerance)) * (square + largest);
+    if (!all(apart <= allowed) || !all(-apart <= allowed)) {
+      throw BadInput(parameters_name<AxisAngle<A, B, S>>("angular_acceleration") +
+                     "the second rate of the axis along the axis is " + text(along) +
+                     " 1/s^2; that of a unit vector is -|n'|^2, " + text(S(-square)) + " 1/s^2");
+    }
+  }
   static Numbers joined(const S& first, const Column<S>& rest) {
     Numbers four;
     four << first, rest;

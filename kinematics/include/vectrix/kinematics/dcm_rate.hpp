@@ -50,11 +50,22 @@ inline DcmRate<A, B, S> attitude_rate(const Dcm<A, B, S>& R_a_from_b,
   const auto& w = w_ab_a.coordinates();
   return {detail::trusted, w.cross(R.col(0)), w.cross(R.col(1)), w.cross(R.col(2))};
 }
+namespace detail {
+
+template <class A, class B> std::string derivative_of(const char* action) {
+  return std::string{action} + "(R to " + frame_name<A>() + " from " + frame_name<B>() + "): ";
+}
+
+}  // namespace detail
+
 /// The checked door for a derivative that comes as a matrix: Rdot_b^a = R_b^a [w]x for some w.
 /// Throws BadInput when the matrix is not finite, or R^T Rdot is not skew (see vee()).
 template <class A, class B, class Derived, class S>
 DcmRate<A, B, S> dcm_rate(const Dcm<A, B, S>& R_a_from_b, const Eigen::MatrixBase<Derived>& matrix) {
-  vee(R_a_from_b.matrix().transpose() * matrix);
+  const detail::Square<S> given = matrix;
+  const std::string place = detail::derivative_of<A, B>("dcm_rate");
+  if (!detail::all_finite(given)) throw BadInput(place + detail::not_finite(given));
+  detail::vee_of<S>(R_a_from_b.matrix().transpose() * given, [&] { return place + "of R^T times it "; });
   return {detail::trusted_like(R_a_from_b), matrix};
 }
 
@@ -66,7 +77,11 @@ AngularVelocity<A, B, In<C>, S> angular_velocity(const Dcm<A, B, S>& R_a_from_b,
                                                  const DcmRate<A, B, S>& Rdot_a_from_b, In<C>) {
   const auto& R = R_a_from_b.matrix();
   const auto& Rdot = Rdot_a_from_b.matrix();
-  const detail::Column<S> w = std::same_as<C, B> ? vee(R.transpose() * Rdot) : vee(Rdot * R.transpose());
+  const auto place = [] {
+    return detail::derivative_of<A, B>("angular_velocity") + "of R^T times the rate ";
+  };
+  const detail::Column<S> w = std::same_as<C, B> ? detail::vee_of<S>(R.transpose() * Rdot, place)
+                                                 : detail::vee_of<S>(Rdot * R.transpose(), place);
   return AngularVelocity<A, B, In<C>, S>{detail::trusted_like(R_a_from_b, Rdot_a_from_b),
                                          vector<si::angular_velocity>(in<C>, w).coordinates()};
 }
@@ -85,7 +100,7 @@ template <class A, class B, class S> void require_centripetal(const Square<S>& t
   const double tolerance = door_tolerance<S>(1e-9);
   if (!all_finite(turn)) {
     throw BadInput("second derivative of R(" + frame_name<A>() + " from " + frame_name<B>() +
-                   "): an entry is not finite");
+                   "): of R^T times it " + not_finite(turn));
   }
   const Square<S> apart = (turn + turn.transpose()) / S(2) - w * w;
   const S error = apart.cwiseAbs().maxCoeff();

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <vectrix/frames/sine_cosine.hpp>
+#include <vectrix/frames/square_root.hpp>
 #include <vectrix/kinematics/arc_tangent.hpp>
 #include <vectrix/kinematics/euler_sequence.hpp>
 #include <vectrix/kinematics/parameters.hpp>
@@ -9,15 +10,6 @@
 namespace vectrix {
 namespace detail {
 
-/// R x, where R turns by the angle of cosine c and sine s about the axis; x a column, or a matrix of columns.
-template <int axis, class Matrix, class S> Matrix turned_about(const Matrix& x, const S& c, const S& s) {
-  constexpr int next = (axis + 1) % 3;
-  constexpr int last = (axis + 2) % 3;
-  Matrix y = x;
-  y.row(next) = c * x.row(next) - s * x.row(last);
-  y.row(last) = s * x.row(next) + c * x.row(last);
-  return y;
-}
 template <int axis, class S> Eigen::Quaternion<S> turn_about(const S& angle) {
   const auto [sine, cosine] = sine_cosine<S>(angle / S(2));
   Eigen::Quaternion<S> q(cosine, S(0), S(0), S(0));
@@ -52,22 +44,28 @@ class EulerAngles : public detail::AttitudeParameters<EulerAngles<Sequence, A, B
 
   /// Entries that are products of sines and cosines alone keep all their digits near the singularity.
   friend Dcm<A, B, S> dcm(const EulerAngles& x_ab) {
+    // In the axes i, j, l, as in euler_angles_of().
+    constexpr int i = Sequence::first, j = Sequence::second, l = Sequence::other;
+    const S sign(Sequence::handedness * (Sequence::intrinsic ? 1 : -1));
     detail::Column<S> s, c;
     for (int turn = 0; turn < 3; ++turn) {
       const auto [sine, cosine] = detail::sine_cosine(x_ab.coordinates()(turn));
-      s(turn) = sine;
+      s(turn) = sign * sine;
       c(turn) = cosine;
     }
-    using detail::turned_about;
-    const detail::Square<S> none = detail::Square<S>::Identity();
-    constexpr int i = Sequence::first, j = Sequence::second, k = Sequence::third;
-    if constexpr (Sequence::intrinsic) {
-      const auto last_two = turned_about<j>(turned_about<k>(none, c(2), s(2)), c(1), s(1));
-      return {detail::trusted, turned_about<i>(last_two, c(0), s(0))};
+    const S cc = c(0) * c(2), ss = s(0) * s(2), cs = c(0) * s(2), sc = s(0) * c(2);
+    detail::Square<S> R;
+    if constexpr (Sequence::proper) {
+      R(i, i) = c(1), R(i, j) = s(1) * s(2), R(i, l) = s(1) * c(2);
+      R(j, i) = s(0) * s(1), R(j, j) = cc - c(1) * ss, R(j, l) = -cs - c(1) * sc;
+      R(l, i) = -c(0) * s(1), R(l, j) = sc + c(1) * cs, R(l, l) = c(1) * cc - ss;
     } else {
-      const auto first_two = turned_about<j>(turned_about<i>(none, c(0), s(0)), c(1), s(1));
-      return {detail::trusted, turned_about<k>(first_two, c(2), s(2))};
+      R(i, i) = c(1) * c(2), R(i, j) = -c(1) * s(2), R(i, l) = s(1);
+      R(j, i) = cs + s(1) * sc, R(j, j) = cc - s(1) * ss, R(j, l) = -s(0) * c(1);
+      R(l, i) = ss - s(1) * cc, R(l, j) = sc + s(1) * cs, R(l, l) = c(0) * c(1);
     }
+    if constexpr (!Sequence::intrinsic) R.transposeInPlace();
+    return {detail::trusted, R};
   }
   /// Of either sign.
   friend Quaternion<A, B, S> quaternion(const EulerAngles& x_ab) {
@@ -118,7 +116,6 @@ namespace detail {
 
 template <EulerSequence Sequence, class A, class B, class S>
 EulerAngles<Sequence, A, B, S> euler_angles_of(const Dcm<A, B, S>& R_a_from_b) {
-  using std::sqrt;
   constexpr int i = Sequence::first, j = Sequence::second, l = Sequence::other;
   // In the axes i, j, l, with the angles times their handedness, all 12 products have two forms. The inverse
   // of an extrinsic product is the intrinsic one of the opposite angles.
@@ -128,7 +125,7 @@ EulerAngles<Sequence, A, B, S> euler_angles_of(const Dcm<A, B, S>& R_a_from_b) {
 
   const S s3 = Sequence::proper ? S(sign * R(i, j)) : S(-R(i, j));
   const S c3 = Sequence::proper ? S(sign * R(i, l)) : S(R(i, i));
-  const S h = sqrt(S(s3 * s3 + c3 * c3));
+  const S h = square_root(S(s3 * s3 + c3 * c3));
   const auto singular = h <= singular_angle<S>();
   const S opposite = Sequence::proper ? h : S(sign * R(i, l));
   const S adjacent = Sequence::proper ? R(i, i) : h;

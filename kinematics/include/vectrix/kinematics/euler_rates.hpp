@@ -6,6 +6,16 @@
 namespace vectrix {
 namespace detail {
 
+/// A column turned by the angle of cosine c and sine s about the axis.
+template <int axis, class S> Column<S> turned_about(const Column<S>& x, const S& c, const S& s) {
+  constexpr int next = (axis + 1) % 3;
+  constexpr int last = (axis + 2) % 3;
+  Column<S> y = x;
+  y(next) = c * x(next) - s * x(last);
+  y(last) = s * x(next) + c * x(last);
+  return y;
+}
+
 /// With u_n the axis of the n-th turn, which the turns before (intrinsic) or after (extrinsic) it have moved:
 ///     w_ab     = u1 t1' + u2 t2' + u3 t3'
 ///     alpha_ab = u1 t1'' + u2 t2'' + u3 t3'' +- (t1' t2' u1 x u2 + t1' t3' u1 x u3 + t2' t3' u2 x u3)

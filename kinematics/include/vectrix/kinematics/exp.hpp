@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <vectrix/frames/sine_cosine.hpp>
+#include <vectrix/frames/square_root.hpp>
 #include <vectrix/kinematics/quaternion.hpp>
 #include <vectrix/kinematics/rotation_vector.hpp>
 
@@ -20,8 +21,7 @@ template <class S> HalfTurn<S> half_turn_series(const S& square) {
           S(1) / S(2) - h2 * (S(1) / S(12) - h2 * (S(1) / S(240) - h2 * (S(1) / S(10080))))};
 }
 template <class S> HalfTurn<S> half_turn(const S& square) {
-  using std::sqrt;
-  const S angle = sqrt(square);
+  const S angle = square_root(square);
   const auto [sine, cosine] = sine_cosine<S>(angle / S(2));
   return {cosine, sine / angle};
 }

@@ -35,6 +35,7 @@ NearestDcm<A, B, S> nearest_dcm(const FirstOrderAttitude<A, B, S>& M_a_from_b) {
 // theta = w_ab^b dt, of a rate that keeps its direction in b
 template <class A, class B, class S>
 Increment<A, B, S> turned_by(const AngularVelocity<A, B, In<B>, S>& w_ab_b, const Quantity<si::time, S>& dt) {
+  detail::require_duration<A, B>(dt.value(), "exponential_step");
   return {detail::trusted, w_ab_b.coordinates() * dt.value()};
 }
 
@@ -48,6 +49,7 @@ template <class A, class B, class S>
 FirstOrderAttitude<A, B, S> first_order_stepped(const Dcm<A, B, S>& R_a_from_b,
                                                 const AngularVelocity<A, B, In<B>, S>& w_ab_b,
                                                 const Quantity<si::time, S>& dt) {
+  detail::require_duration<A, B>(dt.value(), "first_order_step");
   const detail::Square<S> generator = hat(w_ab_b.coordinates()) * dt.value();
   return {detail::trusted, R_a_from_b.matrix() + R_a_from_b.matrix() * generator};
 }
@@ -55,6 +57,7 @@ template <class A, class B, class S>
 FirstOrderAttitude<A, B, S> first_order_stepped(const FirstOrderAttitude<A, B, S>& M_a_from_b,
                                                 const AngularVelocity<A, B, In<B>, S>& w_ab_b,
                                                 const Quantity<si::time, S>& dt) {
+  detail::require_duration<A, B>(dt.value(), "first_order_step");
   const detail::Square<S> generator = hat(w_ab_b.coordinates()) * dt.value();
   return {detail::trusted, M_a_from_b.matrix() + M_a_from_b.matrix() * generator};
 }
@@ -76,7 +79,7 @@ concept LawfulStep = requires {
 
 /// R_b^a(t + dt) = R_b^a(t) exp([w_ab^b dt]x), of a DCM or a quaternion. Exact while the rate is constant in
 /// b; else of order 1 with the rate at the start, and of order 2 with the rate in the middle of the step.
-/// Errors as exp().
+/// Throws BadInput when dt is not finite, and as exp().
 template <class Rotation, class Rate, class Duration>
 detail::ExponentialStepOf<Rotation, Rate, Duration> exponential_step(const Rotation& rotation,
                                                                      const Rate& omega, const Duration& dt) {

@@ -16,6 +16,9 @@ using StepBy = std::enable_if_t<
                        AngularVelocity<A, B, In<B>, S>>,
     Dcm<A, B, S>>;
 
+/// The angle, rad, at which J_r^-1 makes ten of one error; at a full turn it is singular.
+inline constexpr double longest_stage = 5.7;
+
 /// h w at the time t + c h and at the attitude R exp([theta]x).
 template <class A, class B, class S, class Rate> class StageRate {
  public:
@@ -31,6 +34,14 @@ template <class A, class B, class S, class Rate> class StageRate {
   }
   /// The rate of the rotation vector of the step, h J_r^-1 w (Bortz 1971).
   Column<S> bortz(const S& c, const Column<S>& theta) const {
+    const S square = theta.squaredNorm();
+    if (!all(square <= number<S>(longest_stage * longest_stage))) {
+      using std::sqrt;
+      const auto angle = without_derivatives(square);
+      throw BadInput("munthe_kaas_step(of " + frame_name<B>() + " relative to " + frame_name<A>() +
+                     "): a stage turns by " + text(decltype(angle)(sqrt(angle))) +
+                     " rad, too near a full turn or beyond; take shorter steps");
+    }
     return inverse_left_jacobian_times<S>(right_turn(theta), at(c, turned(theta)));
   }
 
@@ -68,7 +79,7 @@ template <class S, class Stage> Column<S> rule_5(const Stage& stage) {
 
 /// A step of R' = R [w_ab^b(t, R)]x by the method of Munthe-Kaas (1999), of order 4 or 5: a Runge-Kutta rule
 /// for the rotation vector of the step, whose rate is Bortz's. The result is a rotation.
-/// For steps that turn less than 2 pi. Errors as exp(), and those of rate(t, R_a_from_b).
+/// Throws BadInput when a stage turns by more than 5.7 rad, near a full turn, and as rate(t, R_a_from_b).
 template <int Order, class Rate, class A, class B, class S>
 detail::StepBy<Rate, A, B, S, Order == 4 || Order == 5> munthe_kaas_step(const Rate& rate,
                                                                          const Dcm<A, B, S>& R_a_from_b,
@@ -86,7 +97,7 @@ auto munthe_kaas_step(  // munthe_kaas_step<4 or 5>(rate, R_a_from_b, t, dt): ra
     const Rate&, const Dcm<A, B, S>&, const Start&, const Duration&) -> Refused = delete;
 
 /// A step of R' = R [w_ab^b(t, R)]x of order 4 without commutators: four values of the rate and five
-/// exponentials (Celledoni, Marthinsen, Owren 2003). The result is a rotation; errors as munthe_kaas_step().
+/// exponentials (Celledoni, Marthinsen, Owren 2003). The result is a rotation; errors as exp(), and rate's.
 template <class Rate, class A, class B, class S>
 detail::StepBy<Rate, A, B, S> commutator_free_step(const Rate& rate, const Dcm<A, B, S>& R_a_from_b,
                                                    const Quantity<si::time, S>& t,

@@ -93,7 +93,9 @@ GyroErrors<B, S> gyro_errors(const Vector<B, si::angular_velocity, S>& bias_b,
   }
   const std::string place = "gyro_errors(in " + frame_name<B>() + "): ";
   if (!detail::all_finite(sensitivity) || !detail::all_finite(bias_b.coordinates())) {
-    throw BadInput(place + "a number is not finite");
+    const detail::Column<S> bias = bias_b.coordinates();
+    throw BadInput(place + (detail::all_finite(bias) ? "of the sensitivity " + detail::not_finite(sensitivity)
+                                                     : "of the bias " + detail::not_finite(bias)));
   }
   using std::abs;
   const S determinant = sensitivity.determinant();
@@ -104,7 +106,8 @@ GyroErrors<B, S> gyro_errors(const Vector<B, si::angular_velocity, S>& bias_b,
 }
 
 /// The attitude q_b^a carried along by the counts of a gyro triad in b: each count is freed of the errors,
-/// then corrected for coning with the one before it. Intervals are meant to be of equal length.
+/// then corrected for coning with the one before it: of order 3, and as coning_corrected_after() in coning.
+/// Intervals are meant to be of equal length.
 template <Frame A, Frame B, class S = double> class GyroAttitude {
  public:
   GyroAttitude(const Quaternion<A, B, S>& start_a_from_b, const GyroErrors<B, S>& errors)
@@ -112,6 +115,7 @@ template <Frame A, Frame B, class S = double> class GyroAttitude {
 
   /// Takes the count of the next interval. Throws BadInput when it, or dt, is not a finite number.
   void add(const Measured<AngleIncrement<A, B, S>>& count, const Quantity<si::time, S>& dt) {
+    detail::require_duration<A, B>(dt.value(), "GyroAttitude::add");
     const AngleIncrement<A, B, S> alpha = errors_.corrected(count, dt);
     q_a_from_b_ = advance(q_a_from_b_, coning_corrected_after(last_.value_or(alpha), alpha));
     last_ = alpha;

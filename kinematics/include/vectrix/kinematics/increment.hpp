@@ -36,6 +36,14 @@ namespace detail {
 template <class Rotation, class Turn>
 using AdvancedOf = decltype(advanced(std::declval<const Rotation&>(), std::declval<const Turn&>()));
 
+/// That the duration of a step of b relative to a is finite.
+template <class A, class B, class S> void require_duration(const S& dt, const char* action) {
+  if (!all(dt - dt == S(0))) {
+    throw BadInput(std::string{action} + "(of " + frame_name<B>() + " relative to " + frame_name<A>() +
+                   "): dt is " + text(dt) + " s");
+  }
+}
+
 /// A rate of b relative to a, expressed in b: what a step in b's own axes takes.
 template <class Rate> struct BodyRate {};
 template <class A, class B, class S> struct BodyRate<AngularVelocity<A, B, In<B>, S>> {

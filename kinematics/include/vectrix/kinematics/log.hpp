@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <vectrix/frames/square_root.hpp>
 #include <vectrix/kinematics/arc_tangent.hpp>
 #include <vectrix/kinematics/quaternion.hpp>
 #include <vectrix/kinematics/rotation_vector.hpp>
@@ -10,16 +11,16 @@ namespace detail {
 
 /// |theta| / |v| of the shortest turn, from q_w >= 0 and |v|^2, where q = (q_w, v).
 template <class S> S turn_factor(const S& scalar, const S& square) {
-  using std::sqrt;
-  const S length = sqrt(square);
+  const S length = square_root(square);
   return S(2) * arc_tangent(length, scalar) / length;
 }
 /// The same for |v|^2 < 1e-4, 2 atan(t)/t / w with t^2 = |v|^2 / w^2; the first term left out is below 1e-17.
 template <class S> S turn_factor_series(const S& scalar, const S& square) {
-  const S t2 = square / (scalar * scalar);
-  return S(2) / scalar *
-         (S(1) -
-          t2 * (S(1) / S(3) - t2 * (S(1) / S(5) - t2 * (S(1) / S(7) - t2 * (S(1) / S(9) - t2 / S(11))))));
+  const S inverse = S(1) / scalar;
+  const S t2 = square * inverse * inverse;
+  return S(2) * inverse *
+         (S(1) - t2 * (S(1) / S(3) -
+                       t2 * (S(1) / S(5) - t2 * (S(1) / S(7) - t2 * (S(1) / S(9) - t2 * (S(1) / S(11)))))));
 }
 
 }  // namespace detail
@@ -60,5 +61,8 @@ template <class A, class B, class S> RotationVector<A, B, S> log(const Dcm<A, B,
   }
   return log(quaternion(R_a_from_b));
 }
+template <class Given>
+  requires(detail::is_framed<Given>&& std::same_as<detail::Evaluated<Given>, Given>)
+auto log(const Given&) -> Refused = delete;  // log(R), log(q), log(X): of a rotation or a transform
 
 }  // namespace vectrix

@@ -57,7 +57,7 @@ MeanRotation<B, A, S> mean_of(const std::vector<WeightedRotation<B, A, S>>& rota
   const S agreement = found.margin / S(2);
   if (!(agreement > S(door_tolerance<S>(nearly_without_mean)))) {
     throw BadInput(door + "the rotations have no mean: their agreement is " + text(agreement) +
-                   ", at least " + text(nearly_without_mean) + " is needed");
+                   ", at least " + text(door_tolerance<S>(nearly_without_mean)) + " is needed");
   }
   Square<S> scatter = Square<S>::Zero();
   for (const auto& one : rotations) {

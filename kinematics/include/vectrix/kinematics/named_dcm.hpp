@@ -33,8 +33,11 @@ template <> inline constexpr bool detail::is_framed<NamedDcm> = true;
 
 namespace detail {
 
+inline std::string to_from(NamedFrame b, NamedFrame a) {
+  return " to " + in_quotes(b) + " from " + in_quotes(a);
+}
 inline std::string described(const NamedDcm& R_b_from_a) {
-  return "R to " + in_quotes(R_b_from_a.to()) + " from " + in_quotes(R_b_from_a.from());
+  return "R" + to_from(R_b_from_a.to(), R_b_from_a.from());
 }
 
 /// Throws BadInput unless both are one frame: `action` says what was done with which operands.
@@ -57,6 +60,11 @@ inline NamedDcm product(const NamedDcm& R_c_from_b, const NamedDcm& R_b_from_a) 
 inline NamedDcm inverse(const NamedDcm& R_b_from_a) {
   return {detail::trusted_like(R_b_from_a), R_b_from_a.from(), R_b_from_a.to(),
           R_b_from_a.matrix().transpose()};
+}
+
+inline std::ostream& print_framed(std::ostream& out, const NamedDcm& R_b_from_a) {
+  return detail::print_square(out, R_b_from_a.matrix())
+         << detail::to_from(R_b_from_a.to(), R_b_from_a.from());
 }
 
 }  // namespace vectrix

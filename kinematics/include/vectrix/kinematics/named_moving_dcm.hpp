@@ -75,4 +75,11 @@ inline NamedAcceleratingDcm accelerating_dcm(const NamedDcm& R_a_from_b, const N
   return {detail::trusted, moving, inverse(R_a_from_b) * alpha_ab};
 }
 
+inline std::ostream& print_framed(std::ostream& out, const NamedMovingDcm& value) {
+  return out << value.rotation() << "; " << value.angular_velocity();
+}
+inline std::ostream& print_framed(std::ostream& out, const NamedAcceleratingDcm& value) {
+  return out << value.moving() << "; " << value.angular_acceleration();
+}
+
 }  // namespace vectrix

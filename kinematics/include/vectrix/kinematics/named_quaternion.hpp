@@ -51,4 +51,9 @@ inline NamedDcm dcm(const NamedQuaternion& q_b_from_a) {
           q_b_from_a.eigen().toRotationMatrix()};
 }
 
+inline std::ostream& print_framed(std::ostream& out, const NamedQuaternion& q_b_from_a) {
+  return detail::print_quaternion(out, q_b_from_a.eigen())
+         << detail::to_from(q_b_from_a.to(), q_b_from_a.from());
+}
+
 }  // namespace vectrix

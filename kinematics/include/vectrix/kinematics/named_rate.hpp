@@ -35,9 +35,12 @@ template <class U> inline constexpr bool detail::is_framed<NamedRate<U>> = true;
 
 namespace detail {
 
+template <class U> std::string of_relative_to_in(const NamedRate<U>& rate) {
+  return " of " + in_quotes(rate.of()) + " relative to " + in_quotes(rate.relative_to()) + " in " +
+         in_quotes(rate.in());
+}
 template <class U> std::string described(const NamedRate<U>& rate) {
-  return std::string{std::same_as<U, si::angular_velocity> ? "w of " : "alpha of "} + in_quotes(rate.of()) +
-         " relative to " + in_quotes(rate.relative_to()) + " in " + in_quotes(rate.in());
+  return (std::same_as<U, si::angular_velocity> ? "w" : "alpha") + of_relative_to_in(rate);
 }
 
 inline void require_other(NamedFrame b, NamedFrame a) {
@@ -102,6 +105,11 @@ inline NamedAngularAcceleration chain(const NamedAngularAcceleration& alpha_ab,
                                                     w_ab.coordinates().cross(w_bd.coordinates())};
   return {detail::trusted, alpha_bd.of(), alpha_ab.relative_to(),
           alpha_ab.vector() + alpha_bd.vector() + cross};
+}
+
+template <class U> std::ostream& print_framed(std::ostream& out, const NamedRate<U>& rate) {
+  return detail::print_column(out, rate.coordinates(), detail::unit_symbol<U>)
+         << detail::of_relative_to_in(rate);
 }
 
 }  // namespace vectrix

@@ -61,4 +61,9 @@ template <class U> NamedVector<U> difference(const NamedVector<U>& r, const Name
   return {detail::trusted, r.in(), r.coordinates() - s.coordinates()};
 }
 
+template <class U> std::ostream& print_framed(std::ostream& out, const NamedVector<U>& r_a) {
+  return detail::print_column(out, r_a.coordinates(), detail::unit_symbol<U>)
+         << " in " << detail::in_quotes(r_a.in());
+}
+
 }  // namespace vectrix

@@ -79,12 +79,13 @@ template <Frame B, Frame A, class U, class S>
     return {detail::trusted, direction(r_b), direction(r_a), weight, sigma.value()};
   }
 /// With a weight of one's own choice, as of a robust fit; sigma still says how large the error is.
-template <Frame B, Frame A, class U, class S>
+template <Frame B, Frame A, class U, class S, std::convertible_to<S> Weight>
   requires detail::SingleNumber<S> detail::OfTwo<B, A, Observation<B, A, S>> observation(
       const Vector<B, U, S>& r_b, const Vector<A, U, S>& r_a, const Quantity<si::angle, S>& sigma,
-      const std::type_identity_t<S>& weight) {
+      const Weight& weight) {
     return {detail::trusted, direction(r_b), direction(r_a),
-            detail::checked_weight<S>(weight, [] { return detail::observation_door<B, A>("observation"); }),
+            detail::checked_weight<S>(static_cast<S>(weight),
+                                      [] { return detail::observation_door<B, A>("observation"); }),
             S(observation(r_b, r_a, sigma).deviation().value())};
   }
 template <class Measured, class Reference, class Deviation, class... Weight>
@@ -92,12 +93,12 @@ auto observation(  // r_b, r_a, sigma: one direction in two frames, in one unit;
     const Measured&, const Reference&, const Deviation&, const Weight&...) -> Refused = delete;
 
 /// The same when only the weight is known, in any unit. Throws BadInput unless it is positive and finite.
-template <Frame B, Frame A, class U, class S>
+template <Frame B, Frame A, class U, class S, std::convertible_to<S> Weight>
   requires detail::SingleNumber<S> detail::OfTwo<B, A, WeightedObservation<B, A, S>> weighted_observation(
-      const Vector<B, U, S>& r_b, const Vector<A, U, S>& r_a, const std::type_identity_t<S>& weight) {
-    return {detail::trusted, direction(r_b), direction(r_a), detail::checked_weight<S>(weight, [] {
-              return detail::observation_door<B, A>("weighted_observation");
-            })};
+      const Vector<B, U, S>& r_b, const Vector<A, U, S>& r_a, const Weight& weight) {
+    return {detail::trusted, direction(r_b), direction(r_a),
+            detail::checked_weight<S>(static_cast<S>(weight),
+                                      [] { return detail::observation_door<B, A>("weighted_observation"); })};
   }
 template <class Measured, class Reference, class Weight>
 auto weighted_observation(  // r_b, r_a, weight: one direction in two frames, in one unit

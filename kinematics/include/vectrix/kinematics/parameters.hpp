@@ -102,15 +102,6 @@ template <class S> S singular_angle() {
   return number<S>(8 * static_cast<double>(Eigen::NumTraits<S>::epsilon()));
 }
 
-/// The number alone: Eigen has no absolute value, root or arc tangent of nested derivatives.
-template <class S> auto without_derivatives(const S& x) {
-  if constexpr (Differentiated<S>) {
-    return without_derivatives(x.value());
-  } else {
-    return x;
-  }
-}
-
 template <class X> std::string parameters_name(const char* action) {
   return std::string{action} + "(" + X::name() + " of " + frame_name<typename X::turned>() + " relative to " +
          frame_name<typename X::reference>() + "): ";

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <vectrix/frames/dcm.hpp>
+#include <vectrix/frames/square_root.hpp>
 
 namespace vectrix {
 
@@ -187,14 +188,21 @@ namespace detail {
 template <class S> struct QuaternionMultiple {
   S x, y, z, w;
 
-  Eigen::Quaternion<S> unit() const {
-    using std::sqrt;
-    const S scale = sign() / sqrt(x * x + y * y + z * z + w * w);
-    return {w * scale, x * scale, y * scale, z * scale};
+  /// Over its norm, with this sign.
+  Eigen::Quaternion<S> unit(const S& sign) const {
+    if constexpr (std::same_as<S, double>) {
+      using Two = double __attribute__((vector_size(16)));
+      const Two xy{x, y}, zw{z, w};
+      const Two squares = xy * xy + zw * zw;
+      const double scale = sign / square_root(squares[0] + squares[1]);
+      const Two unit_xy = xy * Two{scale, scale}, unit_zw = zw * Two{scale, scale};
+      return {unit_zw[1], unit_xy[0], unit_xy[1], unit_zw[0]};
+    } else {
+      const S scale = sign / square_root(S(x * x + y * y + z * z + w * w));
+      return {w * scale, x * scale, y * scale, z * scale};
+    }
   }
-
- private:
-  // Of the first of w, x, y, z that is not zero.
+  /// Of the first of w, x, y, z that is not zero.
   S sign() const {
     if constexpr (Batch<S>) {
       const S first = select(w != S(0), w, select(x != S(0), x, y));  // else z, the largest and so positive
@@ -210,23 +218,27 @@ template <Eigen::Index i, class S> QuaternionMultiple<S> multiple_by_diagonal(co
   constexpr Eigen::Index j = (i + 1) % 3;
   constexpr Eigen::Index k = (i + 2) % 3;
   S v[3];
-  v[i] = S(1) + m(i, i) - m(j, j) - m(k, k);
+  v[i] = (S(1) + m(i, i)) - (m(j, j) + m(k, k));
   v[j] = m(i, j) + m(j, i);
   v[k] = m(i, k) + m(k, i);
   return {v[0], v[1], v[2], m(k, j) - m(j, k)};
 }
 template <class S> QuaternionMultiple<S> multiple_by_trace(const Square<S>& m) {
-  return {m(2, 1) - m(1, 2), m(0, 2) - m(2, 0), m(1, 0) - m(0, 1), S(1) + m(0, 0) + m(1, 1) + m(2, 2)};
+  return {m(2, 1) - m(1, 2), m(0, 2) - m(2, 0), m(1, 0) - m(0, 1), (S(1) + m(0, 0)) + (m(1, 1) + m(2, 2))};
 }
-template <class S> QuaternionMultiple<S> large_multiple(const Square<S>& m) {
+template <class S> QuaternionMultiple<S> largest_by_diagonal(const Square<S>& m) {
   const S x = m(0, 0), y = m(1, 1), z = m(2, 2);
-  if (x + y + z > S(0)) return multiple_by_trace(m);
   if (x >= y && x >= z) return multiple_by_diagonal<0>(m);
   return y >= z ? multiple_by_diagonal<1>(m) : multiple_by_diagonal<2>(m);
 }
+template <class S> Eigen::Quaternion<S> unit_quaternion_of(const Square<S>& m) {
+  if (m(0, 0) + m(1, 1) + m(2, 2) > S(0)) return multiple_by_trace(m).unit(S(1));
+  const QuaternionMultiple<S> q = largest_by_diagonal(m);
+  return q.unit(q.sign());
+}
 /// Of a batch: which of w, x and of y, z holds half the norm, and which of the two its larger part, as two
 /// choices of every lane.
-template <Batch S> [[gnu::always_inline]] inline QuaternionMultiple<S> large_multiple(const Square<S>& m) {
+template <Batch S> [[gnu::always_inline]] inline Eigen::Quaternion<S> unit_quaternion_of(const Square<S>& m) {
   const S x = m(0, 0), y = m(1, 1), z = m(2, 2);
   const S wx = m(2, 1) - m(1, 2), wy = m(0, 2) - m(2, 0), wz = m(1, 0) - m(0, 1);
   const S xy = m(1, 0) + m(0, 1), xz = m(0, 2) + m(2, 0), yz = m(2, 1) + m(1, 2);
@@ -239,8 +251,9 @@ template <Batch S> [[gnu::always_inline]] inline QuaternionMultiple<S> large_mul
   const S first = select(w_or_y, large, other), second = select(w_or_y, other, large);
   const S third = select(w_or_y, wy, select(w_or_x, xy, wz));
   const S fourth = select(w_or_y, select(w_or_x, wz, xy), xz);
-  return {select(w_or_x, second, fourth), select(w_or_x, third, first), select(w_or_x, fourth, second),
-          select(w_or_x, first, third)};
+  const QuaternionMultiple<S> q{select(w_or_x, second, fourth), select(w_or_x, third, first),
+                                select(w_or_x, fourth, second), select(w_or_x, first, third)};
+  return q.unit(q.sign());
 }
 
 }  // namespace detail
@@ -249,7 +262,8 @@ template <Batch S> [[gnu::always_inline]] inline QuaternionMultiple<S> large_mul
 /// rotation: a component of at least 1/2 is taken from the diagonal (after Shepperd 1978), the others by
 /// division.
 template <class B, class A, class S> Quaternion<B, A, S> quaternion(const Dcm<B, A, S>& R_b_from_a) {
-  return {detail::trusted_like(R_b_from_a), detail::large_multiple<S>(R_b_from_a.matrix()).unit()};
+  return {detail::trusted_like(R_b_from_a),
+          [&] { return detail::unit_quaternion_of<S>(R_b_from_a.matrix()); }};
 }
 
 template <class B, class A, class S>

@@ -54,7 +54,10 @@ void require_on_sphere(const Eigen::Quaternion<S>& part, const S& scalar, const 
   const auto name = [&] {
     return std::string{derivative} + " of q(" + frame_name<A>() + " from " + frame_name<B>() + "): ";
   };
-  if (!all_finite(part.coeffs())) throw BadInput(name() + "a number is not finite");
+  if (!all_finite(part.coeffs())) {
+    throw BadInput(name() + "the numbers of 2 q* times it, scalar first, (" + text(part.w()) + ", " +
+                   text(part.x()) + ", " + text(part.y()) + ", " + text(part.z()) + ") are not finite");
+  }
   const S error = select(part.w() < scalar, S(scalar - part.w()), S(part.w() - scalar));
   const S largest = part.coeffs().cwiseAbs().maxCoeff();
   if (!all(error <= number<S>(tolerance) * largest)) {

@@ -158,4 +158,8 @@ template <Frame A, Frame B, class S = double> class RotationSpline {
   std::vector<Segment> segments_;
 };
 
+template <class A, class B, class S, class... Ends>
+RotationSpline(const std::vector<AttitudeSample<A, B, S>>&, const Quantity<si::time, S>&, const Ends&...)
+    -> RotationSpline<A, B, S>;
+
 }  // namespace vectrix

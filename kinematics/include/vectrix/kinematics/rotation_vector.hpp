@@ -1,5 +1,9 @@
 #pragma once
 
+#include <cmath>
+#include <numbers>
+#include <vectrix/frames/sine_cosine.hpp>
+#include <vectrix/kinematics/arc_tangent.hpp>
 #include <vectrix/kinematics/parameters.hpp>
 
 namespace vectrix {
@@ -15,6 +19,15 @@ class VECTRIX_QUANTITY RotationVector
   /// The angle |theta|, and the vector expressed in a or in b.
   Quantity<si::angle, S> angle() const {
     return Quantity<si::angle, S>::from_value(detail::scaled_norm(this->coordinates()));
+  }
+  /// How far |theta| is from the nearest full turn, or two, ...
+  Quantity<si::angle, S> distance_from_singularity() const {
+    using std::abs;
+    const S size = detail::scaled_norm(this->coordinates());
+    const auto [sine, cosine] = detail::sine_cosine(size);
+    const S full = detail::number<S>(2 * std::numbers::pi);
+    return Quantity<si::angle, S>::from_value(
+        detail::select<S>(size < full / S(2), S(full - size), detail::arc_tangent(S(abs(sine)), cosine)));
   }
   Vector<A, si::angle, S> in_reference() const { return {detail::trusted_like(*this), this->coordinates()}; }
   Vector<B, si::angle, S> in_turned() const { return {detail::trusted_like(*this), this->coordinates()}; }

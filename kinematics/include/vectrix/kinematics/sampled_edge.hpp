@@ -133,11 +133,14 @@ class SampledFunction final : public EdgeFunction {
 };
 
 inline void check_samples(const std::vector<NamedSample>& samples, double longest_gap) {
-  const auto refuse = [](const std::string& what) { throw BadInput("sampled_edge: " + what); };
+  if (samples.empty()) throw BadInput("sampled_edge: 0 samples; two are needed to interpolate");
+  const NamedQuaternion& q0 = samples.front().q_a_from_b;
+  const auto refuse = [&q0](const std::string& what) {
+    throw BadInput("sampled_edge(q" + to_from(q0.to(), q0.from()) + "): " + what);
+  };
   if (samples.size() < 2) refuse(text(samples.size()) + " samples; two are needed to interpolate");
   if (!(longest_gap > 0.0) || !std::isfinite(longest_gap))
     refuse("the longest gap is " + text(longest_gap) + " s");
-  const NamedQuaternion& q0 = samples.front().q_a_from_b;
   for (std::size_t i = 0; i < samples.size(); ++i) {
     const double t = samples[i].time.value();
     const NamedQuaternion& q = samples[i].q_a_from_b;

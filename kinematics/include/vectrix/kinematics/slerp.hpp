@@ -54,4 +54,8 @@ template <Frame A, Frame B, class S = double> class Slerp {
   detail::Column<S> theta_;
 };
 
+template <class A, class B, class S, class Last>
+Slerp(const Quantity<si::time, S>&, const Quaternion<A, B, S>&, const Quantity<si::time, S>&, const Last&)
+    -> Slerp<A, B, S>;
+
 }  // namespace vectrix

@@ -60,7 +60,7 @@ AttitudeFit<B, A, S> fit_attitude(const Observations& observations) {
     throw BadInput(
         door + "only the share " + text(found.margin) + " of the weights feels a turn about (" + text(n.x()) +
         ", " + text(n.y()) + ", " + text(n.z()) + ") in " + frame_name<B>() + ", at least " +
-        text(nearly_unobservable) +
+        text(door_tolerance<S>(nearly_unobservable)) +
         " is needed: the directions are parallel, contradict each other, or one outweighs the rest");
   }
   S loss = S(0);
