@@ -50,6 +50,11 @@ struct List {
   return turn.angle() * turn.axis();
 }
 
+[[gnu::noinline]] Vector3d log_of_quaternion(const Quaterniond& q_a_from_b) {
+  const Eigen::AngleAxisd turn(q_a_from_b);
+  return turn.angle() * turn.axis();
+}
+
 [[gnu::noinline]] Matrix3d quaternion_to_dcm(const Quaterniond& q_b_from_a) {
   return q_b_from_a.toRotationMatrix();
 }
@@ -83,7 +88,8 @@ Peer eigen_peer(const Given& given) {
   static const Operands g(given, matrix, vector, transform);
   alignas(64) static const Quaterniond q_b_from_a = quaternion(given.q[0]);
   alignas(64) static const Quaterniond q_c_from_b = quaternion(given.q[1]);
-
+  alignas(64) static const Quaterniond q_large = quaternion(given.q_large);
+  alignas(64) static const Quaterniond q_small = quaternion(given.q_small);
   Peer peer = g.ways(List{});
   peer[Task::quaternion_product] = way<&quaternion_product>(List{}, q_c_from_b, q_b_from_a);
   peer[Task::dcm_to_quaternion_below] = way<&dcm_to_quaternion>(List{}, g.R_below);
@@ -93,6 +99,8 @@ Peer eigen_peer(const Given& given) {
   peer[Task::exp_to_dcm] = way<&exp_to_dcm>(List{}, g.theta);
   peer[Task::log_of_dcm] = way<&log_of_dcm>(List{}, g.R_below);
   peer[Task::log_of_dcm_small] = way<&log_of_dcm>(List{}, g.R_small);
+  peer[Task::log_of_quaternion] = way<&log_of_quaternion>(List{}, q_large);
+  peer[Task::log_of_quaternion_small] = way<&log_of_quaternion>(List{}, q_small);
   peer[Task::quaternion_to_dcm] = way<&quaternion_to_dcm>(List{}, q_b_from_a);
   peer[Task::euler_to_dcm] = way<&euler_to_dcm>(List{}, g.yaw_pitch_roll);
   peer[Task::dcm_to_euler] = way<&dcm_to_euler>(List{}, g.R_below);

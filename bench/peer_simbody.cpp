@@ -49,6 +49,11 @@ struct List {
   return turn[0] * turn.getSubVec<3>(1);
 }
 
+[[gnu::noinline]] Vec3 log_of_quaternion(const Quaternion& q_a_from_b) {
+  const Vec4 turn = q_a_from_b.convertQuaternionToAngleAxis();
+  return turn[0] * turn.getSubVec<3>(1);
+}
+
 [[gnu::noinline]] Rotation quaternion_to_dcm(const Quaternion& q_b_from_a) {
   return Rotation(q_b_from_a);
 }
@@ -75,8 +80,10 @@ Peer simbody_peer(const Given& given) {
   const auto vector = [](const Three& v) { return Vec3(v[0], v[1], v[2]); };
   const auto transform = [](const Rotation& R, const Vec3& r) { return Transform(R, r); };
   static const Operands g(given, rotation, vector, transform);
-  const auto& q = given.q[0];
-  alignas(64) static const Quaternion q_b_from_a(Vec4(q[0], q[1], q[2], q[3]));
+  const auto quaternion = [](const Four& q) { return Quaternion(Vec4(q[0], q[1], q[2], q[3])); };
+  alignas(64) static const Quaternion q_b_from_a = quaternion(given.q[0]);
+  alignas(64) static const Quaternion q_large = quaternion(given.q_large);
+  alignas(64) static const Quaternion q_small = quaternion(given.q_small);
 
   Peer peer = g.ways(List{});
   peer[Task::dcm_to_quaternion_below] = way<&dcm_to_quaternion>(List{}, g.R_below);
@@ -86,6 +93,8 @@ Peer simbody_peer(const Given& given) {
   peer[Task::exp_to_dcm] = way<&exp_to_dcm>(List{}, g.theta);
   peer[Task::log_of_dcm] = way<&log_of_dcm>(List{}, g.R_below);
   peer[Task::log_of_dcm_small] = way<&log_of_dcm>(List{}, g.R_small);
+  peer[Task::log_of_quaternion] = way<&log_of_quaternion>(List{}, q_large);
+  peer[Task::log_of_quaternion_small] = way<&log_of_quaternion>(List{}, q_small);
   peer[Task::quaternion_to_dcm] = way<&quaternion_to_dcm>(List{}, q_b_from_a);
   peer[Task::euler_to_dcm] = way<&euler_to_dcm>(List{}, g.yaw_pitch_roll);
   peer[Task::dcm_to_euler] = way<&dcm_to_euler>(List{}, g.R_below);

@@ -46,6 +46,8 @@ struct Operands {
   alignas(64) Dcm<A, B> R_below;
   alignas(64) Dcm<A, B> R_above;
   alignas(64) Dcm<A, B> R_small;
+  alignas(64) Quaternion<A, B> q_large;
+  alignas(64) Quaternion<A, B> q_small;
   alignas(64) AngularVelocity<A, B, In<B>> w_ab_b;
   alignas(64) AngularVelocity<B, C, In<C>> w_bc_c;
   alignas(64) AngularVelocity<C, D, In<D>> w_cd_d;
@@ -107,6 +109,10 @@ struct Operands {
   return log(R_a_from_b);
 }
 
+[[gnu::noinline]] RotationVector<A, B> log_of_quaternion(const Quaternion<A, B>& q_a_from_b) {
+  return log(q_a_from_b);
+}
+
 [[gnu::noinline]] Dcm<B, A> quaternion_to_dcm(const Quaternion<B, A>& q_b_from_a) {
   return dcm(q_b_from_a);
 }
@@ -156,6 +162,8 @@ Operands operands(const Given& given) {
           rotation(to<A>, from<B>, given.R_below),
           rotation(to<A>, from<B>, given.R_above),
           rotation(to<A>, from<B>, given.R_small),
+          quaternion(to<A>, from<B>, given.q_large),
+          quaternion(to<A>, from<B>, given.q_small),
           rate(of<B>, relative_to<A>, w[0]),
           rate(of<C>, relative_to<B>, w[1]),
           rate(of<D>, relative_to<C>, w[2]),
@@ -191,6 +199,8 @@ Peer vectrix_peer(const Given& given) {
           {Task::exp_to_dcm, way<&exp_to_dcm>(List{}, g.theta)},
           {Task::log_of_dcm, way<&log_of_dcm>(List{}, g.R_below)},
           {Task::log_of_dcm_small, way<&log_of_dcm>(List{}, g.R_small)},
+          {Task::log_of_quaternion, way<&log_of_quaternion>(List{}, g.q_large)},
+          {Task::log_of_quaternion_small, way<&log_of_quaternion>(List{}, g.q_small)},
           {Task::quaternion_to_dcm, way<&quaternion_to_dcm>(List{}, g.q_b_from_a)},
           {Task::euler_to_dcm, way<&euler_to_dcm>(List{}, g.yaw_pitch_roll)},
           {Task::dcm_to_euler, way<&dcm_to_euler>(List{}, g.R_below)}};

@@ -35,6 +35,8 @@ const std::vector<std::pair<Task, const char*>> tasks{
     {Task::exp_to_dcm, "exp to DCM, 1.3 rad"},
     {Task::log_of_dcm, "log of a DCM, 1.3 rad"},
     {Task::log_of_dcm_small, "log of a DCM, 1e-7 rad"},
+    {Task::log_of_quaternion, "log of a quaternion, 1.3 rad"},
+    {Task::log_of_quaternion_small, "log of a quaternion, 1.3e-6 rad"},
     {Task::quaternion_to_dcm, "quaternion to DCM"},
     {Task::euler_to_dcm, "yaw, pitch and roll to DCM"},
     {Task::dcm_to_euler, "DCM to yaw, pitch and roll"}};
@@ -56,10 +58,11 @@ Given given() {
   const auto along_axis = [&](double angle) {
     return Three{angle * axis[0], angle * axis[1], angle * axis[2]};
   };
-  const auto turned = [&](double angle) {
+  const auto quaternion = [&](double angle) {
     const auto [x, y, z] = along_axis(std::sin(angle / 2.0));
-    return rows({std::cos(angle / 2.0), x, y, z});
+    return Four{std::cos(angle / 2.0), x, y, z};
   };
+  const auto turned = [&](double angle) { return rows(quaternion(angle)); };
   const std::array<Four, 5> q{unit({-0.1, 0.9, 0.3, 0.2}), unit({0.4, -0.2, 0.5, 0.7}),
                               unit({0.5, 0.1, -0.8, 0.3}), unit({0.2, -0.6, -0.3, 0.7}),
                               unit({-0.7, 0.3, 0.4, -0.5})};
@@ -73,6 +76,8 @@ Given given() {
           turned(1.3),
           turned(2.7),
           turned(1e-7),
+          quaternion(1.3),
+          quaternion(1.3e-6),
           {0.7, -0.5, 1.1}};
 }
 

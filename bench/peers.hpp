@@ -24,6 +24,7 @@ struct Given {
   Three theta, small_theta;  // rotation vectors, rad
   Nine R_below, R_above;     // below 120 degrees, where the scalar of the quaternion is largest, and above
   Nine R_small;              // by 1e-7 rad
+  Four q_large, q_small;     // by 1.3 and by 1.3e-6 rad
   Three yaw_pitch_roll;      // rad, about z, then the turned y, then the turned x
 };
 
@@ -41,6 +42,8 @@ enum class Task {
   exp_to_dcm,
   log_of_dcm,
   log_of_dcm_small,
+  log_of_quaternion,
+  log_of_quaternion_small,
   quaternion_to_dcm,
   euler_to_dcm,
   dcm_to_euler

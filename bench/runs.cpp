@@ -1,9 +1,11 @@
 /// Whole runs of a torque-free body: against Simbody at equal accuracy, and the library's methods among
 /// themselves. Prints sections of docs/performance.md.
 #include <algorithm>
+#include <boost/math/special_functions/jacobi_elliptic.hpp>
 #include <chrono>
 #include <cstdio>
 #include <optional>
+#include <random>
 #include <vectrix/dynamics.hpp>
 
 #include "raw_kernels.hpp"
@@ -73,16 +75,19 @@ std::optional<Run> cheapest(const Engine& engine, const std::vector<Run>& runs, 
   return best;
 }
 
+Scenario<Inertial, Body> free_body(const Eigen::Vector3d& principal_moments, const Eigen::Vector3d& w) {
+  const auto kg_m2 = [](double value) { return Quantity<si::moment_of_inertia>::from_value(value); };
+  return {.inertia = inertia_from_tensor(in<Body>, kg_m2(principal_moments.x()), kg_m2(principal_moments.y()),
+                                         kg_m2(principal_moments.z()), kg_m2(0.0), kg_m2(0.0), kg_m2(0.0)),
+          .initial = {.time = 0.0 * si::second,
+                      .q_i_from_b = quaternion_scalar_first(to<Inertial>, from<Body>, 1.0, 0.0, 0.0, 0.0),
+                      .w_ib_b = angular_velocity(of<Body>, relative_to<Inertial>,
+                                                 vector<si::angular_velocity>(in<Body>, w))}};
+}
+
 auto vectrix_engine(ode::Method method, AttitudeState attitude) {
   return [=](double tolerance, Attitudes& attitudes) {
-    const auto kg_m2 = [](double value) { return Quantity<si::moment_of_inertia>::from_value(value); };
-    const Scenario<Inertial, Body> scenario{
-        .inertia = inertia_from_tensor(in<Body>, kg_m2(moments.x()), kg_m2(moments.y()), kg_m2(moments.z()),
-                                       kg_m2(0.0), kg_m2(0.0), kg_m2(0.0)),
-        .initial = {.time = 0.0 * si::second,
-                    .q_i_from_b = quaternion_scalar_first(to<Inertial>, from<Body>, 1.0, 0.0, 0.0, 0.0),
-                    .w_ib_b = angular_velocity(of<Body>, relative_to<Inertial>,
-                                               vector<si::angular_velocity>(in<Body>, start_rate))}};
+    const Scenario<Inertial, Body> scenario = free_body(moments, start_rate);
     Propagation<Inertial, Body> how{.end = sample_times.back() * si::second};
     how.method = method;
     how.attitude = attitude;
@@ -119,12 +124,7 @@ auto simbody_engine(validation::SimbodyIntegrator integrator) {
 void right_hand_sides() {
   const std::array<double, 7> y{1.0, 0.0, 0.0, 0.0, start_rate.x(), start_rate.y(), start_rate.z()};
   const raw::Inertia raw_J{moments.asDiagonal(), moments.cwiseInverse().asDiagonal()};
-  const Scenario<Inertial, Body> scenario{
-      .inertia = trust_inertia(in<Body>, raw_J.tensor),
-      .initial = {.time = 0.0 * si::second,
-                  .q_i_from_b = quaternion_scalar_first(to<Inertial>, from<Body>, 1.0, 0.0, 0.0, 0.0),
-                  .w_ib_b = angular_velocity(of<Body>, relative_to<Inertial>,
-                                             vector<si::angular_velocity>(in<Body>, start_rate))}};
+  const Scenario<Inertial, Body> scenario = free_body(moments, start_rate);
   const detail::StateLayout<Inertial, Body> layout(AttitudeState::quaternion, false);
   const raw::Attitude attitude = raw::Attitude::quaternion;
   validation::SimbodyRate simbody;
@@ -212,6 +212,57 @@ void work_precision(const Attitudes& exact) {
       fastest[0].second.c_str(), fastest[1].second.c_str(), fastest[2].second.c_str());
 }
 
+/// Beside Boost.Math's three Jacobi functions, which give the rate alone.
+void closed_form() {
+  constexpr std::size_t count = 1000;
+  constexpr int rounds = 101;
+  constexpr double longest = 1e5;
+  std::mt19937_64 random(20240229);
+  std::vector<double> times(count);
+  for (double& t : times) t = std::uniform_real_distribution<double>(0.0, longest)(random);
+  const auto nanoseconds = [&](const auto& call) {
+    const auto start = Clock::now();
+    for (const double t : times) {
+      const auto result = call(t);
+      asm volatile("" : : "r"(&result) : "memory");
+    }
+    return std::chrono::duration<double, std::nano>(Clock::now() - start).count() / count;
+  };
+
+  struct Motion {
+    const char* name;
+    Eigen::Vector3d moments, w;
+  };
+  const std::array<Motion, 4> motions{{{"three moments, (1, 2, 3) kg m^2", moments, start_rate},
+                                       {"near the separatrix, (1, 2, 3) kg m^2", moments, {1e-4, 1.0, 1e-4}},
+                                       {"a symmetric body, (1, 1, 2) kg m^2", {1.0, 1.0, 2.0}, start_rate},
+                                       {"a ball, (1, 1, 1) kg m^2", {1.0, 1.0, 1.0}, start_rate}}};
+  std::vector<TorqueFree<Inertial, Body>> bodies;
+  for (const Motion& motion : motions) {
+    const auto scenario = free_body(motion.moments, motion.w);
+    bodies.push_back(torque_free(scenario.inertia, scenario.initial));
+  }
+  constexpr double modulus = 0.6;
+  std::array<std::vector<double>, motions.size() + 1> ns;
+  for (int round = 0; round < rounds; ++round) {
+    for (std::size_t i = 0; i < bodies.size(); ++i)
+      ns.at(i).push_back(nanoseconds([&](double t) { return bodies[i].at(t * si::second); }));
+    ns.back().push_back(nanoseconds([](double t) {
+      std::array<double, 3> functions;
+      functions[0] = boost::math::jacobi_elliptic(modulus, t, &functions[1], &functions[2]);
+      return functions;
+    }));
+  }
+  for (auto& list : ns) std::nth_element(list.begin(), list.begin() + rounds / 2, list.end());
+  std::printf("| closed form | ns a time | times ours |\n| --- | --- | --- |\n");
+  const auto row = [&](const char* name, std::size_t i) {
+    std::printf("| %s | %.0f | %.2f |\n", name, ns.at(i)[rounds / 2],
+                ns.at(i)[rounds / 2] / ns[0][rounds / 2]);
+  };
+  for (std::size_t i = 0; i < motions.size(); ++i) row(motions.at(i).name, i);
+  row("Boost.Math, `jacobi_elliptic`: sn, cn and dn alone", motions.size());
+}
+
 }  // namespace
 }  // namespace bench
 
@@ -223,6 +274,11 @@ int main() {
       "## The free body\n\n"
       "Moments (1, 2, 3) kg m^2, no torque, g++, x86-64. Times are medians of interleaved rounds.\n\n");
   right_hand_sides();
+  std::printf(
+      "\n## The exact motion of the free body\n\n"
+      "`torque_free(...).at(t)`: attitude and rate at random times within 1e5 s, medians of interleaved "
+      "rounds.\n\n");
+  closed_form();
   std::printf(
       "\n## A whole run at equal accuracy\n\n"
       "The same body for 100 s, about 110 rad. The error is the largest angle at 20, 40, 60, 80 and 100 s "
