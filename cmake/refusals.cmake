@@ -19,7 +19,7 @@ set(kinematics_subjects
     "Angular velocity|omega_|at_rest_"
     "Angular acceleration|alpha_|unaccelerated_"
     "Rotations that move|dcm_rate_|moving_dcm_|accelerating_dcm_|second_rate_"
-    "Quaternions and rotation vectors|quaternion_|nearest_quaternion_|slerp_|rotation_vector|exp_|log_"
+    "Quaternions and rotation vectors|quaternion_|nearest_quaternion_|slerp_|rotation_vector|exp_"
     "Euler angles and other parameters|euler_|axis_angle_|gibbs_|modified_rodrigues_"
     "Rotations from data|triad_|wahba_|observation_|mean_|attitude_sample_|rotation_spline_|estimate_motion_"
     "Steps on the group and gyro counts|increment_|exponential_step_|first_order_|magnus_|munthe_kaas_|commutator_free_|coning_|gyro_|angle_increment_"

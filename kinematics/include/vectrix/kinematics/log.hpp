@@ -61,8 +61,5 @@ template <class A, class B, class S> RotationVector<A, B, S> log(const Dcm<A, B,
   }
   return log(quaternion(R_a_from_b));
 }
-template <class Given>
-  requires(detail::is_framed<Given>&& std::same_as<detail::Evaluated<Given>, Given>)
-auto log(const Given&) -> Refused = delete;  // log(R), log(q), log(X): of a rotation or a transform
 
 }  // namespace vectrix
