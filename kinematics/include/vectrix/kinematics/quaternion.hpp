@@ -189,7 +189,7 @@ template <class S> struct QuaternionMultiple {
   S x, y, z, w;
 
   /// Over its norm, with this sign.
-  Eigen::Quaternion<S> unit(const S& sign) const {
+  [[gnu::always_inline]] Eigen::Quaternion<S> unit(const S& sign) const {
     if constexpr (std::same_as<S, double>) {
       using Two = double __attribute__((vector_size(16)));
       const Two xy{x, y}, zw{z, w};
@@ -203,7 +203,7 @@ template <class S> struct QuaternionMultiple {
     }
   }
   /// Of the first of w, x, y, z that is not zero.
-  S sign() const {
+  [[gnu::always_inline]] S sign() const {
     if constexpr (Batch<S>) {
       const S first = select(w != S(0), w, select(x != S(0), x, y));  // else z, the largest and so positive
       return select(first < S(0), S(-1), S(1));
