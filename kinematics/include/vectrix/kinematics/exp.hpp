@@ -20,7 +20,7 @@ template <class S> HalfTurn<S> half_turn_series(const S& square) {
   return {S(1) - h2 * (S(1) / S(2) - h2 * (S(1) / S(24) - h2 * (S(1) / S(720) - h2 * (S(1) / S(40320))))),
           S(1) / S(2) - h2 * (S(1) / S(12) - h2 * (S(1) / S(240) - h2 * (S(1) / S(10080))))};
 }
-template <class S> HalfTurn<S> half_turn(const S& square) {
+template <class S> [[gnu::always_inline]] inline HalfTurn<S> half_turn(const S& square) {
   const S angle = square_root(square);
   const auto [sine, cosine] = sine_cosine<S>(angle / S(2));
   return {cosine, sine / angle};
