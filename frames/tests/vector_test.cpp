@@ -178,7 +178,7 @@ static_assert(!std::is_convertible_v<Position, Vector<Gcrf, si::length>>);
 static_assert(!std::is_convertible_v<Position, Vector<Body, si::velocity>>);
 static_assert(!std::is_convertible_v<Eigen::Vector3d, Position>);
 static_assert(!std::is_default_constructible_v<Position>);
-static_assert(detail::instants_checked || sizeof(Position) == 3 * sizeof(double));
+static_assert(sizeof(Position) == 3 * sizeof(double));
 
 // What is a frame.
 struct Both : inertial_frame, moving_frame {};

@@ -10,10 +10,10 @@
 #include <vectrix/frames/errors.hpp>
 #include <vectrix/frames/frame.hpp>
 #include <vectrix/frames/graph.hpp>
-#include <vectrix/frames/instants.hpp>
 #include <vectrix/frames/level.hpp>
 #include <vectrix/frames/operators.hpp>
 #include <vectrix/frames/shift.hpp>
 #include <vectrix/frames/transform.hpp>
+#include <vectrix/frames/trusted.hpp>
 #include <vectrix/frames/units.hpp>
 #include <vectrix/frames/vector.hpp>

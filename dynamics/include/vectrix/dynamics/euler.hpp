@@ -24,8 +24,7 @@ euler(const Inertia<B, CentreOfMassOf<B>, In<B>, S>& J_b, const AngularVelocity<
       const TorqueGiven& torque_b) {
   const detail::Column<S> momentum = J_b.matrix() * w_ib_b.coordinates();
   const detail::Column<S> net = torque_b.coordinates() - w_ib_b.coordinates().cross(momentum);
-  return AngularAcceleration<I, B, In<B>, S>{detail::trusted_like(w_ib_b, torque_b),
-                                             J_b.inverse_matrix() * net};
+  return AngularAcceleration<I, B, In<B>, S>{detail::trusted, J_b.inverse_matrix() * net};
 }
 template <class InertiaOf, class InertiaAbout, class InertiaIn, class RateRelativeTo, class RateOf,
           class RateIn, class TorqueGiven, class S>

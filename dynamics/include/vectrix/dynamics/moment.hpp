@@ -10,7 +10,7 @@ namespace vectrix {
 ///     2.  M_p^d = R_c^d M_p^c                R_d_from_c * M_p_c
 ///     3.  M_q^c = M_p^c + F^c x r_pq^c       shift(M_p_c, r_pq_c, F_c), F the sum of the forces
 /// Made by torque_about<P>(M_c) or moment(r_pq_c, F_c); no default.
-template <Point P, class ExpressedIn, class S = double> class VECTRIX_QUANTITY Torque;
+template <Point P, class ExpressedIn, class S = double> class Torque;
 
 template <Point P, Frame C, class S>
 class Torque<P, In<C>, S> : public detail::RelativeVector<C, si::torque, S> {
@@ -22,7 +22,7 @@ class Torque<P, In<C>, S> : public detail::RelativeVector<C, si::torque, S> {
 
   using detail::RelativeVector<C, si::torque, S>::RelativeVector;
 
-  Torque operator-() const { return Torque{detail::trusted_like(*this), -this->coordinates()}; }
+  Torque operator-() const { return Torque{detail::trusted, -this->coordinates()}; }
 };
 
 /// H_p^c, `H_p_c`, of type AngularMomentum<P, In<C>>: the moment about the point p of linear momenta,
@@ -31,7 +31,7 @@ class Torque<P, In<C>, S> : public detail::RelativeVector<C, si::torque, S> {
 ///     3.  H_q^c = H_p^c + p^c x r_pq^c       shift(H_p_c, r_pq_c, p_c)
 /// Of which masses it is, and which observer sees their velocities, is not in the type: the door claims it.
 /// Made by angular_momentum_about<P>(H_c) or moment(r_pq_c, p_c); no default.
-template <Point P, class ExpressedIn, class S = double> class VECTRIX_QUANTITY AngularMomentum;
+template <Point P, class ExpressedIn, class S = double> class AngularMomentum;
 
 template <Point P, Frame C, class S>
 class AngularMomentum<P, In<C>, S> : public detail::RelativeVector<C, si::angular_momentum, S> {
@@ -43,9 +43,7 @@ class AngularMomentum<P, In<C>, S> : public detail::RelativeVector<C, si::angula
 
   using detail::RelativeVector<C, si::angular_momentum, S>::RelativeVector;
 
-  AngularMomentum operator-() const {
-    return AngularMomentum{detail::trusted_like(*this), -this->coordinates()};
-  }
+  AngularMomentum operator-() const { return AngularMomentum{detail::trusted, -this->coordinates()}; }
 };
 
 template <class P, class C, class S> inline constexpr bool detail::is_framed<Torque<P, C, S>> = true;
@@ -88,7 +86,7 @@ struct MomentOf<P, C, si::momentum, S> : std::type_identity<AngularMomentum<P, I
 template <class P, class Q, class C, class U, class S>
 typename detail::MomentOf<P, C, U, S>::type moment(const Displacement<P, Q, In<C>, S>& r_pq_c,
                                                    const Vector<C, U, S>& F_c) {
-  return typename detail::MomentOf<P, C, U, S>::type{detail::trusted_like(r_pq_c, F_c),
+  return typename detail::MomentOf<P, C, U, S>::type{detail::trusted,
                                                      r_pq_c.coordinates().cross(F_c.coordinates())};
 }
 template <class Arm, class Given>

@@ -26,7 +26,7 @@ template <class S> [[gnu::always_inline]] inline void set_by_columns(Square<S>& 
 
 }  // namespace detail
 
-template <Frame ToFrame, Frame FromFrame, std::size_t N, class S> class VECTRIX_QUANTITY DcmChain;
+template <Frame ToFrame, Frame FromFrame, std::size_t N, class S> class DcmChain;
 
 /// R_a^b, `R_b_from_a`, of type Dcm<B, A>: the direction cosine matrix that takes coordinates in a to
 /// coordinates in b:
@@ -34,21 +34,16 @@ template <Frame ToFrame, Frame FromFrame, std::size_t N, class S> class VECTRIX_
 ///     2.  R_a^c = R_b^c R_a^b                 R_c_from_b * R_b_from_a, a DcmChain
 ///     3.  R_b^a = (R_a^b)^-1 = (R_a^b)^T      inverse(R_b_from_a)
 /// Column i is the i-th basis vector of a in b's coordinates. Made by the doors in dcm_doors.hpp; no default.
-template <Frame ToFrame, Frame FromFrame, class S = double>
-class VECTRIX_QUANTITY Dcm : public detail::Stamped {
+template <Frame ToFrame, Frame FromFrame, class S = double> class Dcm {
  public:
   using to = ToFrame;
   using from = FromFrame;
   using scalar = S;
 
   Dcm() = delete;  // dcm(to<B>, from<A>, matrix), or aligned(to<B>, from<A>)
-  template <class Derived>
-  Dcm(detail::Trusted key, const Eigen::MatrixBase<Derived>& matrix)
-      : detail::Stamped(key), matrix_(matrix) {}
-  template <detail::Makes<detail::Square<S>> Make>
-  Dcm(detail::Trusted key, const Make& make) : detail::Stamped(key), matrix_(make()) {}
-  template <std::size_t N>
-  [[gnu::always_inline]] Dcm(DcmChain<ToFrame, FromFrame, N, S>&& chain) : detail::Stamped(chain) {
+  template <class Derived> Dcm(detail::Trusted, const Eigen::MatrixBase<Derived>& matrix) : matrix_(matrix) {}
+  template <detail::Makes<detail::Square<S>> Make> Dcm(detail::Trusted, const Make& make) : matrix_(make()) {}
+  template <std::size_t N> [[gnu::always_inline]] Dcm(DcmChain<ToFrame, FromFrame, N, S>&& chain) {
     detail::set_by_columns(matrix_, chain.matrix_);
   }
 
@@ -69,7 +64,7 @@ namespace detail {
 // R_a^c = R_b^c R_a^b, the nine numbers alone, where they are to stay
 template <class C, class B, class A, class S>
 Dcm<C, A, S> composed(const Dcm<C, B, S>& R_c_from_b, const Dcm<B, A, S>& R_b_from_a) {
-  return {trusted_like(R_c_from_b, R_b_from_a), R_c_from_b.matrix() * R_b_from_a.matrix()};
+  return {trusted, R_c_from_b.matrix() * R_b_from_a.matrix()};
 }
 }  // namespace detail
 
@@ -81,7 +76,7 @@ Vector<B, U, S> product(const Dcm<B, A, S>& R_b_from_a, const Vector<A, U, S>& r
 
 // R_b^a = (R_a^b)^T
 template <class B, class A, class S> Dcm<A, B, S> inverse(const Dcm<B, A, S>& R_b_from_a) {
-  return {detail::trusted_like(R_b_from_a), R_b_from_a.matrix().transpose()};
+  return {detail::trusted, R_b_from_a.matrix().transpose()};
 }
 
 /// Turns a vector, within a, by the rotation that turns frame a onto frame b:
@@ -89,7 +84,7 @@ template <class B, class A, class S> Dcm<A, B, S> inverse(const Dcm<B, A, S>& R_
 /// The active use of the same matrix whose passive use is R_a_from_b * r_b; the result stays in a.
 template <class A, class B, class U, class S>
 Vector<A, U, S> rotate(const Dcm<A, B, S>& R_a_from_b, const Vector<A, U, S>& r_a) {
-  return {detail::trusted_like(R_a_from_b, r_a), R_a_from_b.matrix() * r_a.coordinates()};
+  return {detail::trusted, R_a_from_b.matrix() * r_a.coordinates()};
 }
 template <class DcmTo, class DcmFrom, class VectorIn, class U, class S>
   requires(!std::same_as<DcmTo, VectorIn>)

@@ -53,7 +53,7 @@ class DcmChain : public Dcm<ToFrame, FromFrame, S> {
                                   const std::array<detail::Factor<S>, L>& left_factors,
                                   const Dcm<B, FromFrame, S>& right,
                                   const std::array<detail::Factor<S>, N - L>& right_factors)
-      : Product(detail::trusted_like(left, right), left.matrix() * right.matrix()),
+      : Product(detail::trusted, left.matrix() * right.matrix()),
         factors_(detail::joined(left_factors, right_factors, std::make_index_sequence<L>{},
                                 std::make_index_sequence<N - L>{})) {}
   DcmChain(const DcmChain& named) : DcmChain(static_cast<const Product&>(named)) {}
@@ -130,11 +130,6 @@ template <class C, class B, class A, std::size_t N, std::size_t M, class S>
 }
 
 }  // namespace detail
-
-template <class B, class A, std::size_t N, class S>
-Dcm<B, A, S> without_instant(const DcmChain<B, A, N, S>& R_b_from_a) {
-  return without_instant(static_cast<const Dcm<B, A, S>&>(R_b_from_a));
-}
 
 // R_a^c = R_b^c R_a^b, each side one rotation or an unnamed chain
 template <class C, class B, class A, class S>

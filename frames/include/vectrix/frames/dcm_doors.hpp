@@ -206,8 +206,7 @@ detail::OfTwo<B, A, Dcm<B, A, S>> dcm_from_axes(To<B>, const Vector<A, si::dimen
                                                 const Vector<A, si::dimensionless, S>& z_a) {
   detail::Square<S> rows;
   rows << x_a.coordinates().transpose(), y_a.coordinates().transpose(), z_a.coordinates().transpose();
-  return VECTRIX_OF_ONE_INSTANT("dcm_from_axes", (detail::checked_dcm<B, A>(rows, "dcm_from_axes")), x_a, y_a,
-                                z_a);
+  return detail::checked_dcm<B, A>(rows, "dcm_from_axes");
 }
 template <class ToFrame, class X, class Y, class Z>
 auto dcm_from_axes(  // to<B>, x_a, y_a, z_a: two frames; directions

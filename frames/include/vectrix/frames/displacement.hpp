@@ -10,7 +10,7 @@ namespace vectrix {
 ///     2.  r_qp^c = -r_pq^c
 ///     3.  r_pq^d = R_c^d r_pq^c
 /// Made by displacement(of<Q>, relative_to<P>, ...); no default.
-template <Point P, Point Q, class ExpressedIn, class S = double> class VECTRIX_QUANTITY Displacement;
+template <Point P, Point Q, class ExpressedIn, class S = double> class Displacement;
 
 template <Point P, Point Q, Frame C, class S>
 class Displacement<P, Q, In<C>, S> : public detail::RelativeVector<C, si::length, S> {
@@ -23,7 +23,7 @@ class Displacement<P, Q, In<C>, S> : public detail::RelativeVector<C, si::length
   using detail::RelativeVector<C, si::length, S>::RelativeVector;
 
   /// r_qp^c = -r_pq^c
-  Between<Q, P> operator-() const { return Between<Q, P>{detail::trusted_like(*this), -this->coordinates()}; }
+  Between<Q, P> operator-() const { return Between<Q, P>{detail::trusted, -this->coordinates()}; }
 };
 
 template <class P, class Q, class C, class S>

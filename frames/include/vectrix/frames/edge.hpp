@@ -15,12 +15,6 @@ template <Unit U, class S> struct QuantityInstant {
   Quantity<U, S> value;
   operator const Quantity<U, S>&() const { return value; }
 };
-template <Unit U, class S> const S& number_in(const QuantityInstant<U, S>& instant) {
-  return instant.value.value();
-}
-template <Unit U, class S> const char* unit_in(const QuantityInstant<U, S>&) {
-  return std::is_same_v<U, si::time> ? " s" : "";
-}
 
 }  // namespace detail
 
@@ -31,7 +25,7 @@ template <EdgeValue V> class ConstantEdge {
 
   template <class Instant> static constexpr bool takes = true;
 
-  explicit ConstantEdge(const V& value) : value_(without_instant(value)) {}
+  explicit ConstantEdge(const V& value) : value_(value) {}
   const V& value() const& { return value_; }
   V value() && { return value_; }
 

@@ -19,8 +19,6 @@ template <class Instant, class... Edges> struct FreshValues {
   template <std::size_t I> decltype(auto) value() const {
     if constexpr (is_constant<std::tuple_element_t<I, std::tuple<Edges...>>>) {
       return std::get<I>(edges).value();
-    } else if constexpr (instants_checked) {
-      return stamped(std::get<I>(edges)(instant), Trusted{stamp_of_instant(instant)});
     } else {
       return std::get<I>(edges)(instant);
     }
@@ -70,7 +68,7 @@ Dcm<X, B, S> times(const Dcm<A, B, S>& R_a_from_b, const Dcm<X, A, S>& R_x_from_
 /// A transposed copy would be stored by numbers and loaded by pairs, which waits.
 template <bool reversed, class X, class A, class B, class S>
   requires reversed Dcm<X, A, S> times(const Dcm<A, B, S>& R_a_from_b, const Dcm<X, B, S>& R_x_from_b) {
-    return {trusted_like(R_x_from_b, R_a_from_b), R_x_from_b.matrix() * R_a_from_b.matrix().transpose()};
+    return {trusted, R_x_from_b.matrix() * R_a_from_b.matrix().transpose()};
   }
 
 /// The answers of a frame graph at one instant. `values.template value<I>()` gives what edge I carries; each

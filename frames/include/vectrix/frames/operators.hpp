@@ -2,7 +2,6 @@
 
 #include <type_traits>
 #include <utility>
-#include <vectrix/frames/instants.hpp>
 
 namespace vectrix {
 
@@ -78,8 +77,7 @@ template <class... Operands> inline constexpr bool any_framed = (is_framed<Opera
 template <class Left, class Right>
   requires(detail::FramedPair<Left, Right>)
 [[gnu::always_inline]] inline detail::ProductOf<Left, Right> operator*(Left&& left, Right&& right) {
-  return VECTRIX_OF_ONE_INSTANT("product", product(std::forward<Left>(left), std::forward<Right>(right)),
-                                left, right);
+  return product(std::forward<Left>(left), std::forward<Right>(right));
 }
 template <class Left, class Right>
   requires(detail::FramedPair<Left, Right> && !detail::Lawful<detail::ProductOf, Left, Right>)
@@ -90,7 +88,7 @@ template <class Left, class Right>
   requires(detail::FramedPair<Left, Right>)
 detail::QuotientOf<Left, Right>
 operator/(const Left& left, const Right& right) {
-  return VECTRIX_OF_ONE_INSTANT("quotient", quotient(left, right), left, right);
+  return quotient(left, right);
 }
 template <class Left, class Right>
   requires(detail::FramedPair<Left, Right> && !detail::Lawful<detail::QuotientOf, Left, Right>)
@@ -100,7 +98,7 @@ template <class Left, class Right>
   requires(detail::FramedPair<Left, Right>)
 detail::SumOf<Left, Right>
 operator+(const Left& left, const Right& right) {
-  return VECTRIX_OF_ONE_INSTANT("sum", sum(left, right), left, right);
+  return sum(left, right);
 }
 template <class Left, class Right>
   requires(detail::FramedPair<Left, Right> && !detail::Lawful<detail::SumOf, Left, Right>)
@@ -112,7 +110,7 @@ template <class Left, class Right>
   requires(detail::FramedPair<Left, Right>)
 detail::DifferenceOf<Left, Right>
 operator-(const Left& left, const Right& right) {
-  return VECTRIX_OF_ONE_INSTANT("difference", difference(left, right), left, right);
+  return difference(left, right);
 }
 template <class Left, class Right>
   requires(detail::FramedPair<Left, Right> && !detail::Lawful<detail::DifferenceOf, Left, Right>)
@@ -125,7 +123,7 @@ template <class Left, class Right>
   requires(detail::FramedPair<Left, Right>)
 detail::InPlace<detail::SumOf<Left, Right>, Left>
 operator+=(Left& left, const Right& right) {
-  return left = VECTRIX_OF_ONE_INSTANT("sum", sum(left, right), left, right);
+  return left = sum(left, right);
 }
 template <class Left, class Right>
   requires(detail::is_framed<Left> && !detail::LawfulInPlace<detail::SumOf, Left, Right>)
@@ -136,7 +134,7 @@ template <class Left, class Right>
   requires(detail::FramedPair<Left, Right>)
 detail::InPlace<detail::DifferenceOf<Left, Right>, Left>
 operator-=(Left& left, const Right& right) {
-  return left = VECTRIX_OF_ONE_INSTANT("difference", difference(left, right), left, right);
+  return left = difference(left, right);
 }
 template <class Left, class Right>
   requires(detail::is_framed<Left> && !detail::LawfulInPlace<detail::DifferenceOf, Left, Right>)
@@ -146,7 +144,7 @@ template <class Left, class Right>
   requires(detail::FramedPair<Left, Right>)
 detail::InPlace<detail::ProductOf<Left, Right>, Left>
 operator*=(Left& left, const Right& right) {
-  return left = VECTRIX_OF_ONE_INSTANT("product", product(left, right), left, right);
+  return left = product(left, right);
 }
 template <class Left, class Right>
   requires(detail::is_framed<Left> && !detail::LawfulInPlace<detail::ProductOf, Left, Right>)
@@ -156,7 +154,7 @@ template <class Left, class Right>
   requires(detail::FramedPair<Left, Right>)
 detail::InPlace<detail::QuotientOf<Left, Right>, Left>
 operator/=(Left& left, const Right& right) {
-  return left = VECTRIX_OF_ONE_INSTANT("quotient", quotient(left, right), left, right);
+  return left = quotient(left, right);
 }
 template <class Left, class Right>
   requires(detail::is_framed<Left> && !detail::LawfulInPlace<detail::QuotientOf, Left, Right>)
@@ -166,7 +164,7 @@ auto operator/=(Left&, const Right&) -> Refused = delete;  // a quotient of the 
 template <class Left, class Right>
   requires(detail::FramedPair<Left, Right>)
 detail::DotOf<Left, Right> dot(const Left& left, const Right& right) {
-  return VECTRIX_OF_ONE_INSTANT("dot_product", dot_product(left, right), left, right);
+  return dot_product(left, right);
 }
 template <class Left, class Right>
   requires(detail::FramedPair<Left, Right> && !detail::Lawful<detail::DotOf, Left, Right>)
@@ -176,7 +174,7 @@ auto dot(const Left&, const Right&) -> Refused = delete;  // r_a . s_a: two vect
 template <class Left, class Right>
   requires(detail::FramedPair<Left, Right>)
 detail::CrossOf<Left, Right> cross(const Left& left, const Right& right) {
-  return VECTRIX_OF_ONE_INSTANT("cross_product", cross_product(left, right), left, right);
+  return cross_product(left, right);
 }
 template <class Left, class Right>
   requires(detail::FramedPair<Left, Right> && !detail::Lawful<detail::CrossOf, Left, Right>)

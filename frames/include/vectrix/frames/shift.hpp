@@ -28,7 +28,7 @@ concept Shifts = requires {
 template <class AtOldPoint, class By, class... Given>
 detail::ShiftOf<AtOldPoint, By, Given...> shift(const AtOldPoint& x_p_c, const By& r_pq_c,
                                                 const Given&... given) {
-  return VECTRIX_OF_ONE_INSTANT("shift", shifted(x_p_c, r_pq_c, given...), x_p_c, r_pq_c, given...);
+  return shifted(x_p_c, r_pq_c, given...);
 }
 template <class AtOldPoint, class By, class... Given>
   requires(detail::any_framed<AtOldPoint, By> && !detail::Shifts<AtOldPoint, By, Given...>)

@@ -12,7 +12,7 @@ namespace vectrix {
 ///     2.  X_a^c = X_b^c X_a^b                 X_c_from_b * X_b_from_a
 ///     3.  X_b^a = (X_a^b)^-1                  inverse(X_b_from_a)
 /// Any pair is valid, so it is an aggregate: Transform{R_b_from_a, r_ba_b}. transform() takes a matrix.
-template <Frame B, Frame A, class S = double> struct VECTRIX_QUANTITY Transform {
+template <Frame B, Frame A, class S = double> struct Transform {
   Dcm<B, A, S> rotation;
   Displacement<B, A, In<B>, S> translation;
 };
@@ -37,9 +37,8 @@ Transform<C, A, S> product(const Transform<C, B, S>& X_c_from_b, const Transform
 // r_ab^a = -R_b^a r_ba^b
 template <class B, class A, class S> Transform<A, B, S> inverse(const Transform<B, A, S>& X_b_from_a) {
   return {inverse(X_b_from_a.rotation),
-          Displacement<A, B, In<A>, S>{
-              detail::trusted_like(X_b_from_a),
-              -(X_b_from_a.rotation.matrix().transpose() * X_b_from_a.translation.coordinates())}};
+          Displacement<A, B, In<A>, S>{detail::trusted, -(X_b_from_a.rotation.matrix().transpose() *
+                                                          X_b_from_a.translation.coordinates())}};
 }
 
 /// The bare homogeneous matrix [R_a^b, r_ba^b; 0 0 0 1], lengths in metres: the way out of the typed world.

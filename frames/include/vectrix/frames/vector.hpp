@@ -7,9 +7,9 @@
 #include <string>
 #include <vectrix/frames/errors.hpp>
 #include <vectrix/frames/frame.hpp>
-#include <vectrix/frames/instants.hpp>
 #include <vectrix/frames/operators.hpp>
 #include <vectrix/frames/print.hpp>
+#include <vectrix/frames/trusted.hpp>
 #include <vectrix/frames/units.hpp>
 
 namespace vectrix {
@@ -44,7 +44,7 @@ concept Makes = requires(const Make& make) {
 /// r^a: the coordinates of a vector in the frame F, in the unit U.
 /// Sums need one frame and one unit. A product of units follows units.hpp: w x r is a velocity, r x F a
 /// torque. Made by `vector(in<F>, ...)`; there is no default vector.
-template <Frame F, VectorUnit U, class S = double> class VECTRIX_QUANTITY Vector : public detail::Stamped {
+template <Frame F, VectorUnit U, class S = double> class Vector {
  public:
   using frame = F;
   using unit = U;
@@ -52,16 +52,15 @@ template <Frame F, VectorUnit U, class S = double> class VECTRIX_QUANTITY Vector
 
   Vector() = delete;  // vector(in<F>, x, y, z), or zero<U>(in<F>)
   template <class Derived>
-  Vector(detail::Trusted key, const Eigen::MatrixBase<Derived>& coordinates)
-      : detail::Stamped(key), coordinates_(coordinates) {}
+  Vector(detail::Trusted, const Eigen::MatrixBase<Derived>& coordinates) : coordinates_(coordinates) {}
   template <detail::Makes<detail::Column<S>> Make>
-  Vector(detail::Trusted key, const Make& make) : detail::Stamped(key), coordinates_(make()) {}
+  Vector(detail::Trusted, const Make& make) : coordinates_(make()) {}
 
   /// The bare numbers, in the coherent SI unit: the way out of the typed world.
   const detail::Column<S>& coordinates() const& { return coordinates_; }
   detail::Column<S> coordinates() && { return coordinates_; }
 
-  Vector operator-() const { return {detail::trusted_like(*this), -coordinates_}; }
+  Vector operator-() const { return {detail::trusted, -coordinates_}; }
 
   Quantity<U, S> x() const { return Quantity<U, S>::from_value(coordinates_.x()); }
   Quantity<U, S> y() const { return Quantity<U, S>::from_value(coordinates_.y()); }
@@ -206,7 +205,7 @@ template <class F, class U, class S> Vector<F, si::dimensionless, S> direction(c
                    "; a zero vector has no direction");
   }
   const detail::Column<S> scaled = r.coordinates() / largest;
-  return {detail::trusted_like(r), scaled / scaled.norm()};
+  return {detail::trusted, scaled / scaled.norm()};
 }
 
 template <class F, class U, class S> std::ostream& print_framed(std::ostream& out, const Vector<F, U, S>& r) {

@@ -11,8 +11,7 @@ namespace vectrix {
 ///     2.  a_qp|a^c = -a_pq|a^c
 ///     3.  a_pq|a^d = R_c^d a_pq|a^c
 ///     4.  transport() to another observer
-template <Point P, Point Q, class Observer, class ExpressedIn, class S = double>
-class VECTRIX_QUANTITY Acceleration;
+template <Point P, Point Q, class Observer, class ExpressedIn, class S = double> class Acceleration;
 
 template <Point P, Point Q, Frame A, Frame C, class S>
 class Acceleration<P, Q, ObservedFrom<A>, In<C>, S> : public detail::RelativeVector<C, si::acceleration, S> {
@@ -25,7 +24,7 @@ class Acceleration<P, Q, ObservedFrom<A>, In<C>, S> : public detail::RelativeVec
   using detail::RelativeVector<C, si::acceleration, S>::RelativeVector;
 
   /// a_qp|a^c = -a_pq|a^c
-  Between<Q, P> operator-() const { return Between<Q, P>{detail::trusted_like(*this), -this->coordinates()}; }
+  Between<Q, P> operator-() const { return Between<Q, P>{detail::trusted, -this->coordinates()}; }
 };
 
 template <class P, class Q, class A, class C, class S>
@@ -55,21 +54,21 @@ Acceleration<P, Q, ObservedFrom<A>, In<C>, S> unaccelerated(Of<Q>, RelativeTo<P>
 template <class A, class B, class P, class Q, class C, class S>
 Vector<C, si::acceleration, S> euler_acceleration(const AngularAcceleration<A, B, In<C>, S>& alpha_ab_c,
                                                   const Displacement<P, Q, In<C>, S>& r_pq_c) {
-  return {detail::trusted_like(alpha_ab_c, r_pq_c), r_pq_c.coordinates().cross(alpha_ab_c.coordinates())};
+  return {detail::trusted, r_pq_c.coordinates().cross(alpha_ab_c.coordinates())};
 }
 /// The Coriolis acceleration, -2 w_ab x v_pq|b: of the velocity that b sees.
 template <class A, class B, class P, class Q, class C, class S>
 Vector<C, si::acceleration, S> coriolis_acceleration(
     const AngularVelocity<A, B, In<C>, S>& w_ab_c,
     const Velocity<P, Q, ObservedFrom<B>, In<C>, S>& v_pq_b_c) {
-  return {detail::trusted_like(w_ab_c, v_pq_b_c), S(2) * v_pq_b_c.coordinates().cross(w_ab_c.coordinates())};
+  return {detail::trusted, S(2) * v_pq_b_c.coordinates().cross(w_ab_c.coordinates())};
 }
 /// The centrifugal acceleration, -w_ab x (w_ab x r_pq).
 template <class A, class B, class P, class Q, class C, class S>
 Vector<C, si::acceleration, S> centrifugal_acceleration(const AngularVelocity<A, B, In<C>, S>& w_ab_c,
                                                         const Displacement<P, Q, In<C>, S>& r_pq_c) {
   const detail::Column<S> w = w_ab_c.coordinates();
-  return {detail::trusted_like(w_ab_c, r_pq_c), w.cross(r_pq_c.coordinates().cross(w))};
+  return {detail::trusted, w.cross(r_pq_c.coordinates().cross(w))};
 }
 template <class Motion, class Place>
   requires detail::FramedPair<Motion, Place>

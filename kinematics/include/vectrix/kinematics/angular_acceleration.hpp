@@ -10,7 +10,7 @@ namespace vectrix {
 ///     2.  alpha_ba^c = -alpha_ab^c
 ///     3.  alpha_ab^d = R_c^d alpha_ab^c
 /// A sum without the rates does not compile: the transport term would be lost.
-template <Frame A, Frame B, class Expressed, class S = double> class VECTRIX_QUANTITY AngularAcceleration;
+template <Frame A, Frame B, class Expressed, class S = double> class AngularAcceleration;
 
 template <Frame A, Frame B, Frame C, class S>
 class AngularAcceleration<A, B, In<C>, S> : public detail::RelativeVector<C, si::angular_acceleration, S> {
@@ -22,7 +22,7 @@ class AngularAcceleration<A, B, In<C>, S> : public detail::RelativeVector<C, si:
 
   /// alpha_ba^c = -alpha_ab^c
   AngularAcceleration<B, A, In<C>, S> operator-() const {
-    return AngularAcceleration<B, A, In<C>, S>{detail::trusted_like(*this), -this->coordinates()};
+    return AngularAcceleration<B, A, In<C>, S>{detail::trusted, -this->coordinates()};
   }
 };
 

@@ -11,7 +11,7 @@ namespace vectrix {
 ///     2.  w_ba^c = -w_ab^c                  reversal
 ///     3.  w_ab^d = R_c^d w_ab^c             re-expression: R_d_from_c * w_ab_c, q_d_from_c * w_ab_c
 /// Made by angular_velocity(of<B>, relative_to<A>, ...); no default.
-template <Frame A, Frame B, class Expressed, class S = double> class VECTRIX_QUANTITY AngularVelocity;
+template <Frame A, Frame B, class Expressed, class S = double> class AngularVelocity;
 
 template <Frame A, Frame B, Frame C, class S>
 class AngularVelocity<A, B, In<C>, S> : public detail::RelativeVector<C, si::angular_velocity, S> {
@@ -25,7 +25,7 @@ class AngularVelocity<A, B, In<C>, S> : public detail::RelativeVector<C, si::ang
   using detail::RelativeVector<C, si::angular_velocity, S>::RelativeVector;
 
   /// w_ba^c = -w_ab^c
-  Between<B, A> operator-() const { return Between<B, A>{detail::trusted_like(*this), -this->coordinates()}; }
+  Between<B, A> operator-() const { return Between<B, A>{detail::trusted, -this->coordinates()}; }
 };
 
 template <class A, class B, class C, class S>

@@ -6,15 +6,13 @@
 namespace vectrix {
 /// Rdot_b^a, `Rdot_a_from_b`, of type DcmRate<A, B>: the time derivative of R_b^a, 1/s. Not a rotation, and
 /// not convertible to one.
-template <Frame A, Frame B, class S = double> class VECTRIX_QUANTITY DcmRate : public detail::Stamped {
+template <Frame A, Frame B, class S = double> class DcmRate {
  public:
   template <class Derived>
-  DcmRate(detail::Trusted key, const Eigen::MatrixBase<Derived>& matrix)
-      : detail::Stamped(key), matrix_(matrix) {}
+  DcmRate(detail::Trusted, const Eigen::MatrixBase<Derived>& matrix) : matrix_(matrix) {}
   template <class First, class Second, class Third>
-  DcmRate(detail::Trusted key, const Eigen::MatrixBase<First>& first_column,
-          const Eigen::MatrixBase<Second>& second_column, const Eigen::MatrixBase<Third>& third_column)
-      : detail::Stamped(key) {
+  DcmRate(detail::Trusted, const Eigen::MatrixBase<First>& first_column,
+          const Eigen::MatrixBase<Second>& second_column, const Eigen::MatrixBase<Third>& third_column) {
     matrix_.col(0) = first_column;
     matrix_.col(1) = second_column;
     matrix_.col(2) = third_column;
@@ -66,7 +64,7 @@ DcmRate<A, B, S> dcm_rate(const Dcm<A, B, S>& R_a_from_b, const Eigen::MatrixBas
   const std::string place = detail::derivative_of<A, B>("dcm_rate");
   if (!detail::all_finite(given)) throw BadInput(place + detail::not_finite(given));
   detail::vee_of<S>(R_a_from_b.matrix().transpose() * given, [&] { return place + "of R^T times it "; });
-  return {detail::trusted_like(R_a_from_b), matrix};
+  return {detail::trusted, matrix};
 }
 
 /// The inverse of rate(): w_ab^b = vee(R^T Rdot) in b, w_ab^a = vee(Rdot R^T) in a, for R = R_b^a.
@@ -82,7 +80,7 @@ AngularVelocity<A, B, In<C>, S> angular_velocity(const Dcm<A, B, S>& R_a_from_b,
   };
   const detail::Column<S> w = std::same_as<C, B> ? detail::vee_of<S>(R.transpose() * Rdot, place)
                                                  : detail::vee_of<S>(Rdot * R.transpose(), place);
-  return AngularVelocity<A, B, In<C>, S>{detail::trusted_like(R_a_from_b, Rdot_a_from_b),
+  return AngularVelocity<A, B, In<C>, S>{detail::trusted,
                                          vector<si::angular_velocity>(in<C>, w).coordinates()};
 }
 
@@ -116,11 +114,10 @@ template <class A, class B, class S> void require_centripetal(const Square<S>& t
 
 /// Rddot_b^a, `Rddot_a_from_b`: the second time derivative of R_b^a, 1/s^2; made by
 /// second_rate(R_a_from_b, w_ab_c, alpha_ab_c), or from a matrix by dcm_second_rate().
-template <Frame A, Frame B, class S = double> class VECTRIX_QUANTITY DcmSecondRate : public detail::Stamped {
+template <Frame A, Frame B, class S = double> class DcmSecondRate {
  public:
   template <class Derived>
-  DcmSecondRate(detail::Trusted key, const Eigen::MatrixBase<Derived>& matrix)
-      : detail::Stamped(key), matrix_(matrix) {}
+  DcmSecondRate(detail::Trusted, const Eigen::MatrixBase<Derived>& matrix) : matrix_(matrix) {}
 
   const detail::Square<S>& matrix() const& { return matrix_; }
   detail::Square<S> matrix() && { return matrix_; }
@@ -143,8 +140,7 @@ template <Frame A, Frame B, class S = double> class VECTRIX_QUANTITY DcmSecondRa
     }
     detail::require_centripetal<A, B>(turn, w);
     const detail::Square<S> skew = (turn - turn.transpose()) / S(2);
-    return AngularAcceleration<A, B, In<C>, S>{detail::trusted_like(R_a_from_b, Rdot_a_from_b, *this),
-                                               vee(skew)};
+    return AngularAcceleration<A, B, In<C>, S>{detail::trusted, vee(skew)};
   }
   template <class Rotation, class Rate, class InFrame, class SecondRate = DcmSecondRate>
   auto
@@ -178,7 +174,7 @@ DcmSecondRate<A, B, S> attitude_second_rate(const Dcm<A, B, S>& R_a_from_b,
 template <class A, class B, class Derived, class S>
 DcmSecondRate<A, B, S> dcm_second_rate(const Dcm<A, B, S>& R_a_from_b, const DcmRate<A, B, S>& Rdot_a_from_b,
                                        const Eigen::MatrixBase<Derived>& matrix) {
-  const DcmSecondRate<A, B, S> Rddot_a_from_b{detail::trusted_like(R_a_from_b, Rdot_a_from_b), matrix};
+  const DcmSecondRate<A, B, S> Rddot_a_from_b{detail::trusted, matrix};
   Rddot_a_from_b.angular_acceleration(R_a_from_b, Rdot_a_from_b, in<B>);
   return Rddot_a_from_b;
 }

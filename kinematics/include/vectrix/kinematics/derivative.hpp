@@ -7,7 +7,7 @@ namespace vectrix {
 /// d/dt|_a r, expressed in c: how the vector r changes for an observer fixed in a. U is the unit of r; the
 /// derivative has that of U per second. d/dt|_a and d/dt|_b are different types; transport() takes one to the
 /// other.
-template <Frame A, Frame C, VectorUnit U, class S = double> class VECTRIX_QUANTITY Derivative {
+template <Frame A, Frame C, VectorUnit U, class S = double> class Derivative {
  public:
   using unit = unit_of_vector_quotient<U, si::time>;
 
@@ -57,7 +57,7 @@ concept Transports = requires {
 template <class ToObserver, class Change, class... Operands>
 detail::TransportOf<ToObserver, Change, Operands...> transport(ToObserver observer, const Change& change,
                                                                const Operands&... operands) {
-  return VECTRIX_OF_ONE_INSTANT("transport", transported(observer, change, operands...), change, operands...);
+  return transported(observer, change, operands...);
 }
 template <class ToObserver, class Change, class... Operands>
   requires(detail::any_framed<Change, Operands...> && !detail::Transports<ToObserver, Change, Operands...>)

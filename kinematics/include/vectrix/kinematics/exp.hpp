@@ -49,7 +49,7 @@ Quaternion<A, B, S> exp_quaternion(const RotationVector<A, B, S>& theta_ab) {
     half = {detail::select(small, half.scalar, other.scalar),
             detail::select(small, half.factor, other.factor)};
   }
-  return {detail::trusted_like(theta_ab), [&] {
+  return {detail::trusted, [&] {
             return Eigen::Quaternion<S>(half.scalar, half.factor * theta.x(), half.factor * theta.y(),
                                         half.factor * theta.z());
           }};

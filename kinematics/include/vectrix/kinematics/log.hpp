@@ -42,7 +42,7 @@ template <class A, class B, class S> RotationVector<A, B, S> log(const Quaternio
   if (const auto small = square < detail::number<S>(1e-4); !detail::all(small)) {
     factor = select(small, factor, detail::turn_factor(scalar, square));
   }
-  return {detail::trusted_like(q_a_from_b), select<S>(flipped, -factor, factor) * v};
+  return {detail::trusted, select<S>(flipped, -factor, factor) * v};
 }
 
 /// log of a DCM; the same range, accuracy and choice of axis. By way of its quaternion, but where cos |theta|
@@ -56,7 +56,7 @@ template <class A, class B, class S> RotationVector<A, B, S> log(const Dcm<A, B,
       const S scalar = trace - S(1);
       const S factor =
           square < S(1e-4) ? detail::turn_factor_series(scalar, square) : detail::turn_factor(scalar, square);
-      return {detail::trusted_like(R_a_from_b), factor / S(2) * v};
+      return {detail::trusted, factor / S(2) * v};
     }
   }
   return log(quaternion(R_a_from_b));

@@ -10,7 +10,7 @@ namespace vectrix {
 ///     (R_b^a, w_ab^b) * (R_d^b, w_bd^d) = (R_b^a R_d^b, R_b^d w_ab^b + w_bd^d)
 /// Any pair is valid, so it is an aggregate: `MovingDcm{turned_z(to<A>, from<B>, angle), w_ab_b}` builds its
 /// members in place.
-template <Frame A, Frame B, class S = double> struct VECTRIX_QUANTITY MovingDcm {
+template <Frame A, Frame B, class S = double> struct MovingDcm {
   Dcm<A, B, S> rotation;
   AngularVelocity<A, B, In<B>, S> angular_velocity;
 };
@@ -22,7 +22,7 @@ template <class A, class B, class S> inline constexpr bool detail::is_framed<Mov
 /// The rotation, rate and acceleration of b relative to a at one instant: R_b^a, w_ab^b and alpha_ab^b. The
 /// third level.
 ///     alpha_ad^d = R_b^d alpha_ab^b + alpha_bd^d + (R_b^d w_ab^b) x w_bd^d
-template <Frame A, Frame B, class S = double> struct VECTRIX_QUANTITY AcceleratingDcm {
+template <Frame A, Frame B, class S = double> struct AcceleratingDcm {
   MovingDcm<A, B, S> moving;
   AngularAcceleration<A, B, In<B>, S> angular_acceleration;
 };
@@ -34,7 +34,7 @@ template <class A, class B, class S> inline constexpr bool detail::is_framed<Acc
 /// Joins a rotation and its rate; the rate may be expressed in b or in a.
 template <class A, class B, class S>
 MovingDcm<A, B, S> moving_dcm(const Dcm<A, B, S>& R_a_from_b, const AngularVelocity<A, B, In<B>, S>& w_ab_b) {
-  return VECTRIX_OF_ONE_INSTANT("moving_dcm", (MovingDcm<A, B, S>{R_a_from_b, w_ab_b}), R_a_from_b, w_ab_b);
+  return MovingDcm<A, B, S>{R_a_from_b, w_ab_b};
 }
 template <class A, class B, class S>
   requires(!std::same_as<A, B>)
@@ -53,9 +53,7 @@ template <class A, class B, class S>
 AcceleratingDcm<A, B, S> accelerating_dcm(const Dcm<A, B, S>& R_a_from_b,
                                           const AngularVelocity<A, B, In<B>, S>& w_ab_b,
                                           const AngularAcceleration<A, B, In<B>, S>& alpha_ab_b) {
-  return VECTRIX_OF_ONE_INSTANT("accelerating_dcm",
-                                (AcceleratingDcm<A, B, S>{moving_dcm(R_a_from_b, w_ab_b), alpha_ab_b}),
-                                R_a_from_b, w_ab_b, alpha_ab_b);
+  return AcceleratingDcm<A, B, S>{moving_dcm(R_a_from_b, w_ab_b), alpha_ab_b};
 }
 
 template <class A, class B, class D, class S>

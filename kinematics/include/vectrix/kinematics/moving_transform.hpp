@@ -9,7 +9,7 @@ namespace vectrix {
 /// How the frame b is placed and moves relative to a at one instant, as a sees it: R_b^a and w_ab^b, r_ab^a,
 /// and v_ab|a^a of b's origin. X_ad = X_ab X_bd for motions as for places:
 ///     r_ad = r_ab + R_b^a r_bd,  v_ad|a = v_ab|a + R_b^a (v_bd|b + w_ab x r_bd)
-template <Frame A, Frame B, class S = double> struct VECTRIX_QUANTITY MovingTransform {
+template <Frame A, Frame B, class S = double> struct MovingTransform {
   MovingDcm<A, B, S> turning;
   Displacement<A, B, In<A>, S> translation;
   Velocity<A, B, ObservedFrom<A>, In<A>, S> velocity;
@@ -21,7 +21,7 @@ template <class A, class B, class S> inline constexpr bool detail::is_framed<Mov
 
 /// The same with alpha_ab^b and the acceleration a_ab|a^a of b's origin:
 ///     a_ad|a = a_ab|a + R_b^a (a_bd|b + alpha_ab x r_bd + 2 w_ab x v_bd|b + w_ab x (w_ab x r_bd))
-template <Frame A, Frame B, class S = double> struct VECTRIX_QUANTITY AcceleratingTransform {
+template <Frame A, Frame B, class S = double> struct AcceleratingTransform {
   AcceleratingDcm<A, B, S> turning;
   Displacement<A, B, In<A>, S> translation;
   Velocity<A, B, ObservedFrom<A>, In<A>, S> velocity;

@@ -10,14 +10,14 @@ namespace vectrix {
 ///     2.  R_b^a = (R_a^b)^T                   inverse(R_b_from_a)
 /// A product whose inner frames differ throws BadInput that names both. Made by the doors in
 /// named_dcm_doors.hpp and by the queries of a NamedGraph; no default. Must not outlive the graph.
-class VECTRIX_QUANTITY NamedDcm : public detail::Stamped {
+class NamedDcm {
  public:
   template <class Derived>
-  NamedDcm(detail::Trusted key, NamedFrame to, NamedFrame from, const Eigen::MatrixBase<Derived>& matrix)
-      : detail::Stamped(key), to_(to), from_(from), matrix_(matrix) {}
+  NamedDcm(detail::Trusted, NamedFrame to, NamedFrame from, const Eigen::MatrixBase<Derived>& matrix)
+      : to_(to), from_(from), matrix_(matrix) {}
   template <detail::Makes<detail::Square<double>> Make>
-  NamedDcm(detail::Trusted key, NamedFrame to, NamedFrame from, const Make& make)
-      : detail::Stamped(key), to_(to), from_(from), matrix_(make()) {}
+  NamedDcm(detail::Trusted, NamedFrame to, NamedFrame from, const Make& make)
+      : to_(to), from_(from), matrix_(make()) {}
 
   NamedFrame to() const { return to_; }
   NamedFrame from() const { return from_; }
@@ -58,8 +58,7 @@ inline NamedDcm product(const NamedDcm& R_c_from_b, const NamedDcm& R_b_from_a) 
 }
 
 inline NamedDcm inverse(const NamedDcm& R_b_from_a) {
-  return {detail::trusted_like(R_b_from_a), R_b_from_a.from(), R_b_from_a.to(),
-          R_b_from_a.matrix().transpose()};
+  return {detail::trusted, R_b_from_a.from(), R_b_from_a.to(), R_b_from_a.matrix().transpose()};
 }
 
 inline std::ostream& print_framed(std::ostream& out, const NamedDcm& R_b_from_a) {

@@ -126,10 +126,10 @@ class NamedGraph {
 
   /// A typed value with the names that its types are bound to.
   template <class B, class A> NamedDcm named(const Dcm<B, A>& R_b_from_a) const {
-    return {detail::trusted_like(R_b_from_a), frame<B>(), frame<A>(), R_b_from_a.matrix()};
+    return {detail::trusted, frame<B>(), frame<A>(), R_b_from_a.matrix()};
   }
   template <class C, class U> NamedVector<U> named(const Vector<C, U>& r_c) const {
-    return {detail::trusted_like(r_c), frame<C>(), r_c.coordinates()};
+    return {detail::trusted, frame<C>(), r_c.coordinates()};
   }
   template <class A, class B, class C>
   NamedAngularVelocity named(const AngularVelocity<A, B, In<C>>& w_ab_c) const {
@@ -144,11 +144,11 @@ class NamedGraph {
   template <Frame B, Frame A> Dcm<B, A> typed(To<B>, From<A>, const NamedDcm& R_b_from_a) const {
     require_bound<B>(R_b_from_a.to());
     require_bound<A>(R_b_from_a.from());
-    return {detail::trusted_like(R_b_from_a), R_b_from_a.matrix()};
+    return {detail::trusted, R_b_from_a.matrix()};
   }
   template <Frame C, class U> Vector<C, U> typed(In<C>, const NamedVector<U>& r_c) const {
     require_bound<C>(r_c.in());
-    return {detail::trusted_like(r_c), r_c.coordinates()};
+    return {detail::trusted, r_c.coordinates()};
   }
   template <Frame B, Frame A, Frame C>
   AngularVelocity<A, B, In<C>> typed(Of<B>, RelativeTo<A>, In<C>, const NamedAngularVelocity& w_ab_c) const {

@@ -7,7 +7,7 @@ namespace vectrix {
 
 /// The rotation and the rate of b relative to a at one instant, R_b^a and w_ab^b: MovingDcm of frames known
 /// at run time. Made by moving_dcm().
-class VECTRIX_QUANTITY NamedMovingDcm {
+class NamedMovingDcm {
  public:
   NamedMovingDcm(detail::Trusted, const NamedDcm& R_a_from_b, const NamedAngularVelocity& w_ab_b)
       : rotation_(R_a_from_b), rate_(w_ab_b) {}
@@ -23,7 +23,7 @@ class VECTRIX_QUANTITY NamedMovingDcm {
 };
 
 /// The rotation, rate and acceleration: R_b^a, w_ab^b and alpha_ab^b. Made by accelerating_dcm().
-class VECTRIX_QUANTITY NamedAcceleratingDcm {
+class NamedAcceleratingDcm {
  public:
   NamedAcceleratingDcm(detail::Trusted, const NamedMovingDcm& moving,
                        const NamedAngularAcceleration& alpha_ab_b)
@@ -61,7 +61,7 @@ void require_motion(const NamedDcm& R_a_from_b, const NamedRate<U>& rate, const 
 /// the two do not belong together.
 inline NamedMovingDcm moving_dcm(const NamedDcm& R_a_from_b, const NamedAngularVelocity& w_ab) {
   detail::require_motion(R_a_from_b, w_ab, "moving_dcm");
-  if (w_ab.in() == R_a_from_b.from()) return {detail::trusted_like(R_a_from_b, w_ab), R_a_from_b, w_ab};
+  if (w_ab.in() == R_a_from_b.from()) return {detail::trusted, R_a_from_b, w_ab};
   return {detail::trusted, R_a_from_b, inverse(R_a_from_b) * w_ab};
 }
 
@@ -70,8 +70,7 @@ inline NamedAcceleratingDcm accelerating_dcm(const NamedDcm& R_a_from_b, const N
                                              const NamedAngularAcceleration& alpha_ab) {
   detail::require_motion(R_a_from_b, alpha_ab, "accelerating_dcm");
   const NamedMovingDcm moving = moving_dcm(R_a_from_b, w_ab);
-  if (alpha_ab.in() == R_a_from_b.from())
-    return {detail::trusted_like(R_a_from_b, alpha_ab), moving, alpha_ab};
+  if (alpha_ab.in() == R_a_from_b.from()) return {detail::trusted, moving, alpha_ab};
   return {detail::trusted, moving, inverse(R_a_from_b) * alpha_ab};
 }
 

@@ -7,10 +7,10 @@ namespace vectrix {
 
 /// q_a^b between two frames known at run time: a line of an attitude file. The doors are those of Quaternion,
 /// with the same checks and errors.
-class VECTRIX_QUANTITY NamedQuaternion : public detail::Stamped {
+class NamedQuaternion {
  public:
-  NamedQuaternion(detail::Trusted key, NamedFrame to, NamedFrame from, const Eigen::Quaterniond& value)
-      : detail::Stamped(key), to_(to), from_(from), value_(value) {}
+  NamedQuaternion(detail::Trusted, NamedFrame to, NamedFrame from, const Eigen::Quaterniond& value)
+      : to_(to), from_(from), value_(value) {}
 
   NamedFrame to() const { return to_; }
   NamedFrame from() const { return from_; }
@@ -44,11 +44,10 @@ inline NamedQuaternion quaternion_scalar_last(To<NamedFrame> b, From<NamedFrame>
 inline NamedQuaternion quaternion(const NamedDcm& R_b_from_a) {
   using namespace detail;
   const Dcm<FirstNamed, SecondNamed> R{trusted, R_b_from_a.matrix()};
-  return {trusted_like(R_b_from_a), R_b_from_a.to(), R_b_from_a.from(), quaternion(R).eigen()};
+  return {trusted, R_b_from_a.to(), R_b_from_a.from(), quaternion(R).eigen()};
 }
 inline NamedDcm dcm(const NamedQuaternion& q_b_from_a) {
-  return {detail::trusted_like(q_b_from_a), q_b_from_a.to(), q_b_from_a.from(),
-          q_b_from_a.eigen().toRotationMatrix()};
+  return {detail::trusted, q_b_from_a.to(), q_b_from_a.from(), q_b_from_a.eigen().toRotationMatrix()};
 }
 
 inline std::ostream& print_framed(std::ostream& out, const NamedQuaternion& q_b_from_a) {

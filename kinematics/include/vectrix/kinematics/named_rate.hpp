@@ -7,7 +7,7 @@ namespace vectrix {
 /// w_ab^c, rad/s, or alpha_ab^c, rad/s^2, between frames known at run time: the unit U says which. The laws
 /// of AngularVelocity and AngularAcceleration, checked when they are used; a pair of frames that does not
 /// chain throws BadInput that names both.
-template <VectorUnit U> class VECTRIX_QUANTITY NamedRate {
+template <VectorUnit U> class NamedRate {
  public:
   NamedRate(detail::Trusted, NamedFrame of, NamedFrame relative_to, const NamedVector<U>& vector)
       : of_(of), relative_to_(relative_to), vector_(vector) {}
@@ -101,7 +101,7 @@ inline NamedAngularAcceleration chain(const NamedAngularAcceleration& alpha_ab,
   detail::require_same(w_bd.relative_to(), alpha_bd.relative_to(), action);
   for (const NamedFrame in : {alpha_bd.in(), w_ab.in(), w_bd.in()})
     detail::require_same(alpha_ab.in(), in, action);
-  const NamedVector<si::angular_acceleration> cross{detail::trusted_like(w_ab, w_bd), w_ab.in(),
+  const NamedVector<si::angular_acceleration> cross{detail::trusted, w_ab.in(),
                                                     w_ab.coordinates().cross(w_bd.coordinates())};
   return {detail::trusted, alpha_bd.of(), alpha_ab.relative_to(),
           alpha_ab.vector() + alpha_bd.vector() + cross};

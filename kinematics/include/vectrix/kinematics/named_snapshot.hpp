@@ -65,20 +65,6 @@ Column<double> rate(const NamedGraphCore& core, const FrameRecord& b, const Fram
   });
 }
 
-/// The pass-key of an answer about frames joined by paths: of the instant, if one of these moves.
-template <class Instant, class... Records>
-Trusted answer_key(const NamedGraphCore& core, const Instant& instant, const FrameRecord& start,
-                   const Records&... goals) {
-  if constexpr (instants_checked) {
-    const auto moves = [](const NamedPath* path) {
-      return path != nullptr && std::any_of(path->legs.begin(), path->legs.end(),
-                                            [](const PathLeg& leg) { return leg.function != nullptr; });
-    };
-    if ((core.with_path(start, goals, moves) || ...)) return Trusted{stamp_of_instant(instant)};
-  }
-  return trusted;
-}
-
 }  // namespace detail
 
 /// A NamedGraph at one instant. Frames are asked for by handle, by name, or by the type that is bound to
@@ -125,18 +111,16 @@ class NamedSnapshot {
  private:
   detail::FreshMotions fresh() const { return {t_}; }
   detail::KeptMotions kept() const { return {t_, kept_}; }
-  detail::QuantityInstant<si::time, double> instant() const { return {Quantity<si::time>::from_value(t_)}; }
 
   template <class B, class A, class Motions> auto rotation(To<B> b, From<A> a, const Motions& motions) const {
     using namespace detail;
     const FrameRecord& to_b = record_in(*core_, b);
     const FrameRecord& from_a = record_in(*core_, a);
-    const Trusted key = answer_key(*core_, instant(), from_a, to_b);
     const auto R = [&] { return detail::rotation(*core_, to_b, from_a, motions); };
     if constexpr (Frame<B> && Frame<A>) {
-      return Dcm<B, A>{key, R};
+      return Dcm<B, A>{trusted, R};
     } else {
-      return NamedDcm{key, NamedFrame{to_b}, NamedFrame{from_a}, R};
+      return NamedDcm{trusted, NamedFrame{to_b}, NamedFrame{from_a}, R};
     }
   }
 
@@ -166,13 +150,12 @@ class NamedSnapshot {
     const FrameRecord& of_b = record_in(*core_, b);
     const FrameRecord& relative_to_a = record_in(*core_, a);
     const FrameRecord& in_c = record_in(*core_, c);
-    const Trusted key = answer_key(*core_, instant(), relative_to_a, of_b, in_c);
     const Column<double> answer = detail::rate<level>(*core_, of_b, relative_to_a, in_c, motions);
     if constexpr (Frame<B> && Frame<A> && Frame<C>) {
-      return Vector<C, U>{key, answer};
+      return Vector<C, U>{trusted, answer};
     } else {
       return NamedRate<U>{trusted, NamedFrame{of_b}, NamedFrame{relative_to_a},
-                          NamedVector<U>{key, NamedFrame{in_c}, answer}};
+                          NamedVector<U>{trusted, NamedFrame{in_c}, answer}};
     }
   }
 

@@ -6,17 +6,17 @@ namespace vectrix {
 
 /// r^a: coordinates in a frame known at run time, in the unit U. The frames are checked when it is used, the
 /// unit when it is compiled. Made by `vector(In(a), ...)`; no default.
-template <VectorUnit U> class VECTRIX_QUANTITY NamedVector : public detail::Stamped {
+template <VectorUnit U> class NamedVector {
  public:
   template <class Derived>
-  NamedVector(detail::Trusted key, NamedFrame in, const Eigen::MatrixBase<Derived>& coordinates)
-      : detail::Stamped(key), in_(in), coordinates_(coordinates) {}
+  NamedVector(detail::Trusted, NamedFrame in, const Eigen::MatrixBase<Derived>& coordinates)
+      : in_(in), coordinates_(coordinates) {}
 
   NamedFrame in() const { return in_; }
   const detail::Column<double>& coordinates() const& { return coordinates_; }
   detail::Column<double> coordinates() && { return coordinates_; }
 
-  NamedVector operator-() const { return {detail::trusted_like(*this), in_, -coordinates_}; }
+  NamedVector operator-() const { return {detail::trusted, in_, -coordinates_}; }
 
  private:
   NamedFrame in_;

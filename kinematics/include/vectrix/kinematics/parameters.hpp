@@ -21,8 +21,7 @@ using InOneOf = std::enable_if_t<is_one_of<C, A, B>, Result>;
 
 /// x_ab, parameters of the attitude of b relative to a: turning a by them gives b, dcm(x_ab) is R_a_from_b.
 /// The base of their class X.
-template <class X, class A, class B, class S, int count>
-class VECTRIX_QUANTITY AttitudeParameters : public Stamped {
+template <class X, class A, class B, class S, int count> class AttitudeParameters {
  public:
   using reference = A;
   using turned = B;
@@ -31,8 +30,7 @@ class VECTRIX_QUANTITY AttitudeParameters : public Stamped {
 
   AttitudeParameters() = delete;
   template <class Derived>
-  AttitudeParameters(Trusted key, const Eigen::MatrixBase<Derived>& values)
-      : Stamped(key), numbers_(values) {}
+  AttitudeParameters(Trusted, const Eigen::MatrixBase<Derived>& values) : numbers_(values) {}
 
   /// The bare numbers.
   const numbers& coordinates() const& { return numbers_; }

@@ -11,8 +11,8 @@ namespace vectrix {
 /// Largest | |q| - 1 | that the checked doors let in: ten printed digits pass.
 inline constexpr double unit_norm_tolerance = 1e-9;
 
-template <Frame A, Frame B, class S = double> class VECTRIX_QUANTITY QuaternionRate;
-template <Frame A, Frame B, class S = double> class VECTRIX_QUANTITY QuaternionSecondRate;
+template <Frame A, Frame B, class S = double> class QuaternionRate;
+template <Frame A, Frame B, class S = double> class QuaternionSecondRate;
 
 /// q_a^b, `q_b_from_a`, of type Quaternion<B, A>: a unit quaternion (Hamilton's product) that maps
 /// coordinates as R_a^b:
@@ -20,17 +20,16 @@ template <Frame A, Frame B, class S = double> class VECTRIX_QUANTITY QuaternionS
 ///     2.  q_a^c = q_b^c q_a^b               q_c_from_b * q_b_from_a
 ///     3.  q and -q are the same rotation
 /// Made from numbers only by doors that name the place of the scalar.
-template <Frame ToFrame, Frame FromFrame, class S = double>
-class VECTRIX_QUANTITY Quaternion : public detail::Stamped {
+template <Frame ToFrame, Frame FromFrame, class S = double> class Quaternion {
  public:
   using to = ToFrame;
   using from = FromFrame;
 
   Quaternion() = delete;
   Quaternion(S, S, S, S) = delete;  // where is the scalar? quaternion_scalar_first(), _last()
-  Quaternion(detail::Trusted key, const Eigen::Quaternion<S>& value) : detail::Stamped(key), value_(value) {}
+  Quaternion(detail::Trusted, const Eigen::Quaternion<S>& value) : value_(value) {}
   template <detail::Makes<Eigen::Quaternion<S>> Make>
-  Quaternion(detail::Trusted key, const Make& make) : detail::Stamped(key), value_(make()) {}
+  Quaternion(detail::Trusted, const Make& make) : value_(make()) {}
 
   /// The bare quaternion; Eigen stores the scalar last and constructs with the scalar first.
   const Eigen::Quaternion<S>& eigen() const& { return value_; }
@@ -173,12 +172,12 @@ Vector<B, U, S> product(const Quaternion<B, A, S>& q_b_from_a, const Vector<A, U
 }
 
 template <class B, class A, class S> Quaternion<A, B, S> inverse(const Quaternion<B, A, S>& q_b_from_a) {
-  return {detail::trusted_like(q_b_from_a), q_b_from_a.eigen().conjugate()};
+  return {detail::trusted, q_b_from_a.eigen().conjugate()};
 }
 
 /// R_a^b of q_a^b: entries such as 1 - 2 (y^2 + z^2) and 2 (x y - w z).
 template <class B, class A, class S> Dcm<B, A, S> dcm(const Quaternion<B, A, S>& q_b_from_a) {
-  return {detail::trusted_like(q_b_from_a), [&] { return q_b_from_a.eigen().toRotationMatrix(); }};
+  return {detail::trusted, [&] { return q_b_from_a.eigen().toRotationMatrix(); }};
 }
 
 namespace detail {
@@ -262,8 +261,7 @@ template <Batch S> [[gnu::always_inline]] inline Eigen::Quaternion<S> unit_quate
 /// rotation: a component of at least 1/2 is taken from the diagonal (after Shepperd 1978), the others by
 /// division.
 template <class B, class A, class S> Quaternion<B, A, S> quaternion(const Dcm<B, A, S>& R_b_from_a) {
-  return {detail::trusted_like(R_b_from_a),
-          [&] { return detail::unit_quaternion_of<S>(R_b_from_a.matrix()); }};
+  return {detail::trusted, [&] { return detail::unit_quaternion_of<S>(R_b_from_a.matrix()); }};
 }
 
 template <class B, class A, class S>

@@ -6,10 +6,10 @@
 namespace vectrix {
 
 /// The time derivative of q_b^a, four numbers, 1/s; not a rotation.
-template <Frame A, Frame B, class S> class QuaternionRate : public detail::Stamped {
+template <Frame A, Frame B, class S> class QuaternionRate {
  public:
   template <detail::Makes<Eigen::Quaternion<S>> Make>
-  QuaternionRate(detail::Trusted key, const Make& make) : detail::Stamped(key), value_(make()) {}
+  QuaternionRate(detail::Trusted, const Make& make) : value_(make()) {}
 
   const Eigen::Quaternion<S>& eigen() const& { return value_; }
   Eigen::Quaternion<S> eigen() && { return value_; }
@@ -73,7 +73,7 @@ template <Frame A, Frame B, class S> template <class C>
 auto Quaternion<A, B, S>::angular_velocity(const QuaternionRate<A, B, S>& qdot_a_from_b, In<C>) const {
   const auto w = detail::turning_part<std::same_as<C, B>>(value_, qdot_a_from_b.eigen());
   detail::require_on_sphere<A, B>(w, S(0), "derivative");
-  return AngularVelocity<A, B, In<C>, S>{detail::trusted_like(*this, qdot_a_from_b), w.vec()};
+  return AngularVelocity<A, B, In<C>, S>{detail::trusted, w.vec()};
 }
 
 /// The checked doors for a derivative that comes in numbers, 1/s. Throw BadInput when a number is not finite,
@@ -84,7 +84,7 @@ QuaternionRate<A, B, S> quaternion_rate_scalar_first(const Quaternion<A, B, S>& 
                                                      const std::type_identity_t<S>& x,
                                                      const std::type_identity_t<S>& y,
                                                      const std::type_identity_t<S>& z) {
-  const QuaternionRate<A, B, S> qdot_a_from_b{detail::trusted_like(q_a_from_b),
+  const QuaternionRate<A, B, S> qdot_a_from_b{detail::trusted,
                                               [&] { return Eigen::Quaternion<S>(w, x, y, z); }};
   q_a_from_b.angular_velocity(qdot_a_from_b, in<B>);
   return qdot_a_from_b;
@@ -100,10 +100,10 @@ QuaternionRate<A, B, S> quaternion_rate_scalar_last(const Quaternion<A, B, S>& q
 
 /// The second time derivative of q_b^a, four numbers, 1/s^2; made by second_rate(q_a_from_b, w_ab_c,
 /// alpha_ab_c), or from numbers by quaternion_second_rate_scalar_first().
-template <Frame A, Frame B, class S> class QuaternionSecondRate : public detail::Stamped {
+template <Frame A, Frame B, class S> class QuaternionSecondRate {
  public:
   template <detail::Makes<Eigen::Quaternion<S>> Make>
-  QuaternionSecondRate(detail::Trusted key, const Make& make) : detail::Stamped(key), value_(make()) {}
+  QuaternionSecondRate(detail::Trusted, const Make& make) : value_(make()) {}
 
   const Eigen::Quaternion<S>& eigen() const& { return value_; }
   Eigen::Quaternion<S> eigen() && { return value_; }
@@ -137,8 +137,7 @@ auto Quaternion<A, B, S>::angular_acceleration(const QuaternionRate<A, B, S>& qd
   const S square = angular_velocity(qdot_a_from_b, in_c).coordinates().squaredNorm();
   const auto alpha = detail::turning_part<std::same_as<C, B>>(value_, qddot_a_from_b.eigen());
   detail::require_on_sphere<A, B>(alpha, S(-square / S(2)), "second derivative");
-  return AngularAcceleration<A, B, In<C>, S>{detail::trusted_like(*this, qdot_a_from_b, qddot_a_from_b),
-                                             alpha.vec()};
+  return AngularAcceleration<A, B, In<C>, S>{detail::trusted, alpha.vec()};
 }
 
 /// The checked doors for a second derivative that comes in numbers, 1/s^2. Throw BadInput when a number is
@@ -148,7 +147,7 @@ QuaternionSecondRate<A, B, S> quaternion_second_rate_scalar_first(
     const Quaternion<A, B, S>& q_a_from_b, const QuaternionRate<A, B, S>& qdot_a_from_b,
     const std::type_identity_t<S>& w, const std::type_identity_t<S>& x, const std::type_identity_t<S>& y,
     const std::type_identity_t<S>& z) {
-  const QuaternionSecondRate<A, B, S> qddot_a_from_b{detail::trusted_like(q_a_from_b, qdot_a_from_b),
+  const QuaternionSecondRate<A, B, S> qddot_a_from_b{detail::trusted,
                                                      [&] { return Eigen::Quaternion<S>(w, x, y, z); }};
   q_a_from_b.angular_acceleration(qdot_a_from_b, qddot_a_from_b, in<B>);
   return qddot_a_from_b;

@@ -26,7 +26,7 @@ concept TwiceDerived = requires {
 template <class Rotation, class Rate>
 [[gnu::always_inline]] inline detail::DerivativeOf<Rotation, Rate> rate(const Rotation& rotation,
                                                                         const Rate& omega) {
-  return VECTRIX_OF_ONE_INSTANT("rate", attitude_rate(rotation, omega), rotation, omega);
+  return attitude_rate(rotation, omega);
 }
 template <class Rotation, class Rate>
   requires(detail::FramedPair<Rotation, Rate> && !detail::Lawful<detail::DerivativeOf, Rotation, Rate>)
@@ -43,8 +43,7 @@ template <class Attitude, class Rate, class Acceleration>
 detail::SecondDerivativeOf<Attitude, Rate, Acceleration> second_rate(const Attitude& attitude,
                                                                      const Rate& omega,
                                                                      const Acceleration& alpha) {
-  return VECTRIX_OF_ONE_INSTANT("second_rate", attitude_second_rate(attitude, omega, alpha), attitude, omega,
-                                alpha);
+  return attitude_second_rate(attitude, omega, alpha);
 }
 template <class X, class Rate, class Acceleration>
   requires(!detail::TwiceDerived<X, Rate, Acceleration>)

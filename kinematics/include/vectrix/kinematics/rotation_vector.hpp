@@ -11,8 +11,7 @@ namespace vectrix {
 /// theta_ab, of type RotationVector<A, B>: angle times axis, rad. Turning a by it gives b; its coordinates
 /// are the same in a and in b, because the axis is. exp(theta_ab) is R_a_from_b.
 template <Frame A, Frame B, class S = double>
-class VECTRIX_QUANTITY RotationVector
-    : public detail::AttitudeParameters<RotationVector<A, B, S>, A, B, S, 3> {
+class RotationVector : public detail::AttitudeParameters<RotationVector<A, B, S>, A, B, S, 3> {
  public:
   using detail::AttitudeParameters<RotationVector<A, B, S>, A, B, S, 3>::AttitudeParameters;
 
@@ -29,11 +28,11 @@ class VECTRIX_QUANTITY RotationVector
     return Quantity<si::angle, S>::from_value(
         detail::select<S>(size < full / S(2), S(full - size), detail::arc_tangent(S(abs(sine)), cosine)));
   }
-  Vector<A, si::angle, S> in_reference() const { return {detail::trusted_like(*this), this->coordinates()}; }
-  Vector<B, si::angle, S> in_turned() const { return {detail::trusted_like(*this), this->coordinates()}; }
+  Vector<A, si::angle, S> in_reference() const { return {detail::trusted, this->coordinates()}; }
+  Vector<B, si::angle, S> in_turned() const { return {detail::trusted, this->coordinates()}; }
 
   /// theta_ba = -theta_ab
-  RotationVector<B, A, S> operator-() const { return {detail::trusted_like(*this), -this->coordinates()}; }
+  RotationVector<B, A, S> operator-() const { return {detail::trusted, -this->coordinates()}; }
 
   static const char* name() { return "rotation vector"; }
   static const char* singularity() { return "a full turn"; }
@@ -49,7 +48,7 @@ template <Frame B, Frame A, class C, class S>
   requires(detail::is_one_of<C, A, B>)
 detail::OfTwo<B, A, RotationVector<A, B, S>> rotation_vector(Of<B>, RelativeTo<A>,
                                                              const Vector<C, si::angle, S>& theta) {
-  return {detail::trusted_like(theta), theta.coordinates()};
+  return {detail::trusted, theta.coordinates()};
 }
 template <class OfFrame, class RelativeFrame, class VectorIn, class UnitGiven, class S>
   requires(std::same_as<OfFrame, RelativeFrame> || !detail::is_one_of<VectorIn, OfFrame, RelativeFrame> ||

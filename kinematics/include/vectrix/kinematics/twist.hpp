@@ -18,7 +18,7 @@ template <Point P> inline constexpr At<P> at{};
 ///     3.  V_ab(p)^d = R_c^d V_ab(p)^c
 ///     4.  v(q) = v(p) + w_ab x r_pq                  shift(V_c, r_pq_c) to another point
 ///     5.  V_ab(c)^c = Ad(X_b^c) V_ab(b)^b            X_c_from_b * V: 3 and 4 at once
-template <Frame A, Frame B, class Place, class ExpressedIn, class S = double> class VECTRIX_QUANTITY Twist;
+template <Frame A, Frame B, class Place, class ExpressedIn, class S = double> class Twist;
 
 template <Frame A, Frame B, Point P, Frame C, class S> class Twist<A, B, At<P>, In<C>, S> {
  public:
@@ -39,7 +39,7 @@ template <Frame A, Frame B, Point P, Frame C, class S> class Twist<A, B, At<P>, 
   }
   /// V_ba(p)^c = -V_ab(p)^c
   Twist<B, A, At<P>, In<C>, S> operator-() const {
-    return {detail::trusted_like(*this), -rate_.coordinates(), -velocity_.coordinates()};
+    return {detail::trusted, -rate_.coordinates(), -velocity_.coordinates()};
   }
 
  private:
@@ -54,7 +54,7 @@ inline constexpr bool detail::is_framed<Twist<A, B, P, C, S>> = true;
 template <class P, class A, class B, class C, class S>
 Twist<A, B, At<P>, In<C>, S> twist(At<P>, const AngularVelocity<A, B, In<C>, S>& w_ab_c,
                                    const Vector<C, si::velocity, S>& v_c) {
-  return {detail::trusted_like(w_ab_c, v_c), w_ab_c.coordinates(), v_c.coordinates()};
+  return {detail::trusted, w_ab_c.coordinates(), v_c.coordinates()};
 }
 template <class Place, class Rate, class VelocityOf>
   requires detail::any_framed<Rate, VelocityOf>

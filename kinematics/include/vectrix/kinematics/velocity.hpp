@@ -11,8 +11,7 @@ namespace vectrix {
 ///     2.  v_qp|a^c = -v_pq|a^c
 ///     3.  v_pq|a^d = R_c^d v_pq|a^c
 ///     4.  v_pq|a = v_pq|b + w_ab x r_pq           transport() to another observer
-template <Point P, Point Q, class Observer, class ExpressedIn, class S = double>
-class VECTRIX_QUANTITY Velocity;
+template <Point P, Point Q, class Observer, class ExpressedIn, class S = double> class Velocity;
 
 template <Point P, Point Q, Frame A, Frame C, class S>
 class Velocity<P, Q, ObservedFrom<A>, In<C>, S> : public detail::RelativeVector<C, si::velocity, S> {
@@ -25,7 +24,7 @@ class Velocity<P, Q, ObservedFrom<A>, In<C>, S> : public detail::RelativeVector<
   using detail::RelativeVector<C, si::velocity, S>::RelativeVector;
 
   /// v_qp|a^c = -v_pq|a^c
-  Between<Q, P> operator-() const { return Between<Q, P>{detail::trusted_like(*this), -this->coordinates()}; }
+  Between<Q, P> operator-() const { return Between<Q, P>{detail::trusted, -this->coordinates()}; }
 };
 
 template <class P, class Q, class A, class C, class S>

@@ -1,20 +1,15 @@
-#include <gtest/gtest.h>
-
 #include <vectrix/kinematics.hpp>
 
 #include "../../frames/tests/attitudes.hpp"
 
-// Without VECTRIX_CHECK_INSTANTS a quantity is its numbers, and nothing is asked of its instant.
+// A quantity is its numbers and nothing more.
 using namespace vectrix;
 using namespace vectrix_test;
-
-#ifndef VECTRIX_CHECK_INSTANTS
 
 namespace {
 
 template <class Quantity> inline constexpr std::size_t numbers = sizeof(Quantity) / sizeof(double);
 
-static_assert(std::is_empty_v<detail::Stamped> && std::is_empty_v<detail::Trusted>);
 static_assert(numbers<Vector<Body, si::length>> == 3);
 static_assert(numbers<Dcm<Gcrf, Body>> == 9);
 static_assert(numbers<Quaternion<Gcrf, Body>> == 4);
@@ -33,15 +28,4 @@ static_assert(numbers<AcceleratingDcm<Gcrf, Body>> == 9 + 3 + 3);
 static_assert(numbers<MovingTransform<Gcrf, Body>> == 9 + 3 + 3 + 3);
 static_assert(numbers<AcceleratingTransform<Gcrf, Body>> == 9 + 5 * 3);
 
-TEST(UncheckedInstants, GoTogether) {
-  const auto turning = frame_graph(
-      edge([](double t) { return turned_z(to<Gcrf>, from<Body>, Quantity<si::angle>::from_value(t)); }));
-  const auto R_i_from_b = [&](double t) { return turning.at(t).rotation(to<Gcrf>, from<Body>); };
-  const auto turned = inverse(R_i_from_b(1.0)) * (R_i_from_b(1.5) * unit_x(in<Body>));
-  EXPECT_EQ(turned.x().value(),
-            (inverse(without_instant(R_i_from_b(1.0))) * (R_i_from_b(1.5) * unit_x(in<Body>))).x().value());
-}
-
 }  // namespace
-
-#endif

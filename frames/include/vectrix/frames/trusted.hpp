@@ -1,0 +1,11 @@
+#pragma once
+
+namespace vectrix::detail {
+
+/// Pass-key of the library's own algebra: what it builds from checked operands is not checked again.
+struct Trusted {
+  explicit Trusted() = default;
+};
+inline constexpr Trusted trusted{};
+
+}  // namespace vectrix::detail
