@@ -8,8 +8,8 @@
 #include <limits>
 #include <random>
 #include <tuple>
-#include <vectrix/dynamics/euler.hpp>
-#include <vectrix/frames/simd.hpp>
+#include <vectrix/dynamics/rigid/euler.hpp>
+#include <vectrix/frames/scalar/lanes.hpp>
 #include <vectrix/kinematics.hpp>
 
 #include "kernel.hpp"

@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <functional>
 #include <random>
-#include <vectrix/kinematics/named_graph.hpp>
+#include <vectrix/kinematics/named/graph.hpp>
 
 #include "tf2_reference.hpp"
 

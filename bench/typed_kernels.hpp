@@ -1,7 +1,7 @@
 #pragma once
 
-#include <vectrix/dynamics/state_layout.hpp>
-#include <vectrix/frames/graph.hpp>
+#include <vectrix/dynamics/scenario/state_layout.hpp>
+#include <vectrix/frames/graph/frame_graph.hpp>
 #include <vectrix/kinematics.hpp>
 
 #include "spin.hpp"

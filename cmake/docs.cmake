@@ -8,7 +8,7 @@ set(DOXYGEN_IMAGE_PATH ${PROJECT_SOURCE_DIR}/docs)
 set(DOXYGEN_EXTRACT_ALL YES)
 set(DOXYGEN_QUIET YES)
 set(DOXYGEN_HAVE_DOT NO)
-doxygen_add_docs(docs frames/include kinematics/include dynamics/include docs README.md
+doxygen_add_docs(docs frames/include kinematics/include space/include dynamics/include docs README.md
                  WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
 
 # docs/pictures.
@@ -32,7 +32,7 @@ set(syntax ${CMAKE_BINARY_DIR}/syntax)
 set(folder ${CMAKE_BINARY_DIR}/refusals)
 set(headers)
 set(messages)
-foreach(layer frames kinematics dynamics)
+foreach(layer IN LISTS VECTRIX_LAYERS)
   file(GLOB_RECURSE own CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${layer}/include/*.hpp)
   list(APPEND headers ${own})
   file(CONFIGURE OUTPUT ${syntax}/${layer}.hpp CONTENT "#include <vectrix/${layer}.hpp>\n")

@@ -25,13 +25,32 @@ function(vectrix_headers target layer scope)
   endif()
 endfunction()
 
-# tests/*.cpp of the current folder: one program vectrix_<layer>_tests; tests/refused/*.cpp: one test each.
+# The shared library vectrix_<layer> of src/**.cpp; only what VECTRIX_EXPORT marks can be seen from outside.
+function(vectrix_library layer)
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS src/*.cpp)
+  add_library(vectrix_${layer} SHARED ${sources})
+  vectrix_headers(vectrix_${layer} ${layer} PUBLIC)
+  set_target_properties(vectrix_${layer} PROPERTIES VERSION ${PROJECT_VERSION} SOVERSION 0.1
+                                                    CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
+  vectrix_warnings(vectrix_${layer})
+endfunction()
+
+# A layer that cannot be built for want of <what>: an error if it was asked for, else left out.
+function(vectrix_missing layer what wanted)
+  string(TOUPPER ${layer} option)
+  if(NOT wanted STREQUAL "AUTO")
+    message(FATAL_ERROR "vectrix::${layer} needs ${what}, or -DVECTRIX_${option}=OFF")
+  endif()
+  message(STATUS "vectrix::${layer} needs ${what}: left out")
+endfunction()
+
+# tests/**_test.cpp of the current folder: one program vectrix_<layer>_tests; tests/refused/*.cpp: one test each.
 function(vectrix_tests layer)
-  file(GLOB sources CONFIGURE_DEPENDS tests/*.cpp)
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS tests/*_test.cpp)
   if(VECTRIX_BUILD_TESTS AND sources)
     add_executable(vectrix_${layer}_tests ${sources})
     target_link_libraries(vectrix_${layer}_tests PRIVATE ${ARGN} GTest::gtest_main rapidcheck rapidcheck_gtest)
-    target_include_directories(vectrix_${layer}_tests PRIVATE tests)
+    target_include_directories(vectrix_${layer}_tests PRIVATE tests ${PROJECT_SOURCE_DIR})
     target_compile_features(vectrix_${layer}_tests PRIVATE cxx_std_20)
     target_compile_definitions(vectrix_${layer}_tests PRIVATE VECTRIX_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
     vectrix_warnings(vectrix_${layer}_tests)

@@ -1,8 +1,8 @@
-# find_package(vectrix COMPONENTS frames kinematics dynamics): one export set per layer, so that what is not installed
+# find_package(vectrix COMPONENTS frames kinematics space dynamics): one export set per layer, so that what is not installed
 # is not found.
 include(CMakePackageConfigHelpers)
 set(package ${CMAKE_INSTALL_LIBDIR}/cmake/vectrix)
-foreach(layer frames kinematics dynamics)
+foreach(layer IN LISTS VECTRIX_LAYERS)
   if(TARGET vectrix_${layer})
     install(EXPORT vectrix-${layer} NAMESPACE vectrix:: DESTINATION ${package} COMPONENT ${layer})
   endif()

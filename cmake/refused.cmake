@@ -9,7 +9,7 @@ function(vectrix_syntax_options)
   endforeach()
   list(REMOVE_ITEM system ${CMAKE_CXX_IMPLICIT_INCLUDE_DIRECTORIES})
   list(TRANSFORM system PREPEND "-isystem ")
-  set(own frames kinematics dynamics)
+  set(own ${VECTRIX_LAYERS})
   list(TRANSFORM own REPLACE "(.+)" "-I${PROJECT_SOURCE_DIR}/\\1/include")
   set(plain -std=c++20 -Wpedantic ${own} ${system})  # g++ shares no precompiled header with a less pedantic call
   set(strict ${plain} ${VECTRIX_WARNINGS} -Werror)

@@ -39,13 +39,13 @@
 #include <utility>
 #include <vector>
 
-#include <vectrix/dynamics/csv_table.hpp>
-#include <vectrix/dynamics/earth_orientation.hpp>
-#include <vectrix/dynamics/ellipsoid.hpp>
-#include <vectrix/dynamics/epoch.hpp>
-#include <vectrix/dynamics/hermite.hpp>
 #include <vectrix/frames.hpp>
 #include <vectrix/kinematics.hpp>
+#include <vectrix/space/earth/earth_orientation.hpp>
+#include <vectrix/space/earth/ellipsoid.hpp>
+#include <vectrix/space/files/csv_table.hpp>
+#include <vectrix/space/orbits/hermite.hpp>
+#include <vectrix/space/time/epoch.hpp>
 
 #ifndef VECTRIX_EXAMPLE_DATA
 #define VECTRIX_EXAMPLE_DATA "examples/data"

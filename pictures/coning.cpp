@@ -3,9 +3,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "../kinematics/tests/coning_motion.hpp"
 #include "chart.hpp"
 #include "pictures.hpp"
+#include "testing/coning_motion.hpp"
 
 namespace pictures {
 namespace {

@@ -1,11 +1,13 @@
 # The direction of dependence, read from the #include lines: cmake -D ROOT=<source folder> -P check_includes.cmake
-#     frames <- kinematics <- dynamics <- examples, pictures, validation
-# SUNDIALS and ERFA are known in dynamics/src alone, Simbody in validation/**/simbody_* and
+#     frames <- kinematics <- space <- dynamics <- examples, pictures, validation, accuracy
+# ERFA is known in space/src alone, SUNDIALS in dynamics/src alone, Simbody in validation/**/simbody_* and
 # bench/peer_simbody.cpp alone.
 cmake_minimum_required(VERSION 3.25)
 set(kinematics "vectrix/kinematics")
+set(space "vectrix/space")
 set(dynamics "vectrix/dynamics")
-set(solvers "sundials/|cvode/|arkode/|nvector/|sunmatrix/|sunlinsol/|sunnonlinsol/|erfa")
+set(erfa "erfa")
+set(solvers "sundials/|cvode/|arkode/|nvector/|sunmatrix/|sunlinsol/|sunnonlinsol/")
 set(simbody "Simbody|SimTK|simbody/|simmath/|SimTKcommon/")
 set(violations 0)
 
@@ -25,14 +27,17 @@ function(forbid forbidden)
   set(violations ${violations} PARENT_SCOPE)
 endfunction()
 
-forbid("${kinematics}|${dynamics}" frames/*)
-forbid("${dynamics}" kinematics/*)
-forbid("${solvers}" frames/* kinematics/* dynamics/include/* dynamics/tests/* examples/* pictures/* validation/*)
-forbid("${simbody}" frames/* kinematics/* dynamics/* examples/* pictures/* validation/* bench/*)
+set(above examples/* pictures/* validation/* accuracy/*)
+forbid("${kinematics}|${space}|${dynamics}" frames/*)
+forbid("${space}|${dynamics}" kinematics/*)
+forbid("${dynamics}" space/* testing/*)
+forbid("${erfa}" frames/* kinematics/* space/include/* space/tests/* dynamics/* ${above})
+forbid("${solvers}" frames/* kinematics/* space/* dynamics/include/* dynamics/tests/* ${above})
+forbid("${simbody}" frames/* kinematics/* space/* dynamics/* ${above} bench/*)
 
 # Public headers do not use a name of the engines either (an enumerator such as cvode_adams is ours).
 file(GLOB_RECURSE headers RELATIVE ${ROOT} ${ROOT}/frames/include/*.hpp ${ROOT}/kinematics/include/*.hpp
-     ${ROOT}/dynamics/include/*.hpp)
+     ${ROOT}/space/include/*.hpp ${ROOT}/dynamics/include/*.hpp)
 set(engine_names "CVode|CV_|ARK[oS]|ARK_|ERKStep|SUN[A-Z]|sun[a-z]+type|sundials|N_V|realtype|era[A-Z]|SimTK")
 foreach(header IN LISTS headers)
   file(READ ${ROOT}/${header} text)

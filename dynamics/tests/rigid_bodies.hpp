@@ -4,7 +4,7 @@
 
 #include <cmath>
 #include <string>
-#include <vectrix/dynamics/propagate.hpp>
+#include <vectrix/dynamics/scenario/propagate.hpp>
 
 /// Frames, short doors and exact motions shared by the tests of rigid bodies.
 namespace vectrix::test {

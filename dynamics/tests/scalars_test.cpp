@@ -1,11 +1,11 @@
 #include <gtest/gtest.h>
 
-#include <vectrix/dynamics/euler.hpp>
-#include <vectrix/dynamics/gravity.hpp>
-#include <vectrix/frames/simd.hpp>
+#include <vectrix/dynamics/force/gravity.hpp>
+#include <vectrix/dynamics/rigid/euler.hpp>
+#include <vectrix/frames/scalar/lanes.hpp>
 
-#include "../../kinematics/tests/any_scalar.hpp"
-#include "../../kinematics/tests/motions.hpp"
+#include "testing/any_scalar.hpp"
+#include "testing/motions.hpp"
 
 // Inertia, Euler's equation and gravity of any scalar: values against long double, derivatives against its
 // differences, lanes against doubles.

@@ -4,7 +4,7 @@
 #include <sstream>
 #include <vectrix/frames/covariance.hpp>
 
-#include "attitudes.hpp"
+#include "testing/attitudes.hpp"
 
 using namespace vectrix;
 using namespace vectrix_test;

@@ -2,9 +2,9 @@
 #include <rapidcheck/gtest.h>
 
 #include <type_traits>
-#include <vectrix/frames/graph.hpp>
+#include <vectrix/frames/graph/frame_graph.hpp>
 
-#include "attitudes.hpp"
+#include "testing/attitudes.hpp"
 
 using namespace vectrix;
 using namespace vectrix_test;

@@ -4,7 +4,7 @@
 #include <random>
 #include <vectrix/frames/dcm_doors.hpp>
 
-#include "attitudes.hpp"
+#include "testing/attitudes.hpp"
 
 using namespace vectrix;
 using namespace vectrix_test;

@@ -4,7 +4,7 @@
 #include <sstream>
 #include <vectrix/frames.hpp>
 
-#include "attitudes.hpp"
+#include "testing/attitudes.hpp"
 
 // What is done in place, and what is printed.
 using namespace vectrix;

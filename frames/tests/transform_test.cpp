@@ -3,7 +3,7 @@
 
 #include <vectrix/frames/transform.hpp>
 
-#include "attitudes.hpp"
+#include "testing/attitudes.hpp"
 
 using namespace vectrix;
 using namespace vectrix_test;

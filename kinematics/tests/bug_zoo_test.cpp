@@ -4,7 +4,7 @@
 
 #include <vectrix/kinematics.hpp>
 
-#include "../../frames/tests/attitudes.hpp"
+#include "testing/attitudes.hpp"
 
 using namespace vectrix;
 using namespace vectrix_test;

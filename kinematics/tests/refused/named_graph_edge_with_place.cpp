@@ -1,6 +1,6 @@
 // mistake: the place of an edge given to a graph that would forget it
 // expect: Transform<Gcrf, Body
-#include <vectrix/kinematics/named_graph.hpp>
+#include <vectrix/kinematics/named/graph.hpp>
 
 struct Gcrf : vectrix::inertial_frame {};
 struct Body : vectrix::moving_frame {};

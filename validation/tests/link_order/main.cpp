@@ -2,7 +2,7 @@
 #include <exception>
 #include <iostream>
 #include <vector>
-#include <vectrix/dynamics/propagate.hpp>
+#include <vectrix/dynamics/scenario/propagate.hpp>
 
 #include "simbody_reference.hpp"
 

@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <type_traits>
 #include <utility>
-#include <vectrix/frames/chained.hpp>
-#include <vectrix/frames/column_pair.hpp>
+#include <vectrix/frames/relative_vector.hpp>
+#include <vectrix/frames/scalar/column_pair.hpp>
 
 namespace vectrix {
 namespace detail {

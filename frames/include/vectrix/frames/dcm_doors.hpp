@@ -3,7 +3,7 @@
 #include <Eigen/SVD>
 #include <cmath>
 #include <vectrix/frames/dcm_chain.hpp>
-#include <vectrix/frames/sine_cosine.hpp>
+#include <vectrix/frames/scalar/sine_cosine.hpp>
 
 namespace vectrix {
 

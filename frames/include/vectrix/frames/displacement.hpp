@@ -1,6 +1,6 @@
 #pragma once
 
-#include <vectrix/frames/chained.hpp>
+#include <vectrix/frames/relative_vector.hpp>
 
 namespace vectrix {
 

@@ -6,13 +6,14 @@
 #include <stdexcept>
 #include <string>
 #include <type_traits>
-#include <vectrix/frames/batch.hpp>
+#include <vectrix/frames/export.hpp>
+#include <vectrix/frames/scalar/batch.hpp>
 
 namespace vectrix {
 
 /// Wrong data at a door: the text says the action, the operands and the number that failed. Visible across
 /// shared libraries, so that it is caught by its type there too.
-class __attribute__((visibility("default"))) BadInput : public std::invalid_argument {
+class VECTRIX_EXPORT BadInput : public std::invalid_argument {
  public:
   using std::invalid_argument::invalid_argument;
 };

@@ -2,7 +2,7 @@
 
 #include <vectrix/frames/dcm_doors.hpp>
 #include <vectrix/frames/displacement.hpp>
-#include <vectrix/frames/level.hpp>
+#include <vectrix/frames/graph/level.hpp>
 
 namespace vectrix {
 

@@ -1,0 +1,253 @@
+#pragma once
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <algorithm>
+#include <vectrix/dynamics/force/about.hpp>
+#include <vectrix/kinematics/rates/angular_acceleration.hpp>
+
+namespace vectrix {
+
+/// J_p^c, `J_p_c`, of type Inertia<B, P, In<C>>: the inertia tensor of the rigid body b about the point p,
+/// expressed in c, kg m^2. `Inertia<B>`, `J_b`, is the one about its centre of mass in its own axes.
+///     J = [ Jxx Jxy Jxz; Jxy Jyy Jyz; Jxz Jyz Jzz ],  Jxx = int (y^2 + z^2) dm,  Jxy = - int x y dm
+/// Its laws, with the parallel axes in parallel_axes.hpp and the sum of parts in join.hpp:
+///     1.  J_p^d = R_c^d J_p^c (R_c^d)^T      R_d_from_c * J_p_c
+///     2.  H_c = J_c w_ab, T = 1/2 w_ab . J_c w_ab, about the centre of mass c only
+/// Made by inertia_from_tensor() or inertia_from_moments_and_products(), which differ in the sign of the
+/// off-diagonal numbers; there is no default. Its principal moments are positive and satisfy J1 + J2 >= J3.
+template <Frame B, Point P = CentreOfMassOf<B>, class ExpressedIn = In<B>, class S = double> class Inertia;
+
+template <Frame B, Point P, Frame C, class S> class Inertia<B, P, In<C>, S> {
+ public:
+  Inertia() = delete;  // inertia_from_tensor(of<B>, about<P>, in<C>, ...)
+  template <class Derived>
+  Inertia(detail::Trusted, const Eigen::MatrixBase<Derived>& tensor) : tensor_(tensor) {}
+
+  /// The entries of the tensor, kg m^2: the way out of the typed world.
+  const detail::Square<S>& matrix() const& { return tensor_; }
+  detail::Square<S> matrix() && { return tensor_; }
+
+  template <class Operand = Inertia>
+  auto operator-() const -> Refused = delete;  // an inertia has no negative
+
+ private:
+  detail::Square<S> tensor_;
+};
+
+/// With the inverse tensor, which Euler's equation asks for.
+template <Frame B, class S> class Inertia<B, CentreOfMassOf<B>, In<B>, S> {
+ public:
+  Inertia() = delete;  // inertia_from_tensor(in<B>, ...) or inertia_from_moments_and_products(in<B>, ...)
+  Inertia(detail::Trusted, const detail::Square<S>& tensor)
+      : tensor_(tensor), inverse_((tensor / tensor.trace()).inverse() / tensor.trace()) {}
+
+  /// The entries of the tensor, kg m^2: the way out of the typed world; and the inverse tensor.
+  const detail::Square<S>& matrix() const& { return tensor_; }
+  detail::Square<S> matrix() && { return tensor_; }
+  const detail::Square<S>& inverse_matrix() const& { return inverse_; }
+  detail::Square<S> inverse_matrix() && { return inverse_; }
+
+  template <class Operand = Inertia>
+  auto operator-() const -> Refused = delete;  // an inertia has no negative
+
+ private:
+  detail::Square<S> tensor_;
+  detail::Square<S> inverse_;
+};
+
+template <class B, class P, class C, class S>
+inline constexpr bool detail::is_framed<Inertia<B, P, C, S>> = true;
+
+/// About the centre of mass of b, in the axes of b: `Inertia<B>` of another scalar.
+template <Frame B, class S = double> using CentralInertia = Inertia<B, CentreOfMassOf<B>, In<B>, S>;
+
+namespace detail {
+
+template <class J, class S> struct WithScalar;
+template <class B, class P, class C, class Old, class S>
+struct WithScalar<Inertia<B, P, C, Old>, S> : std::type_identity<Inertia<B, P, C, S>> {};
+
+template <class J> struct InertiaName;
+template <class B, class P, class C, class S> struct InertiaName<Inertia<B, P, In<C>, S>> {
+  static std::string text() {
+    return "of<" + frame_name<B>() + ">, about<" + frame_name<P>() + ">, in<" + frame_name<C>() + ">";
+  }
+};
+template <class B, class S> struct InertiaName<Inertia<B, CentreOfMassOf<B>, In<B>, S>> {
+  static std::string text() { return "in<" + frame_name<B>() + ">"; }
+};
+
+/// Relative room for rounding in J1 + J2 >= J3, which a flat plate satisfies with equality, and in J1 > 0,
+/// which the rounding of a thin rod's J1 = 0 must not pass.
+template <class S> S moment_tolerance() {
+  return S(std::max(1e-12, 16.0 * static_cast<double>(Eigen::NumTraits<S>::epsilon())));
+}
+
+template <class J, class S> J checked_inertia(const char* door, const Square<S>& tensor) {
+  const std::string place = std::string{door} + "(" + InertiaName<J>::text() + "): ";
+  for (Eigen::Index row = 0; row < 3; ++row) {
+    for (Eigen::Index column = row; column < 3; ++column) {
+      const S& entry = tensor(row, column);
+      if (!(entry - entry == S(0))) {
+        throw BadInput(place + "entry (" + text(row + 1) + ", " + text(column + 1) + ") of the tensor is " +
+                       text(entry) + " kg m^2");
+      }
+    }
+  }
+  const Eigen::SelfAdjointEigenSolver<Square<S>> solver(tensor, Eigen::EigenvaluesOnly);
+  const Column<S> moments = solver.eigenvalues();  // in increasing order
+  const std::string listed =
+      "(" + text(moments(0)) + ", " + text(moments(1)) + ", " + text(moments(2)) + ") kg m^2";
+  if (!(moments(0) > moment_tolerance<S>() * moments(2))) {
+    throw BadInput(place + "the principal moments " + listed + " are not all positive");
+  }
+  const S excess = moments(2) - moments(0) - moments(1);
+  if (!(excess <= moment_tolerance<S>() * moments(2))) {
+    throw BadInput(place + "the largest principal moment of " + listed +
+                   " exceeds the sum of the others by " + text(excess) + "; no body has this inertia");
+  }
+  const J inertia{trusted, tensor};
+  if constexpr (requires { inertia.inverse_matrix(); }) {
+    if (!inertia.inverse_matrix().allFinite()) {
+      throw BadInput(place + "the principal moments " + listed + " are too " +
+                     (moments(2) > S(1) ? "large" : "small") + " to be divided by");
+    }
+  }
+  return inertia;
+}
+/// The solver branches: lane by lane.
+template <class J, Batch S> J checked_inertia(const char* door, const Square<S>& tensor) {
+  for (std::size_t i = 0; i < S::size(); ++i) {
+    checked_inertia<typename WithScalar<J, typename S::value_type>::type>(door, lane(tensor, i));
+  }
+  return J{trusted, tensor};
+}
+/// Whether a body has it, the values say.
+template <class J, Differentiated S> J checked_inertia(const char* door, const Square<S>& tensor) {
+  using Value = std::remove_cvref_t<decltype(tensor(0, 0).value())>;
+  const Square<Value> values = tensor.unaryExpr([](const S& x) { return Value(x.value()); });
+  checked_inertia<typename WithScalar<J, Value>::type>(door, values);
+  return J{trusted, tensor};
+}
+
+template <class S>
+Square<S> symmetric(const S& xx, const S& yy, const S& zz, const S& xy, const S& xz, const S& yz) {
+  Square<S> matrix;
+  matrix << xx, xy, xz, xy, yy, yz, xz, yz, zz;
+  return matrix;
+}
+
+}  // namespace detail
+
+/// From the entries of the tensor: Jxy = - int x y dm is given as it stands in the matrix.
+/// Throws BadInput when an entry is not finite, a principal moment is not positive, or one exceeds the other
+/// two.
+template <Frame B, Point P, Frame C, class S>
+Inertia<B, P, In<C>, S> inertia_from_tensor(Of<B>, About<P>, In<C>,
+                                            const Quantity<si::moment_of_inertia, S>& Jxx,
+                                            const Quantity<si::moment_of_inertia, S>& Jyy,
+                                            const Quantity<si::moment_of_inertia, S>& Jzz,
+                                            const Quantity<si::moment_of_inertia, S>& Jxy,
+                                            const Quantity<si::moment_of_inertia, S>& Jxz,
+                                            const Quantity<si::moment_of_inertia, S>& Jyz) {
+  return detail::checked_inertia<Inertia<B, P, In<C>, S>>(
+      "inertia_from_tensor",
+      detail::symmetric<S>(Jxx.value(), Jyy.value(), Jzz.value(), Jxy.value(), Jxz.value(), Jyz.value()));
+}
+template <Frame B, class S>
+CentralInertia<B, S> inertia_from_tensor(In<B>, const Quantity<si::moment_of_inertia, S>& Jxx,
+                                         const Quantity<si::moment_of_inertia, S>& Jyy,
+                                         const Quantity<si::moment_of_inertia, S>& Jzz,
+                                         const Quantity<si::moment_of_inertia, S>& Jxy,
+                                         const Quantity<si::moment_of_inertia, S>& Jxz,
+                                         const Quantity<si::moment_of_inertia, S>& Jyz) {
+  return inertia_from_tensor(of<B>, about<CentreOfMassOf<B>>, in<B>, Jxx, Jyy, Jzz, Jxy, Jxz, Jyz);
+}
+template <class First, class... Given>
+auto inertia_from_tensor(  // in<B>, or of<B>, about<P>, in<C>; six quantities in kg m^2: Jxx, ...
+    const First&, const Given&...) -> Refused = delete;
+
+/// From moments and products of inertia, Pxy = + int x y dm: the tensor's off-diagonal entries are their
+/// negatives. Throws BadInput as inertia_from_tensor().
+template <Frame B, Point P, Frame C, class S>
+Inertia<B, P, In<C>, S> inertia_from_moments_and_products(Of<B>, About<P>, In<C>,
+                                                          const Quantity<si::moment_of_inertia, S>& Jxx,
+                                                          const Quantity<si::moment_of_inertia, S>& Jyy,
+                                                          const Quantity<si::moment_of_inertia, S>& Jzz,
+                                                          const Quantity<si::moment_of_inertia, S>& Pxy,
+                                                          const Quantity<si::moment_of_inertia, S>& Pxz,
+                                                          const Quantity<si::moment_of_inertia, S>& Pyz) {
+  return detail::checked_inertia<Inertia<B, P, In<C>, S>>(
+      "inertia_from_moments_and_products",
+      detail::symmetric<S>(Jxx.value(), Jyy.value(), Jzz.value(), -Pxy.value(), -Pxz.value(), -Pyz.value()));
+}
+template <Frame B, class S>
+CentralInertia<B, S> inertia_from_moments_and_products(In<B>, const Quantity<si::moment_of_inertia, S>& Jxx,
+                                                       const Quantity<si::moment_of_inertia, S>& Jyy,
+                                                       const Quantity<si::moment_of_inertia, S>& Jzz,
+                                                       const Quantity<si::moment_of_inertia, S>& Pxy,
+                                                       const Quantity<si::moment_of_inertia, S>& Pxz,
+                                                       const Quantity<si::moment_of_inertia, S>& Pyz) {
+  return inertia_from_moments_and_products(of<B>, about<CentreOfMassOf<B>>, in<B>, Jxx, Jyy, Jzz, Pxy, Pxz,
+                                           Pyz);
+}
+template <class First, class... Given>
+auto inertia_from_moments_and_products(  // in<B>, or of<B>, about<P>, in<C>; six quantities in kg m^2
+    const First&, const Given&...) -> Refused = delete;
+
+/// The trusted door: no check at all. For a symmetric positive tensor that is no rigid body's, such as the
+/// effective tensor of a body with rotors, which may break J1 + J2 >= J3.
+template <Frame B, Point P, Frame C, class Derived>
+auto trust_inertia(Of<B>, About<P>, In<C>, const Eigen::MatrixBase<Derived>& tensor) {
+  return Inertia<B, P, In<C>, typename Derived::Scalar>{detail::trusted, tensor};
+}
+template <Frame B, class Derived> auto trust_inertia(In<B>, const Eigen::MatrixBase<Derived>& tensor) {
+  return CentralInertia<B, typename Derived::Scalar>{detail::trusted, tensor};
+}
+
+// J_p^d = R_c^d J_p^c (R_c^d)^T
+template <class D, class C, class B, class P, class S>
+Inertia<B, P, In<D>, S> product(const Dcm<D, C, S>& R_d_from_c, const Inertia<B, P, In<C>, S>& J_p_c) {
+  return Inertia<B, P, In<D>, S>{detail::trusted,
+                                 R_d_from_c.matrix() * J_p_c.matrix() * R_d_from_c.matrix().transpose()};
+}
+
+// H_c = J_c w_ab, the angular momentum about the centre of mass c, relative to a.
+template <class B, class A, class C, class S>
+Vector<C, si::angular_momentum, S> product(const Inertia<B, CentreOfMassOf<B>, In<C>, S>& J_c,
+                                           const AngularVelocity<A, B, In<C>, S>& w_ab_c) {
+  return {detail::trusted, J_c.matrix() * w_ab_c.coordinates()};
+}
+// J_c alpha_ab, the torque that the change of the rate takes, were there no gyroscopic one.
+template <class B, class A, class C, class S>
+Vector<C, si::torque, S> product(const Inertia<B, CentreOfMassOf<B>, In<C>, S>& J_c,
+                                 const AngularAcceleration<A, B, In<C>, S>& alpha_ab_c) {
+  return {detail::trusted, J_c.matrix() * alpha_ab_c.coordinates()};
+}
+
+/// T = 1/2 w . J w, the rotational energy relative to a.
+template <class B, class A, class C, class S>
+Quantity<si::energy, S> kinetic_energy(const Inertia<B, CentreOfMassOf<B>, In<C>, S>& J_c,
+                                       const AngularVelocity<A, B, In<C>, S>& w_ab_c) {
+  return dot(w_ab_c.vector(), J_c * w_ab_c) / S(2);
+}
+template <class InertiaOf, class InertiaAbout, class InertiaIn, class RateRelativeTo, class RateOf,
+          class RateIn, class S>
+  requires(!(std::is_same_v<InertiaOf, RateOf> && std::is_same_v<InertiaIn, RateIn> &&
+             std::is_same_v<InertiaAbout, CentreOfMassOf<InertiaOf>>))
+auto kinetic_energy(  // kinetic_energy(J_c, w_ab_c): one body b, about its centre of mass, in one frame
+    const Inertia<InertiaOf, InertiaAbout, In<InertiaIn>, S>&,
+    const AngularVelocity<RateRelativeTo, RateOf, In<RateIn>, S>&) -> Refused = delete;
+
+/// [...] kg m^2 in Body; [...] kg m^2 of Body about Hinge in Camera
+template <class B, class P, class C, class S>
+std::ostream& print_framed(std::ostream& out, const Inertia<B, P, In<C>, S>& J_p_c) {
+  detail::print_square(out, J_p_c.matrix()) << " kg m^2";
+  if constexpr (!std::is_same_v<Inertia<B, P, In<C>, S>, CentralInertia<B, S>>) {
+    out << " of " << frame_name<B>() << " about " << frame_name<P>();
+  }
+  return out << " in " << frame_name<C>();
+}
+
+}  // namespace vectrix

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <vectrix/dynamics/mass/inertia.hpp>
+#include <vectrix/frames/shift.hpp>
+
+namespace vectrix {
+namespace detail {
+
+template <class B, class S> void require_mass(const char* action, const Quantity<si::mass, S>& mass) {
+  if (!(mass.value() > S(0) && mass.value() - mass.value() == S(0))) {
+    throw BadInput(std::string{action} + "(" + frame_name<B>() + "): the mass is " + text(mass.value()) +
+                   " kg");
+  }
+}
+
+/// m (|r|^2 I - r r^T): the inertia of a mass m at r.
+template <class S> Square<S> inertia_of_point_mass(const S& mass, const Column<S>& r) {
+  return mass * (r.squaredNorm() * Square<S>::Identity() - r * r.transpose());
+}
+
+}  // namespace detail
+
+/// J_p = J_c + m (|r_cp|^2 I - r_cp r_cp^T): the parallel axes, from the centre of mass c of the body b to
+/// any other point: shift(J_c, r_cp_c, m). Throws BadInput when the mass is not positive, or the inertia
+/// overflows.
+template <class B, class P, class C, class S>
+  requires(!std::same_as<P, CentreOfMassOf<B>>)
+Inertia<B, P, In<C>, S> shifted(const Inertia<B, CentreOfMassOf<B>, In<C>, S>& J_c,
+                                const Displacement<CentreOfMassOf<B>, P, In<C>, S>& r_cp_c,
+                                const Quantity<si::mass, S>& mass) {
+  detail::require_mass<B>("shift", mass);
+  const detail::Square<S> tensor =
+      J_c.matrix() + detail::inertia_of_point_mass(mass.value(), r_cp_c.coordinates());
+  if (!detail::all_finite(tensor)) {
+    throw BadInput("shift(" + frame_name<B>() + "): the inertia overflows at a distance of " +
+                   detail::text(norm(r_cp_c).value()) + " m");
+  }
+  return Inertia<B, P, In<C>, S>{detail::trusted, tensor};
+}
+
+/// J_c = J_p - m (|r_pc|^2 I - r_pc r_pc^T): back to the centre of mass, where the inertia is least:
+/// shift(J_p, r_pc_c, m). Throws BadInput when the mass is not positive, and when no body has this inertia:
+/// J_p is too small for a mass m that far away.
+template <class B, class P, class C, class S>
+  requires(!std::same_as<P, CentreOfMassOf<B>>)
+Inertia<B, CentreOfMassOf<B>, In<C>, S> shifted(const Inertia<B, P, In<C>, S>& J_p,
+                                                const Displacement<P, CentreOfMassOf<B>, In<C>, S>& r_pc_c,
+                                                const Quantity<si::mass, S>& mass) {
+  detail::require_mass<B>("shift", mass);
+  return detail::checked_inertia<Inertia<B, CentreOfMassOf<B>, In<C>, S>, S>(
+      "shift", J_p.matrix() - detail::inertia_of_point_mass(mass.value(), r_pc_c.coordinates()));
+}
+
+}  // namespace vectrix

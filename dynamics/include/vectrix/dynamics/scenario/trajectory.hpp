@@ -1,0 +1,82 @@
+#pragma once
+
+#include <algorithm>
+#include <string>
+#include <vector>
+#include <vectrix/dynamics/ode/solution.hpp>
+#include <vectrix/dynamics/scenario/state_layout.hpp>
+
+namespace vectrix {
+
+/// A root of the propagation: what was found, where, and which way the function went.
+template <InertialFrame I, Frame B> struct Event {
+  std::string name;
+  State<I, B> state;
+  ode::Direction direction;
+};
+
+/// The motion of one body over a span of time. It cannot be edited, is cheap to copy, and answers at any time
+/// inside its span (dense output of the order of the steps, see ode::Solution::at).
+template <InertialFrame I, Frame B> class Trajectory {
+ public:
+  Trajectory() = delete;  // propagate(scenario, propagation)
+  Trajectory(detail::Trusted, ode::Solution solution, const detail::StateLayout<I, B>& layout)
+      : solution_(std::move(solution)), layout_(layout) {}
+
+  Quantity<si::time> start() const { return Quantity<si::time>::from_value(solution_.start()); }
+  Quantity<si::time> end() const { return Quantity<si::time>::from_value(solution_.end()); }
+  /// A root with `stop` ended the propagation: it is the last of events().
+  bool stopped() const { return solution_.stopped(); }
+
+  /// The state at any time in [start, end]. Throws BadInput outside.
+  State<I, B> at(const Quantity<si::time>& time) const {
+    if (node_count() > 0 && !(time >= start() && time <= end())) {
+      throw BadInput("Trajectory of " + frame_name<B>() + " relative to " + frame_name<I>() + ": the time " +
+                     detail::text(time.value()) + " s is outside [" + detail::text(start().value()) + ", " +
+                     detail::text(end().value()) + "] s");
+    }
+    return layout_.unpack(time.value(), solution_.at(time.value()));
+  }
+
+  /// The states at the output times that were asked for and reached.
+  std::vector<State<I, B>> outputs() const {
+    std::vector<State<I, B>> states;
+    for (std::size_t i = 0; i < solution_.output_times().size(); ++i) {
+      states.push_back(layout_.unpack(solution_.output_times()[i], solution_.output(i)));
+    }
+    return states;
+  }
+
+  std::vector<Event<I, B>> events() const {
+    std::vector<Event<I, B>> events;
+    for (const ode::Event& event : solution_.events()) {
+      events.push_back({event.name, layout_.unpack(event.time, event.state), event.direction});
+    }
+    return events;
+  }
+
+  /// The states at the ends of the integrator's own steps.
+  std::size_t node_count() const { return solution_.node_count(); }
+  State<I, B> node(std::size_t index) const {
+    const ode::Node node = solution_.node(index);
+    return layout_.unpack(node.t, node.y);
+  }
+
+  /// How far the integrated attitude, before it is projected, left the rotations: the largest | |q| - 1 | or
+  /// entry of |R^T R - I| over all steps.
+  double orthonormality_drift() const {
+    double largest = 0.0;
+    for (std::size_t i = 0; i < solution_.node_count(); ++i) {
+      largest = std::max(largest, layout_.drift(solution_.node(i).y));
+    }
+    return largest;
+  }
+
+  ode::Statistics statistics() const { return solution_.statistics(); }
+
+ private:
+  ode::Solution solution_;
+  detail::StateLayout<I, B> layout_;
+};
+
+}  // namespace vectrix

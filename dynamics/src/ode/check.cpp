@@ -1,0 +1,101 @@
+#include "check.hpp"
+
+#include <cmath>
+
+#include <vectrix/frames/errors.hpp>
+
+namespace vectrix::ode {
+namespace {
+
+using vectrix::detail::text;
+
+void require(const Problem& problem, bool condition, const std::string& message) {
+  if (!condition) throw BadInput(problem.caller + ": " + message);
+}
+
+void require_finite(const Problem& problem, const std::string& what, double value) {
+  require(problem, std::isfinite(value), what + " must be finite, got " + text(value));
+}
+
+void require_positive(const Problem& problem, const std::string& what, double value) {
+  require(problem, std::isfinite(value) && value > 0.0,
+          what + " must be finite and greater than 0, got " + text(value));
+}
+
+void require_increasing(const Problem& problem, const std::string& what, const std::vector<double>& times) {
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    require_finite(problem, what + " " + text(i), times[i]);
+    require(problem, i == 0 || times[i] > times[i - 1],
+            what + "s must increase strictly, but number " + text(i) + " = " + text(times[i]) + " follows " +
+                text(times[i > 0 ? i - 1 : 0]));
+  }
+}
+
+void check_tolerances(const Problem& problem) {
+  require_positive(problem, "relative tolerance", problem.relative_tolerance);
+  require(problem, problem.absolute_tolerances.size() == problem.initial_state.size(),
+          "the state has " + text(problem.initial_state.size()) + " components, but there are " +
+              text(problem.absolute_tolerances.size()) + " absolute tolerances");
+  for (std::size_t i = 0; i < problem.absolute_tolerances.size(); ++i) {
+    require_positive(problem, "absolute tolerance of " + component(problem, i),
+                     problem.absolute_tolerances[i]);
+  }
+}
+
+void check_times(const Problem& problem) {
+  require_finite(problem, "start", problem.start);
+  require_finite(problem, "end", problem.end);
+  require(problem, problem.end > problem.start,
+          "end = " + text(problem.end) + " must be later than start = " + text(problem.start));
+  require_finite(problem, "end - start", problem.end - problem.start);
+  require_increasing(problem, "output time", problem.output_times);
+  for (const double t : problem.output_times) {
+    require(
+        problem, t >= problem.start && t <= problem.end,
+        "output time " + text(t) + " is outside [" + text(problem.start) + ", " + text(problem.end) + "]");
+  }
+  require_increasing(problem, "breakpoint", problem.breakpoints);
+}
+
+void check_roots(const Problem& problem) {
+  for (std::size_t i = 0; i < problem.roots.size(); ++i) {
+    const Root& root = problem.roots[i];
+    const std::string what = "root " + text(i) + " (" + root.name + ")";
+    require(problem, static_cast<bool>(root.function), what + " has no function");
+    require(problem,
+            root.direction == Direction::rising || root.direction == Direction::falling ||
+                root.direction == Direction::any,
+            what + " has an unknown direction");
+  }
+}
+
+}  // namespace
+
+std::string component(const Problem& problem, std::size_t i) {
+  return problem.component_names.empty() ? "component " + text(i) : problem.component_names.at(i);
+}
+
+void check(const Problem& problem) {
+  require(problem, static_cast<bool>(problem.rhs), "the problem has no right-hand side");
+  require(problem, !problem.initial_state.empty(), "the initial state is empty");
+  require(problem,
+          problem.component_names.empty() || problem.component_names.size() == problem.initial_state.size(),
+          "the state has " + text(problem.initial_state.size()) + " components, but " +
+              text(problem.component_names.size()) + " have names");
+  for (std::size_t i = 0; i < problem.initial_state.size(); ++i) {
+    require_finite(problem, component(problem, i) + " of the initial state", problem.initial_state[i]);
+  }
+  check_tolerances(problem);
+  check_times(problem);
+  check_roots(problem);
+  require(problem, problem.max_steps > 0, "max_steps must be greater than 0");
+  require(problem, problem.maximum_step > 0.0,
+          "maximum_step must be greater than 0, got " + text(problem.maximum_step));
+  require(problem,
+          problem.method == Method::cvode_adams || problem.method == Method::cvode_bdf ||
+              problem.method == Method::arkode_dormand_prince_5 ||
+              problem.method == Method::arkode_fehlberg_8,
+          "unknown method " + text(static_cast<int>(problem.method)));
+}
+
+}  // namespace vectrix::ode

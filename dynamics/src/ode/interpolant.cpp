@@ -1,0 +1,81 @@
+#include "interpolant.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+namespace vectrix::ode {
+
+Interpolant::Interpolant(const Record& record, std::size_t left) : record_(record) {
+  choose_nodes(left);
+  const std::size_t count = 2 * node_count_;
+  for (std::size_t i = 0; i < count; ++i) abscissas_[i] = record_.times[nodes_[i / 2]];
+  for (std::size_t k = 1; k < count; ++k) {
+    for (std::size_t i = k == 1 ? 1 : 0; i + k < count; i += k == 1 ? 2 : 1) {
+      inverse_spans_[k][i] = 1.0 / (abscissas_[i + k] - abscissas_[i]);
+    }
+  }
+}
+
+/// The two ends of the interval, then outwards, the nearer side first. Nodes crowded closer than half the
+/// interval are skipped: divided differences over them would amplify rounding far beyond the state's own.
+void Interpolant::choose_nodes(std::size_t left) {
+  const auto& t = record_.times;
+  const auto next_segment = std::upper_bound(record_.segments.begin(), record_.segments.end(), left);
+  const std::size_t first = *std::prev(next_segment);
+  const std::size_t last = (next_segment == record_.segments.end() ? t.size() : *next_segment) - 1;
+  const double start = t[left];
+  const double end = t[left + 1];
+  const double gap = 0.5 * (end - start);
+
+  nodes_[0] = left;
+  nodes_[1] = left + 1;
+  node_count_ = 2;
+  std::size_t low = left;  // outermost nodes chosen so far
+  std::size_t high = left + 1;
+  while (node_count_ < max_nodes) {
+    std::size_t below = low;
+    while (below > first && t[low] - t[below] < gap) --below;
+    const bool has_below = t[low] - t[below] >= gap;
+    std::size_t above = high;
+    while (above < last && t[above] - t[high] < gap) ++above;
+    const bool has_above = t[above] - t[high] >= gap;
+    if (!has_below && !has_above) break;
+    const bool take_below = has_below && (!has_above || start - t[below] < t[above] - end);
+    nodes_[node_count_++] = take_below ? (low = below) : (high = above);
+  }
+}
+
+void Interpolant::at(double t, std::span<double> state) const {
+  const std::size_t count = 2 * node_count_;
+  std::array<double, max_abscissas> distance{};
+  for (std::size_t i = 0; i < count; ++i) distance[i] = t - abscissas_[i];
+
+  for (std::size_t c = 0; c < record_.dimension; ++c) {
+    std::array<double, max_abscissas> difference{};  // column k of the table of divided differences
+    for (std::size_t i = 0; i < count; ++i) difference[i] = record_.state(nodes_[i / 2])[c];
+    std::array<double, max_abscissas> newton{};
+    newton[0] = difference[0];
+    for (std::size_t k = 1; k < count; ++k) {
+      for (std::size_t i = 0; i + k < count; ++i) {
+        difference[i] = k == 1 && i % 2 == 0 ? record_.rate(nodes_[i / 2])[c]
+                                             : (difference[i + 1] - difference[i]) * inverse_spans_[k][i];
+      }
+      newton[k] = difference[0];
+    }
+    double value = newton[count - 1];
+    for (std::size_t k = count - 1; k-- > 0;) value = newton[k] + distance[k] * value;
+    state[c] = value;
+  }
+}
+
+void interpolate(const Record& record, double t, std::span<double> state) {
+  const auto after = std::upper_bound(record.times.begin(), record.times.end(), t);
+  const auto node = static_cast<std::size_t>(after - record.times.begin()) - 1;
+  if (record.times[node] == t) {
+    std::ranges::copy(record.state(node), state.begin());
+  } else {
+    Interpolant(record, node).at(t, state);
+  }
+}
+
+}  // namespace vectrix::ode

@@ -1,0 +1,57 @@
+#include "rate.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include <vectrix/frames/errors.hpp>
+
+#include "check.hpp"
+
+namespace vectrix::ode {
+
+Rate::Rate(const Problem& problem)
+    : problem_(problem),
+      last_state_(problem.initial_state.size()),
+      last_rate_(problem.initial_state.size()) {}
+
+void Rate::enter_segment(double start, double end) {
+  segment_start_ = start;
+  segment_end_ = end;
+  remembers_ = false;
+}
+
+bool Rate::operator()(double t, std::span<const double> y, std::span<double> ydot) noexcept {
+  if (failed()) return false;
+  // An integrator's stage may miss the segment's end by a rounding error; the function never sees that.
+  const double time = std::clamp(t, segment_start_, segment_end_);
+  if (remembers_ && time == last_time_ && std::memcmp(y.data(), last_state_.data(), y.size_bytes()) == 0) {
+    std::ranges::copy(last_rate_, ydot.begin());
+    return true;
+  }
+  remembers_ = false;
+  last_time_ = time;
+  try {
+    evaluate(time, y, ydot);
+  } catch (...) {
+    cause_ = std::current_exception();
+  }
+  return !failed();
+}
+
+void Rate::evaluate(double t, std::span<const double> y, std::span<double> ydot) {
+  ++evaluations_;
+  problem_.rhs(segment_start_, t, y, ydot);
+  const auto wrong = std::ranges::find_if(ydot, [](double rate) { return !std::isfinite(rate); });
+  if (wrong != ydot.end()) {
+    trouble_ = component(problem_, static_cast<std::size_t>(wrong - ydot.begin())) +
+               " of the right-hand side is " + vectrix::detail::text(*wrong) +
+               " at t = " + vectrix::detail::text(t);
+    return;
+  }
+  std::ranges::copy(y, last_state_.begin());
+  std::ranges::copy(ydot, last_rate_.begin());
+  remembers_ = true;
+}
+
+}  // namespace vectrix::ode

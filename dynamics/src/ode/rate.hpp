@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstddef>
+#include <exception>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <vectrix/dynamics/ode/solve.hpp>
+
+namespace vectrix::ode {
+
+/// The problem's right-hand side as an integrator calls it: nothing is thrown, trouble is kept.
+/// The last evaluation is remembered, since integrators ask again for the rate at the end of an accepted
+/// step.
+class Rate {
+ public:
+  explicit Rate(const Problem& problem);
+
+  void enter_segment(double start, double end);
+  /// False if the function threw or a component is not finite; then trouble() and cause() say what happened,
+  /// and the function is not called again.
+  bool operator()(double t, std::span<const double> y, std::span<double> ydot) noexcept;
+
+  [[nodiscard]] std::size_t evaluations() const { return evaluations_; }
+  [[nodiscard]] bool failed() const { return cause_ || !trouble_.empty(); }
+  [[nodiscard]] const std::string& trouble() const { return trouble_; }
+  [[nodiscard]] std::exception_ptr cause() const { return cause_; }
+  [[nodiscard]] double trouble_time() const { return last_time_; }
+
+ private:
+  void evaluate(double t, std::span<const double> y, std::span<double> ydot);
+
+  const Problem& problem_;
+  double segment_start_ = 0.0;
+  double segment_end_ = 0.0;
+  bool remembers_ = false;
+  double last_time_ = 0.0;
+  std::vector<double> last_state_;
+  std::vector<double> last_rate_;
+  std::size_t evaluations_ = 0;
+  std::string trouble_;
+  std::exception_ptr cause_;
+};
+
+}  // namespace vectrix::ode

@@ -1,0 +1,114 @@
+#include "roots.hpp"
+
+#include <algorithm>
+#include <boost/math/tools/toms748_solve.hpp>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+#include <vectrix/frames/errors.hpp>
+
+#include "interpolant.hpp"
+#include "stepper.hpp"
+#include "trouble.hpp"
+
+namespace vectrix::ode {
+namespace {
+
+/// Width of a located zero: neighbouring numbers, give or take.
+bool narrow(double a, double b) {
+  return std::abs(b - a) <= 2.0 * std::numeric_limits<double>::epsilon() * std::max(std::abs(a), std::abs(b));
+}
+
+constexpr std::uintmax_t max_iterations = 200;  // bisection alone needs about 60 from any sensible bracket
+
+}  // namespace
+
+RootFinder::RootFinder(const Problem& problem)
+    : problem_(problem), values_(problem.roots.size()), previous_values_(problem.roots.size()) {}
+
+double RootFinder::value(std::size_t root, double t, std::span<const double> y) const {
+  using vectrix::detail::text;
+  const auto name = [&] { return "root " + text(root) + " (" + problem_.roots[root].name + ")"; };
+  double result = 0.0;
+  try {
+    result = problem_.roots[root].function(t, y);
+  } catch (...) {
+    throw Trouble{flag::root_failed, t, name() + " threw", std::current_exception()};
+  }
+  if (!std::isfinite(result)) {
+    throw Trouble{flag::root_failed, t, name() + " is " + text(result) + " at t = " + text(t), nullptr};
+  }
+  return result;
+}
+
+void RootFinder::start(double t, std::span<const double> y) {
+  for (std::size_t i = 0; i < values_.size(); ++i) values_[i] = value(i, t, y);
+}
+
+bool RootFinder::advance(const Record& record) {
+  const std::size_t right = record.times.size() - 1;
+  previous_values_ = values_;
+  previous_brackets_ = brackets_.size();
+  bool stops = false;
+  for (std::size_t i = 0; i < values_.size(); ++i) {
+    values_[i] = value(i, record.times[right], record.state(right));
+    const double before = previous_values_[i];
+    const Root& root = problem_.roots[i];
+    const bool rising = before < 0.0 && values_[i] >= 0.0 && root.direction != Direction::falling;
+    const bool falling = before > 0.0 && values_[i] <= 0.0 && root.direction != Direction::rising;
+    if (!rising && !falling) continue;
+    brackets_.push_back({i, right - 1, before, values_[i]});
+    stops = stops || root.stop;
+  }
+  return stops;
+}
+
+void RootFinder::retreat() {
+  values_ = previous_values_;
+  brackets_.resize(previous_brackets_);
+}
+
+Event RootFinder::locate(const Record& record, const Bracket& bracket) const {
+  const double left = record.times[bracket.left];
+  const double right = record.times[bracket.left + 1];
+  Event event{bracket.root, problem_.roots[bracket.root].name, right, std::vector<double>(record.dimension),
+              bracket.left_value < 0.0 ? Direction::rising : Direction::falling};
+  if (bracket.right_value != 0.0) {
+    const Interpolant interpolant(record, bracket.left);
+    const auto function = [&](double t) {
+      interpolant.at(t, event.state);
+      return value(bracket.root, t, event.state);
+    };
+    std::uintmax_t iterations = max_iterations;
+    event.time = boost::math::tools::toms748_solve(function, left, right, bracket.left_value,
+                                                   bracket.right_value, narrow, iterations)
+                     .second;
+  }
+  interpolate(record, event.time, event.state);
+  return event;
+}
+
+void RootFinder::sort(Record& record) const {
+  std::ranges::stable_sort(record.events, {}, &Event::time);
+}
+
+void RootFinder::resolve(Record& record) {
+  for (const Bracket& bracket : brackets_) record.events.push_back(locate(record, bracket));
+  brackets_.clear();
+  sort(record);
+}
+
+void RootFinder::resolve_what_can_be(Record& record) {
+  for (const Bracket& bracket : brackets_) {
+    try {
+      record.events.push_back(locate(record, bracket));
+    } catch (const Trouble&) {
+      continue;  // the run has failed already, and for an earlier reason
+    }
+  }
+  brackets_.clear();
+  sort(record);
+}
+
+}  // namespace vectrix::ode

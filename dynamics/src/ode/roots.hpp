@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include <vectrix/dynamics/ode/solve.hpp>
+
+#include "record.hpp"
+
+namespace vectrix::ode {
+
+/// Finds the zeros of the problem's root functions: a change of sign between two nodes is kept as a bracket,
+/// and located on the dense output once the nodes around it are known. SUNDIALS' own search would do it on
+/// ARKODE's cubic interpolant, far less accurate than its steps. A root function that throws or is not finite
+/// ends in a Trouble.
+class RootFinder {
+ public:
+  explicit RootFinder(const Problem& problem);
+
+  void start(double t, std::span<const double> y);
+  /// Takes the step from the node before the last to the last; true if it brackets a root with `stop`.
+  bool advance(const Record& record);
+  /// Takes the last advance back.
+  void retreat();
+  /// Turns all brackets into events of the record, in order of time.
+  void resolve(Record& record);
+  /// As resolve(), leaving out roots whose function fails.
+  void resolve_what_can_be(Record& record);
+
+ private:
+  struct Bracket {
+    std::size_t root;
+    std::size_t left;
+    double left_value;
+    double right_value;
+  };
+
+  [[nodiscard]] double value(std::size_t root, double t, std::span<const double> y) const;
+  [[nodiscard]] Event locate(const Record& record, const Bracket& bracket) const;
+  void sort(Record& record) const;
+
+  const Problem& problem_;
+  std::vector<double> values_;
+  std::vector<double> previous_values_;
+  std::vector<Bracket> brackets_;
+  std::size_t previous_brackets_ = 0;
+};
+
+}  // namespace vectrix::ode

@@ -1,0 +1,89 @@
+#include <sstream>
+#include <vectrix/dynamics/mass/mass_properties.hpp>
+
+#include "point_masses.hpp"
+
+// Mass, centre of mass and inertia of bodies and of what they are joined to, against sums over point masses.
+namespace vectrix::test {
+namespace {
+
+constexpr double rounding = 1e-12;  // a hundred operations on numbers of order 10
+
+/// The mass properties of these masses, as a body B in its own axes.
+template <class B> MassProperties<B> properties(const Masses& body) {
+  return mass_properties(kilograms(body.total()), from_to<B, CentreOfMassOf<B>, B>(body.centre()),
+                         inertia<B, CentreOfMassOf<B>, B>(body.inertia_about(body.centre())));
+}
+
+/// A panel, given in its own frame, mounted on a bus: its masses are turned and moved.
+TEST(MassProperties, laws_1_2_3_a_satellite_of_parts_is_that_of_all_their_masses) {
+  Draw draw(6);
+  for (int i = 0; i < 100; ++i) {
+    const Masses bus = random_masses(draw), panel_1 = random_masses(draw), panel_2 = random_masses(draw);
+    const Matrix3d R_1 = draw.rotation(), R_2 = draw.rotation();
+    const Vector3d r_1 = draw.triple(), r_2 = draw.triple();
+    const MassProperties<Satellite, Bus, In<Bus>> satellite =
+        join(of<Satellite>, properties<Bus>(bus),
+             shift(trust_dcm(to<Bus>, from<Panel<1>>, R_1) * properties<Panel<1>>(panel_1),
+                   from_to<Panel<1>, Bus, Bus>(-r_1)),
+             shift(trust_dcm(to<Bus>, from<Panel<2>>, R_2) * properties<Panel<2>>(panel_2),
+                   from_to<Panel<2>, Bus, Bus>(-r_2)));
+    Masses all = bus;
+    all.add(panel_1.placed(R_1, r_1));
+    all.add(panel_2.placed(R_2, r_2));
+    EXPECT_NEAR(satellite.mass().value(), all.total(), rounding);
+    EXPECT_LT((satellite.centre().coordinates() - all.centre()).norm(), rounding);
+    EXPECT_LT((satellite.inertia().matrix() - all.inertia_about(all.centre())).norm(), rounding);
+    const Inertia<Satellite, Bus, In<Bus>> J_bus =
+        shift(satellite.inertia(), -satellite.centre(), satellite.mass());
+    EXPECT_LT((J_bus.matrix() - all.inertia_about(Vector3d::Zero())).norm(), rounding);
+  }
+}
+
+TEST(MassProperties, say_the_mass_the_centre_and_the_inertia) {
+  const auto r_bc = from_to<Body, CentreOfMassOf<Body>, Body>({1.0, 2.0, 3.0});
+  const auto J_c = inertia<Body, CentreOfMassOf<Body>, Body>(Vector3d(3.0, 4.0, 5.0).asDiagonal());
+  std::ostringstream said, parts;
+  said << mass_properties(kilograms(2.0), r_bc, J_c);
+  parts << "2 kg; " << r_bc << "; " << J_c;
+  EXPECT_EQ(said.str(), parts.str());
+}
+
+TEST(MassProperties, have_a_positive_mass) {
+  const auto r_bc = from_to<Body, CentreOfMassOf<Body>, Body>({0.1, 0.2, 0.3});
+  const auto J_c = inertia<Body, CentreOfMassOf<Body>, Body>(Vector3d(3.0, 4.0, 5.0).asDiagonal());
+  for (const double m : {0.0, -1.0, HUGE_VAL, std::nan("")}) {
+    expect_bad_input([&] { mass_properties(kilograms(m), r_bc, J_c); },
+                     "mass_properties(" + frame_name<Body>() + "): the mass is " + detail::text(m) + " kg");
+  }
+}
+
+template <class... Given>
+concept Shifts = requires(const Given&... given) {
+  shift(given...);
+};
+template <class Whole, class... Parts>
+concept Joins = requires(const Parts&... parts) {
+  join(of<Whole>, parts...);
+};
+template <class T>
+concept Negates = requires(const T& value) {
+  -value;
+};
+template <class Left, class Right>
+concept Multiplies = requires(const Left& left, const Right& right) {
+  left* right;
+};
+
+static_assert(Shifts<MassProperties<Body>, Displacement<Body, Hinge, In<Body>>>);
+static_assert(!Shifts<MassProperties<Body>, Displacement<Hinge, Body, In<Body>>>);
+static_assert(!Shifts<MassProperties<Body>, Displacement<Body, Hinge, In<Bus>>>);
+static_assert(Multiplies<Dcm<Bus, Body>, MassProperties<Body>> &&
+              !Multiplies<Dcm<Body, Bus>, MassProperties<Body>>);
+static_assert(Joins<Satellite, MassProperties<Bus>, MassProperties<Body, Bus, In<Bus>>>);
+static_assert(!Joins<Satellite, MassProperties<Bus>, MassProperties<Body>>);
+static_assert(!Joins<Satellite, MassProperties<Bus>, MassProperties<Bus>>);
+static_assert(!Negates<MassProperties<Body>> && !std::is_default_constructible_v<MassProperties<Body>>);
+
+}  // namespace
+}  // namespace vectrix::test

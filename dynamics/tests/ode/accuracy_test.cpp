@@ -1,0 +1,213 @@
+#include <array>
+
+#include "problems.hpp"
+
+namespace vectrix::ode::test {
+namespace {
+
+class OdeAccuracy : public testing::TestWithParam<Method> {};
+INSTANTIATE_TEST_SUITE_P(Methods, OdeAccuracy, testing::ValuesIn(methods), name);
+
+/// The tolerance bounds the error of one step; errors of some thousand steps gather. Largest ratio of error
+/// to tolerance allowed over the runs below, about three times what is measured (BDF, of order 5, drifts
+/// most).
+double gathered(Method method) {
+  switch (method) {
+    case Method::cvode_adams:
+      return 2e4;
+    case Method::cvode_bdf:
+      return 2e5;
+    case Method::arkode_dormand_prince_5:
+      return 3e3;
+    case Method::arkode_fehlberg_8:
+      return 1e3;
+  }
+  return 0.0;
+}
+
+constexpr double tolerance = 1e-10;
+
+TEST_P(OdeAccuracy, harmonic_oscillator) {
+  const Solution solution = solve(oscillator(GetParam(), 100.0, tolerance));
+  EXPECT_LT(node_error(solution, oscillator_state), gathered(GetParam()) * tolerance);
+  EXPECT_EQ(solution.end(), 100.0);
+}
+
+/// Torque-free body with J = diag(a, a, c): h = J w is fixed in space, and the body turns about h at h/a and
+/// about its own axis at n (1 - c/a):  q(t) = exp(t h / 2a) exp(t n (1 - c/a) e3 / 2),  Hamilton, body to
+/// inertial.
+TEST_P(OdeAccuracy, torque_free_axisymmetric_body) {
+  constexpr double a = 2.0, c = 3.0, n = 1.0, transverse = 0.4;
+  Problem problem;
+  problem.rhs = [](double, double, State y, std::span<double> ydot) {
+    const double wx = y[4], wy = y[5], wz = y[6];
+    ydot[0] = 0.5 * (-y[1] * wx - y[2] * wy - y[3] * wz);
+    ydot[1] = 0.5 * (y[0] * wx + y[2] * wz - y[3] * wy);
+    ydot[2] = 0.5 * (y[0] * wy + y[3] * wx - y[1] * wz);
+    ydot[3] = 0.5 * (y[0] * wz + y[1] * wy - y[2] * wx);
+    ydot[4] = (a - c) / a * wy * wz;
+    ydot[5] = (c - a) / a * wz * wx;
+    ydot[6] = 0.0;
+  };
+  problem.initial_state = {1.0, 0.0, 0.0, 0.0, transverse, 0.0, n};
+  problem.start = 0.0;
+  problem.end = 100.0;
+  problem.method = GetParam();
+  set_tolerance(problem, tolerance);
+
+  const auto exact = [](double t) -> std::vector<double> {
+    const double hx = a * transverse, hz = c * n, h = std::hypot(hx, hz);
+    const double half = 0.5 * t * h / a;  // p = exp(t h / 2a)
+    const double p0 = std::cos(half), px = std::sin(half) * hx / h, pz = std::sin(half) * hz / h;
+    const double spin = 0.5 * t * n * (1.0 - c / a);  // s = exp(spin e3)
+    const double s0 = std::cos(spin), sz = std::sin(spin);
+    const double lambda = (c - a) / a * n;
+    return {p0 * s0 - pz * sz,
+            px * s0,
+            -px * sz,
+            p0 * sz + pz * s0,
+            transverse * std::cos(lambda * t),
+            transverse * std::sin(lambda * t),
+            n};
+  };
+  EXPECT_LT(node_error(solve(problem), exact), gathered(GetParam()) * tolerance);
+}
+
+/// Kepler ellipse, mu = a = 1, e = 1/2, five revolutions: the step has to follow the pericentre.
+TEST_P(OdeAccuracy, kepler_ellipse) {
+  constexpr double e = 0.5;
+  Problem problem;
+  problem.rhs = [](double, double, State y, std::span<double> ydot) {
+    const double r = std::hypot(y[0], y[1]), r3 = r * r * r;
+    ydot[0] = y[2];
+    ydot[1] = y[3];
+    ydot[2] = -y[0] / r3;
+    ydot[3] = -y[1] / r3;
+  };
+  problem.initial_state = {1.0 - e, 0.0, 0.0, std::sqrt((1.0 + e) / (1.0 - e))};
+  problem.start = 0.0;
+  problem.end = 10.0 * std::numbers::pi;
+  problem.method = GetParam();
+  set_tolerance(problem, tolerance);
+
+  const auto exact = [](double t) -> std::vector<double> {
+    double anomaly = t;  // E - e sin E = t by Newton's iteration
+    for (int i = 0; i < 20; ++i)
+      anomaly -= (anomaly - e * std::sin(anomaly) - t) / (1.0 - e * std::cos(anomaly));
+    const double b = std::sqrt(1.0 - e * e), r = 1.0 - e * std::cos(anomaly);
+    return {std::cos(anomaly) - e, b * std::sin(anomaly), -std::sin(anomaly) / r, b * std::cos(anomaly) / r};
+  };
+  EXPECT_LT(node_error(solve(problem), exact), gathered(GetParam()) * tolerance);
+}
+
+/// x' = -x + sin t: the rate depends on time, so the clock given to it counts.
+TEST_P(OdeAccuracy, forced_relaxation) {
+  Problem problem = oscillator(GetParam(), 50.0, tolerance);
+  problem.rhs = [](double, double t, State y, std::span<double> ydot) { ydot[0] = -y[0] + std::sin(t); };
+  problem.initial_state = {0.0};
+  set_tolerance(problem, tolerance);
+  const auto exact = [](double t) -> std::vector<double> {
+    return {0.5 * (std::sin(t) - std::cos(t) + std::exp(-t))};
+  };
+  EXPECT_LT(node_error(solve(problem), exact), gathered(GetParam()) * tolerance);
+}
+
+TEST_P(OdeAccuracy, error_falls_with_the_tolerance) {
+  double previous = 1.0;
+  for (const double t : {1e-4, 1e-6, 1e-8, 1e-10}) {
+    const double error = node_error(solve(oscillator(GetParam(), 30.0, t)), oscillator_state);
+    EXPECT_LT(error, 0.2 * previous) << "tolerance " << t;  // a hundredth is ideal, variable order is uneven
+    previous = error;
+  }
+}
+
+TEST_P(OdeAccuracy, dense_output_is_as_good_as_the_nodes) {
+  for (const double t : {1e-8, 1e-12}) {
+    const Solution solution = solve(oscillator(GetParam(), 30.0, t));
+    double between = 0.0;
+    for (std::size_t i = 0; i + 1 < solution.node_count(); ++i) {
+      const double left = solution.node(i).t, right = solution.node(i + 1).t;
+      for (const double part : {0.1, 0.5, 0.8}) {
+        const double time = left + part * (right - left);
+        between = std::max(between, distance(solution.at(time), oscillator_state(time)));
+      }
+    }
+    EXPECT_LT(between, 1.1 * node_error(solution, oscillator_state)) << "tolerance " << t;
+  }
+}
+
+TEST_P(OdeAccuracy, rates_of_nodes_are_those_of_the_right_hand_side) {
+  const Solution solution = solve(oscillator(GetParam(), 30.0, tolerance));
+  for (std::size_t i = 0; i < solution.node_count(); ++i) {
+    const Node node = solution.node(i);
+    const std::array rate{node.y[1], -node.y[0]};
+    EXPECT_LT(distance(node.ydot, rate), 1e3 * tolerance);  // BDF's slope: error of a step over its length
+  }
+}
+
+TEST_P(OdeAccuracy, dense_output_survives_crowded_nodes) {
+  // A kick in the middle makes the integrator restart with steps thousands of times shorter than their
+  // neighbours.
+  Problem problem = oscillator(GetParam(), 10.0, 1e-12);
+  problem.breakpoints = {5.0};
+  const Solution solution = solve(problem);
+  const double allowed = 1.1 * node_error(solution, oscillator_state);
+  for (int i = 0; i <= 20'000; ++i) {
+    const double t = 4.99 + 1e-6 * i;
+    ASSERT_LE(distance(solution.at(t), oscillator_state(t)), allowed) << t;
+  }
+}
+
+/// With tolerances that accept every step the longest step is the step: error(h) / error(h / 2) = 2^order.
+TEST(OdeOrder, runge_kutta_tables_converge_with_their_order) {
+  constexpr double end = 8.0;
+  const auto error = [&](Method method, double step) {
+    Problem problem = oscillator(method, end, 1e6);
+    problem.maximum_step = step;
+    const Solution solution = solve(problem);
+    EXPECT_LE(solution.statistics().steps,
+              static_cast<std::size_t>(end / step) + 5);  // a few shorter ones to start
+    return distance(solution.at(end), oscillator_state(end));
+  };
+  constexpr double slack = 0.3;  // leading term only: measured within 0.15 of the order
+  EXPECT_NEAR(std::log2(error(Method::arkode_dormand_prince_5, 0.125) /
+                        error(Method::arkode_dormand_prince_5, 0.0625)),
+              5.0, slack);
+  EXPECT_NEAR(std::log2(error(Method::arkode_fehlberg_8, 0.5) / error(Method::arkode_fehlberg_8, 0.25)), 8.0,
+              slack);
+}
+
+/// Some ten thousand steps: SUNDIALS' own clock is off by then, and the states with it by 1e-10.
+TEST(OdeClock, rounding_of_time_does_not_gather) {
+  Problem problem = oscillator(Method::arkode_fehlberg_8, 1000.0, 1e-14);
+  problem.maximum_step = 0.09;
+  const Solution solution = solve(problem);
+  EXPECT_LT(node_error(solution, oscillator_state),
+            2e-12);  // rounding of states and of the node times, 6e-14 each
+}
+
+/// Thirteen stages a step: the rate at a node is the first stage of the next step, and not evaluated twice.
+TEST(OdeCost, fehlberg_8_takes_thirteen_evaluations_a_step) {
+  const Statistics run = solve(oscillator(Method::arkode_fehlberg_8, 100.0, 1e-10)).statistics();
+  EXPECT_LE(run.rhs_evaluations,
+            13 * (run.steps + run.error_test_failures) + 10);  // and the choice of a first step
+}
+
+TEST(OdeStiff, bdf_takes_long_steps_where_explicit_methods_cannot) {
+  // x' = -1e6 (x - cos t) from 0: after microseconds x follows cos t + 1e-6 sin t.
+  Problem problem = oscillator(Method::cvode_bdf, 10.0, 1e-8);
+  problem.rhs = [](double, double t, State y, std::span<double> ydot) {
+    ydot[0] = -1e6 * (y[0] - std::cos(t));
+  };
+  problem.initial_state = {0.0};
+  set_tolerance(problem, 1e-8);
+  const Solution solution = solve(problem);
+  EXPECT_LT(solution.statistics().steps, 2000U);  // an explicit method needs 1e6 * 10 / 3
+  for (int i = 1; i <= 1000; ++i) {
+    const double t = 0.01 * i;
+    ASSERT_NEAR(solution.at(t)[0], std::cos(t) + 1e-6 * std::sin(t), 1e-6);  // a hundred tolerances
+  }
+}
+
+}  // namespace
+}  // namespace vectrix::ode::test

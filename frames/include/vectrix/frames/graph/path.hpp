@@ -1,0 +1,175 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <tuple>
+#include <type_traits>
+#include <vectrix/frames/graph/edge.hpp>
+
+namespace vectrix {
+
+/// The two frames that an edge joins, for messages.
+template <class First, class Second> struct Link {};
+
+namespace detail {
+
+inline constexpr std::size_t nowhere = static_cast<std::size_t>(-1);
+
+template <class Edge> using FirstOf = typename LevelOf<typename Edge::value_type>::first;
+template <class Edge> using SecondOf = typename LevelOf<typename Edge::value_type>::second;
+template <class Edge> using ScalarOf = typename LevelOf<typename Edge::value_type>::scalar;
+template <class Edge> using LinkOf = Link<FirstOf<Edge>, SecondOf<Edge>>;
+
+/// The edges to walk from one node to another; `reversed[i]` when the i-th is walked from its second to its
+/// first.
+template <std::size_t N> struct Path {
+  std::size_t length = 0;
+  std::array<std::size_t, N> edge{};
+  std::array<bool, N> reversed{};
+};
+
+/// The place of the first that is true; `nowhere` when none is.
+template <bool... are> constexpr std::size_t first_of() {
+  constexpr std::array<bool, sizeof...(are)> all{are...};
+  const auto found = std::find(all.begin(), all.end(), true);
+  return found == all.end() ? nowhere : static_cast<std::size_t>(found - all.begin());
+}
+
+/// The graph as numbers, at compile time: nodes are numbered by their first appearance in the list of edges.
+template <class... Edges> struct Topology {
+  static constexpr std::size_t size = sizeof...(Edges);
+  using scalar = ScalarOf<std::tuple_element_t<0, std::tuple<Edges...>>>;
+
+  template <class F> static constexpr std::size_t node() {
+    constexpr std::array<bool, 2 * size> same = [] {
+      std::array<bool, 2 * size> hits{};
+      std::size_t i = 0;
+      ((hits[i] = std::is_same_v<F, FirstOf<Edges>>, hits[i + 1] = std::is_same_v<F, SecondOf<Edges>>,
+        i += 2),
+       ...);
+      return hits;
+    }();
+    const auto found = std::find(same.begin(), same.end(), true);
+    return found == same.end() ? nowhere : static_cast<std::size_t>(found - same.begin());
+  }
+
+  static constexpr std::array<std::size_t, size> first{node<FirstOf<Edges>>()...};
+  static constexpr std::array<std::size_t, size> second{node<SecondOf<Edges>>()...};
+
+  /// The first edge that joins two frames already joined; `nowhere` in a forest.
+  static constexpr std::size_t closing_edge() {
+    std::array<std::size_t, 2 * size> component{};
+    for (std::size_t n = 0; n < 2 * size; ++n) component[n] = n;
+    for (std::size_t e = 0; e < size; ++e) {
+      const std::size_t kept = component[first[e]];
+      const std::size_t merged = component[second[e]];
+      if (kept == merged) return e;
+      for (std::size_t& c : component) c = c == merged ? kept : c;
+    }
+    return nowhere;
+  }
+
+  /// The only path from `start` to `goal`; its length is `nowhere` when there is none.
+  static constexpr Path<size> path(std::size_t start, std::size_t goal) {
+    // Distances from the goal, relaxed until nothing changes; then downhill from the start.
+    std::array<std::size_t, 2 * size> distance{};
+    distance.fill(nowhere);
+    distance[goal] = 0;
+    for (std::size_t round = 0; round < size; ++round) {
+      for (std::size_t e = 0; e < size; ++e) {
+        std::size_t& a = distance[first[e]];
+        std::size_t& b = distance[second[e]];
+        if (a != nowhere && b == nowhere) b = a + 1;
+        if (b != nowhere && a == nowhere) a = b + 1;
+      }
+    }
+    Path<size> result;
+    if (distance[start] == nowhere) {
+      result.length = nowhere;
+      return result;
+    }
+    for (std::size_t node = start; node != goal;) {
+      for (std::size_t e = 0; e < size; ++e) {
+        const bool forward = first[e] == node && distance[second[e]] + 1 == distance[node];
+        const bool backward = second[e] == node && distance[first[e]] + 1 == distance[node];
+        if (!forward && !backward) continue;
+        result.edge[result.length] = e;
+        result.reversed[result.length++] = backward;
+        node = forward ? second[e] : first[e];
+        break;
+      }
+    }
+    return result;
+  }
+
+  template <class Start, class Goal>
+  static constexpr Path<size> path_between = path(node<Start>(), node<Goal>());
+
+  template <class F> static constexpr bool knows = node<F>() != nowhere;
+
+  template <class Start, class Goal> static constexpr bool joined() {
+    if constexpr (knows<Start> && knows<Goal>) {
+      return path_between<Start, Goal>.length != nowhere;
+    } else {
+      return false;
+    }
+  }
+
+  /// How many steps the paths from Start to Goal and to Other have in common.
+  template <class Start, class Goal, class Other> static constexpr std::size_t shared_steps() {
+    const auto& walk = path_between<Start, Goal>;
+    const auto& other = path_between<Start, Other>;
+    std::size_t step = 0;
+    while (step < walk.length && step < other.length && walk.edge[step] == other.edge[step]) ++step;
+    return step;
+  }
+
+  /// The frame where the paths from Start to Goal and to Other part.
+  template <class Start, class Goal, class Other> static constexpr auto parting_frame() {
+    constexpr std::size_t steps = shared_steps<Start, Goal, Other>();
+    if constexpr (steps == 0) {
+      return std::type_identity<Start>{};
+    } else {
+      constexpr auto& walk = path_between<Start, Goal>;
+      using Last = std::tuple_element_t<walk.edge[steps - 1], std::tuple<Edges...>>;
+      return std::conditional_t<walk.reversed[steps - 1], std::type_identity<FirstOf<Last>>,
+                                std::type_identity<SecondOf<Last>>>{};
+    }
+  }
+  template <class Start, class Goal, class Other>
+  using PartingFrame = typename decltype(parting_frame<Start, Goal, Other>())::type;
+
+  /// The first edge from Start to Goal that knows no place; `nowhere` when all do.
+  template <class Start, class Goal> static constexpr std::size_t edge_without_place() {
+    constexpr std::array<bool, size> placed{LevelOf<typename Edges::value_type>::placed...};
+    const auto& walk = path_between<Start, Goal>;
+    for (std::size_t i = 0; i < walk.length; ++i) {
+      if (!placed[walk.edge[i]]) return walk.edge[i];
+    }
+    return nowhere;
+  }
+
+  /// The first edge from Start to Goal that knows less than `level`; `nowhere` when all know enough.
+  template <class Start, class Goal> static constexpr std::size_t edge_below(Level level) {
+    constexpr std::array<Level, size> levels{LevelOf<typename Edges::value_type>::level...};
+    const auto& walk = path_between<Start, Goal>;
+    for (std::size_t i = 0; i < walk.length; ++i) {
+      if (levels[walk.edge[i]] < level) return walk.edge[i];
+    }
+    return nowhere;
+  }
+
+  /// The frames of the edge with that number; void when it is `nowhere`.
+  template <std::size_t edge> static constexpr auto link_at() {
+    if constexpr (edge == nowhere) {
+      return std::type_identity<void>{};
+    } else {
+      return std::type_identity<LinkOf<std::tuple_element_t<edge, std::tuple<Edges...>>>>{};
+    }
+  }
+  template <std::size_t edge> using LinkAt = typename decltype(link_at<edge>())::type;
+};
+
+}  // namespace detail
+}  // namespace vectrix

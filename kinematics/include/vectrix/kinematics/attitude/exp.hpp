@@ -1,0 +1,67 @@
+#pragma once
+
+#include <cmath>
+#include <vectrix/frames/scalar/sine_cosine.hpp>
+#include <vectrix/frames/scalar/square_root.hpp>
+#include <vectrix/kinematics/attitude/quaternion.hpp>
+#include <vectrix/kinematics/attitude/rotation_vector.hpp>
+
+namespace vectrix {
+namespace detail {
+
+/// cos(h) and sin(h)/(2h) of h = |theta|/2, from |theta|^2.
+template <class S> struct HalfTurn {
+  S scalar;
+  S factor;
+};
+/// By their series; for |theta| < 1e-2 the first terms left out are below 1e-22.
+template <class S> HalfTurn<S> half_turn_series(const S& square) {
+  const S h2 = square / S(4);
+  return {S(1) - h2 * (S(1) / S(2) - h2 * (S(1) / S(24) - h2 * (S(1) / S(720) - h2 * (S(1) / S(40320))))),
+          S(1) / S(2) - h2 * (S(1) / S(12) - h2 * (S(1) / S(240) - h2 * (S(1) / S(10080))))};
+}
+template <class S> [[gnu::always_inline]] inline HalfTurn<S> half_turn(const S& square) {
+  const S angle = square_root(square);
+  const auto [sine, cosine] = sine_cosine<S>(angle / S(2));
+  return {cosine, sine / angle};
+}
+
+template <class B, class A, class S> [[noreturn, gnu::cold, gnu::noinline]] void refuse_exp(S square) {
+  throw BadInput("exp(rotation vector of " + frame_name<B>() + " relative to " + frame_name<A>() +
+                 "): |theta|^2 is " + text(square));
+}
+
+}  // namespace detail
+
+/// The quaternion of a rotation vector, q_b^a = (cos |theta|/2, sin(|theta|/2) theta/|theta|), maps b to a.
+/// Accurate to rounding for every angle; below |theta| = 1e-2 a series in |theta|^2 takes over, so that
+/// underflow of the square costs nothing. Throws BadInput when theta is not finite or |theta|^2 overflows.
+template <class A, class B, class S>
+Quaternion<A, B, S> exp_quaternion(const RotationVector<A, B, S>& theta_ab) {
+  const detail::Column<S>& theta = theta_ab.coordinates();
+  const S square = theta.squaredNorm();
+  detail::HalfTurn<S> half = detail::half_turn_series(square);
+  if (const auto small = square < detail::number<S>(1e-4); !detail::all(small)) {
+    const detail::HalfTurn<S> other = detail::half_turn(square);
+    if (!detail::all(other.scalar == other.scalar)) {  // the cosine of an infinity is no number
+      detail::refuse_exp<B, A>(square);
+    }
+    half = {detail::select(small, half.scalar, other.scalar),
+            detail::select(small, half.factor, other.factor)};
+  }
+  return {detail::trusted, [&] {
+            return Eigen::Quaternion<S>(half.scalar, half.factor * theta.x(), half.factor * theta.y(),
+                                        half.factor * theta.z());
+          }};
+}
+
+/// exp: R_b^a = I + sin|t| [n]x + (1 - cos|t|) ([n]x)^2 for theta_ab = |t| n; turning a by theta_ab gives b.
+/// Accuracy and errors as exp_quaternion().
+template <class A, class B, class S> Dcm<A, B, S> exp(const RotationVector<A, B, S>& theta_ab) {
+  return dcm(exp_quaternion(theta_ab));
+}
+template <class Given>
+  requires detail::is_framed<Given>
+auto exp(const Given&) -> Refused = delete;  // exp(theta_ab), exp(xi_ab): of a rotation vector or a screw
+
+}  // namespace vectrix

@@ -1,0 +1,272 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <array>
+#include <cmath>
+#include <vectrix/frames/dcm.hpp>
+#include <vectrix/frames/scalar/square_root.hpp>
+
+namespace vectrix {
+
+/// Largest | |q| - 1 | that the checked doors let in: ten printed digits pass.
+inline constexpr double unit_norm_tolerance = 1e-9;
+
+template <Frame A, Frame B, class S = double> class QuaternionRate;
+template <Frame A, Frame B, class S = double> class QuaternionSecondRate;
+
+/// q_a^b, `q_b_from_a`, of type Quaternion<B, A>: a unit quaternion (Hamilton's product) that maps
+/// coordinates as R_a^b:
+///     1.  r^b = q_a^b r^a (q_a^b)*          q_b_from_a * r_a
+///     2.  q_a^c = q_b^c q_a^b               q_c_from_b * q_b_from_a
+///     3.  q and -q are the same rotation
+/// Made from numbers only by doors that name the place of the scalar.
+template <Frame ToFrame, Frame FromFrame, class S = double> class Quaternion {
+ public:
+  using to = ToFrame;
+  using from = FromFrame;
+
+  Quaternion() = delete;
+  Quaternion(S, S, S, S) = delete;  // where is the scalar? quaternion_scalar_first(), _last()
+  Quaternion(detail::Trusted, const Eigen::Quaternion<S>& value) : value_(value) {}
+  template <detail::Makes<Eigen::Quaternion<S>> Make>
+  Quaternion(detail::Trusted, const Make& make) : value_(make()) {}
+
+  /// The bare quaternion; Eigen stores the scalar last and constructs with the scalar first.
+  const Eigen::Quaternion<S>& eigen() const& { return value_; }
+  Eigen::Quaternion<S> eigen() && { return value_; }
+  std::array<S, 4> scalar_first() const { return {value_.w(), value_.x(), value_.y(), value_.z()}; }
+  std::array<S, 4> scalar_last() const { return {value_.x(), value_.y(), value_.z(), value_.w()}; }
+
+  /// The inverse of rate(), for q = q_b^a: (0, w_ab^b) = 2 q* qdot, (0, w_ab^a) = 2 qdot q*. Throws BadInput
+  /// when the two do not belong together: the scalar part exceeds 1e-9 of the largest number.
+  template <class C>
+    requires(std::same_as<C, ToFrame> || std::same_as<C, FromFrame>)
+  auto angular_velocity(const QuaternionRate<ToFrame, FromFrame, S>& qdot_a_from_b, In<C>) const;
+  template <class Rate, class InFrame, class Attitude = Quaternion>
+  auto angular_velocity(  // q_a_from_b.angular_velocity(qdot_a_from_b, in<B>) or in<A>
+      const Rate&, const InFrame&) const -> Refused = delete;
+
+  /// The inverse of second_rate(): (-|w|^2/2, alpha_ab^b) = 2 q* qddot, and of 2 qddot q* in a. Throws
+  /// BadInput when the three do not belong together: the scalar part is off by more than 1e-9 of the largest
+  /// number.
+  template <class C>
+    requires(std::same_as<C, ToFrame> || std::same_as<C, FromFrame>)
+  auto angular_acceleration(const QuaternionRate<ToFrame, FromFrame, S>& qdot_a_from_b,
+                            const QuaternionSecondRate<ToFrame, FromFrame, S>& qddot_a_from_b, In<C>) const;
+  template <class Rate, class SecondRate, class InFrame, class Attitude = Quaternion>
+  auto
+  angular_acceleration(  // q_a_from_b.angular_acceleration(qdot_a_from_b, qddot_a_from_b, in<B>) or in<A>
+      const Rate&, const SecondRate&, const InFrame&) const -> Refused = delete;
+
+  template <class Operand = Quaternion>
+  auto operator-() const -> Refused = delete;  // -q is the same rotation: inverse(q_b_from_a)
+
+ private:
+  Eigen::Quaternion<S> value_;
+};
+
+template <class B, class A, class S> inline constexpr bool detail::is_framed<Quaternion<B, A, S>> = true;
+
+namespace detail {
+
+template <class B, class A> std::string quaternion_door(const char* door) {
+  return std::string{door} + "(to<" + frame_name<B>() + ">, from<" + frame_name<A>() + ">): ";
+}
+
+template <class B, class A, class S> S checked_norm(const Eigen::Quaternion<S>& q, const char* door) {
+  if (!all_finite(q.coeffs())) {
+    throw BadInput(quaternion_door<B, A>(door) + "the numbers, scalar first, (" + text(q.w()) + ", " +
+                   text(q.x()) + ", " + text(q.y()) + ", " + text(q.z()) + ") are not finite");
+  }
+  const S norm = scaled_norm(q.coeffs());
+  if (!all(norm > S(0)) || !all(norm - norm == S(0))) {
+    throw BadInput(quaternion_door<B, A>(door) + "the norm is " + text(norm) +
+                   (all(norm > S(0)) ? "; the numbers are too large" : "; a zero quaternion turns nothing"));
+  }
+  return norm;
+}
+
+template <class B, class A, class S>
+Quaternion<B, A, S> unit_quaternion(const Eigen::Quaternion<S>& q, const char* door) {
+  const S norm = checked_norm<B, A>(q, door);
+  const S error = select(norm > S(1), S(norm - S(1)), S(S(1) - norm));
+  const double tolerance = door_tolerance<S>(unit_norm_tolerance);
+  if (!all(error <= number<S>(tolerance))) {
+    throw BadInput(quaternion_door<B, A>(door) + "the norm differs from 1 by " + text(error) +
+                   ", tolerance " + text(tolerance) + "; nearest_" + door + "() projects");
+  }
+  return {trusted, q};
+}
+
+}  // namespace detail
+
+/// The checked doors. Throw BadInput when a number is not finite or | |q| - 1 | exceeds unit_norm_tolerance.
+template <Frame B, Frame A, class S>
+  requires(!std::integral<S>)
+detail::OfTwo<B, A, Quaternion<B, A, S>> quaternion_scalar_first(To<B>, From<A>, S w, S x, S y, S z) {
+  return detail::unit_quaternion<B, A, S>({w, x, y, z}, "quaternion_scalar_first");
+}
+template <class ToFrame, class FromFrame, class W, class X, class Y, class Z>
+auto quaternion_scalar_first(  // to<B>, from<A>: two frames; four numbers of one floating type
+    ToFrame, FromFrame, W, X, Y, Z) -> Refused = delete;
+template <Frame B, Frame A, class S>
+  requires(!std::integral<S>)
+detail::OfTwo<B, A, Quaternion<B, A, S>> quaternion_scalar_last(To<B>, From<A>, S x, S y, S z, S w) {
+  return detail::unit_quaternion<B, A, S>({w, x, y, z}, "quaternion_scalar_last");
+}
+template <class ToFrame, class FromFrame, class X, class Y, class Z, class W>
+auto quaternion_scalar_last(  // to<B>, from<A>: two frames; four numbers of one floating type
+    ToFrame, FromFrame, X, Y, Z, W) -> Refused = delete;
+
+template <class B, class A, class S> struct NearestQuaternion {
+  Quaternion<B, A, S> quaternion;
+  /// How far the norm was from 1.
+  S distance;
+};
+
+namespace detail {
+
+template <class B, class A, class S>
+NearestQuaternion<B, A, S> nearest_quaternion(const Eigen::Quaternion<S>& q, const char* door) {
+  using std::abs;
+  const S norm = checked_norm<B, A>(q, door);
+  // Scaled first: the square of a tiny or huge component is not a number that can be divided by.
+  const Eigen::Matrix<S, 4, 1> scaled = q.coeffs() / q.coeffs().cwiseAbs().maxCoeff();
+  const Eigen::Quaternion<S> unit(scaled / scaled.norm());
+  return {Quaternion<B, A, S>{trusted, unit}, abs(norm - S(1))};
+}
+
+}  // namespace detail
+
+/// The projecting doors: q / |q|, and how far |q| was from 1. Throw BadInput for a zero or not finite
+/// quaternion.
+template <Frame B, Frame A, class S>
+  requires(!std::integral<S>)
+detail::OfTwo<B, A, NearestQuaternion<B, A, S>> nearest_quaternion_scalar_first(To<B>, From<A>, S w, S x, S y,
+                                                                                S z) {
+  return detail::nearest_quaternion<B, A, S>({w, x, y, z}, "nearest_quaternion_scalar_first");
+}
+template <class ToFrame, class FromFrame, class W, class X, class Y, class Z>
+auto nearest_quaternion_scalar_first(  // to<B>, from<A>: two frames; four numbers of one floating type
+    ToFrame, FromFrame, W, X, Y, Z) -> Refused = delete;
+template <Frame B, Frame A, class S>
+  requires(!std::integral<S>)
+detail::OfTwo<B, A, NearestQuaternion<B, A, S>> nearest_quaternion_scalar_last(To<B>, From<A>, S x, S y, S z,
+                                                                               S w) {
+  return detail::nearest_quaternion<B, A, S>({w, x, y, z}, "nearest_quaternion_scalar_last");
+}
+template <class ToFrame, class FromFrame, class X, class Y, class Z, class W>
+auto nearest_quaternion_scalar_last(  // to<B>, from<A>: two frames; four numbers of one floating type
+    ToFrame, FromFrame, X, Y, Z, W) -> Refused = delete;
+
+// q_a^c = q_b^c q_a^b
+template <class C, class B, class A, class S>
+Quaternion<C, A, S> product(const Quaternion<C, B, S>& q_c_from_b, const Quaternion<B, A, S>& q_b_from_a) {
+  return {detail::trusted, [&] { return q_c_from_b.eigen() * q_b_from_a.eigen(); }};
+}
+
+// r^b = q r^a q*
+template <class B, class A, class U, class S>
+Vector<B, U, S> product(const Quaternion<B, A, S>& q_b_from_a, const Vector<A, U, S>& r_a) {
+  return {detail::trusted, [&] { return q_b_from_a.eigen()._transformVector(r_a.coordinates()); }};
+}
+
+template <class B, class A, class S> Quaternion<A, B, S> inverse(const Quaternion<B, A, S>& q_b_from_a) {
+  return {detail::trusted, q_b_from_a.eigen().conjugate()};
+}
+
+/// R_a^b of q_a^b: entries such as 1 - 2 (y^2 + z^2) and 2 (x y - w z).
+template <class B, class A, class S> Dcm<B, A, S> dcm(const Quaternion<B, A, S>& q_b_from_a) {
+  return {detail::trusted, [&] { return q_b_from_a.eigen().toRotationMatrix(); }};
+}
+
+namespace detail {
+
+/// A quaternion times a number, one component after the other: four that are stored one by one and loaded in
+/// pairs would wait.
+template <class S> struct QuaternionMultiple {
+  S x, y, z, w;
+
+  /// Over its norm, with this sign.
+  [[gnu::always_inline]] Eigen::Quaternion<S> unit(const S& sign) const {
+    if constexpr (std::same_as<S, double>) {
+      using Two = double __attribute__((vector_size(16)));
+      const Two xy{x, y}, zw{z, w};
+      const Two squares = xy * xy + zw * zw;
+      const double scale = sign / square_root(squares[0] + squares[1]);
+      const Two unit_xy = xy * Two{scale, scale}, unit_zw = zw * Two{scale, scale};
+      return {unit_zw[1], unit_xy[0], unit_xy[1], unit_zw[0]};
+    } else {
+      const S scale = sign / square_root(S(x * x + y * y + z * z + w * w));
+      return {w * scale, x * scale, y * scale, z * scale};
+    }
+  }
+  /// Of the first of w, x, y, z that is not zero.
+  [[gnu::always_inline]] S sign() const {
+    if constexpr (Batch<S>) {
+      const S first = select(w != S(0), w, select(x != S(0), x, y));  // else z, the largest and so positive
+      return select(first < S(0), S(-1), S(1));
+    } else {
+      return S((w != S(0) ? w > S(0) : x != S(0) ? x > S(0) : y != S(0) ? y > S(0) : z > S(0)) ? 1 : -1);
+    }
+  }
+};
+
+/// 4 q_i q, from the i-th of the vector part's components, which must not be small.
+template <Eigen::Index i, class S> QuaternionMultiple<S> multiple_by_diagonal(const Square<S>& m) {
+  constexpr Eigen::Index j = (i + 1) % 3;
+  constexpr Eigen::Index k = (i + 2) % 3;
+  S v[3];
+  v[i] = (S(1) + m(i, i)) - (m(j, j) + m(k, k));
+  v[j] = m(i, j) + m(j, i);
+  v[k] = m(i, k) + m(k, i);
+  return {v[0], v[1], v[2], m(k, j) - m(j, k)};
+}
+template <class S> QuaternionMultiple<S> multiple_by_trace(const Square<S>& m) {
+  return {m(2, 1) - m(1, 2), m(0, 2) - m(2, 0), m(1, 0) - m(0, 1), (S(1) + m(0, 0)) + (m(1, 1) + m(2, 2))};
+}
+template <class S> QuaternionMultiple<S> largest_by_diagonal(const Square<S>& m) {
+  const S x = m(0, 0), y = m(1, 1), z = m(2, 2);
+  if (x >= y && x >= z) return multiple_by_diagonal<0>(m);
+  return y >= z ? multiple_by_diagonal<1>(m) : multiple_by_diagonal<2>(m);
+}
+template <class S> Eigen::Quaternion<S> unit_quaternion_of(const Square<S>& m) {
+  if (m(0, 0) + m(1, 1) + m(2, 2) > S(0)) return multiple_by_trace(m).unit(S(1));
+  const QuaternionMultiple<S> q = largest_by_diagonal(m);
+  return q.unit(q.sign());
+}
+/// Of a batch: which of w, x and of y, z holds half the norm, and which of the two its larger part, as two
+/// choices of every lane.
+template <Batch S> [[gnu::always_inline]] inline Eigen::Quaternion<S> unit_quaternion_of(const Square<S>& m) {
+  const S x = m(0, 0), y = m(1, 1), z = m(2, 2);
+  const S wx = m(2, 1) - m(1, 2), wy = m(0, 2) - m(2, 0), wz = m(1, 0) - m(0, 1);
+  const S xy = m(1, 0) + m(0, 1), xz = m(0, 2) + m(2, 0), yz = m(2, 1) + m(1, 2);
+  const auto w_or_x = x >= S(0);
+  const S rest = select(w_or_x, S(y + z), S(y - z));
+  const auto w_or_y = rest >= S(0);
+  using std::abs;
+  const S large = S(1) + abs(x) + abs(rest);
+  const S other = select(w_or_x, wx, yz);
+  const S first = select(w_or_y, large, other), second = select(w_or_y, other, large);
+  const S third = select(w_or_y, wy, select(w_or_x, xy, wz));
+  const S fourth = select(w_or_y, select(w_or_x, wz, xy), xz);
+  const QuaternionMultiple<S> q{select(w_or_x, second, fourth), select(w_or_x, third, first),
+                                select(w_or_x, fourth, second), select(w_or_x, first, third)};
+  return q.unit(q.sign());
+}
+
+}  // namespace detail
+
+/// q_a^b of R_a^b, with q_w >= 0, and at q_w = 0 the first non-zero of x, y, z positive. Accurate for every
+/// rotation: a component of at least 1/2 is taken from the diagonal (after Shepperd 1978), the others by
+/// division.
+template <class B, class A, class S> Quaternion<B, A, S> quaternion(const Dcm<B, A, S>& R_b_from_a) {
+  return {detail::trusted, [&] { return detail::unit_quaternion_of<S>(R_b_from_a.matrix()); }};
+}
+
+template <class B, class A, class S>
+std::ostream& print_framed(std::ostream& out, const Quaternion<B, A, S>& q_b_from_a) {
+  return detail::print_quaternion(out, q_b_from_a.eigen()) << detail::print_to_from<B, A>;
+}
+
+}  // namespace vectrix

@@ -1,0 +1,192 @@
+#pragma once
+
+#include <vectrix/frames/covariance.hpp>
+#include <vectrix/kinematics/attitude/exp.hpp>
+#include <vectrix/kinematics/estimation/observation.hpp>
+#include <vectrix/kinematics/rates/moving_dcm.hpp>
+#include <vectrix/kinematics/samples/attitude_sample.hpp>
+#include <vectrix/kinematics/samples/log_motion.hpp>
+
+namespace vectrix {
+
+/// The largest turn, rad, from the middle of a window to its ends that estimate_motion() lets in: beyond half
+/// a turn a rotation vector is that of another turn.
+inline constexpr double widest_window_turn = 2.0;
+
+/// Smallest part of its time's power that a window's polynomial must find to itself: below it rounding would
+/// choose the derivatives.
+inline constexpr double nearly_undetermined = 1e-10;
+
+/// R_b^a, w_ab^b and alpha_ab^b at one instant, estimated from noisy samples, with the covariance of each
+/// error: of the small turn from the true attitude to the found one, and of the two vectors.
+template <Frame A, Frame B, class S = double> struct MotionEstimate {
+  AcceleratingDcm<A, B, S> motion;
+  Covariance<B, si::angle, S> attitude_covariance;
+  Covariance<B, si::angular_velocity, S> rate_covariance;
+  Covariance<B, si::angular_acceleration, S> acceleration_covariance;
+  /// Half the sum of squares of what the polynomial leaves, in standard deviations. Twice the loss has the
+  /// chi-square distribution of `freedom` degrees of freedom; much more says that the motion is no polynomial
+  /// over the window, or that sigma is too small.
+  S loss;
+  std::size_t freedom;
+};
+
+namespace detail {
+
+/// A polynomial of rotation vectors, theta = sum_k p_k u^k, by least squares.
+template <int degree, class S> struct LogPolynomial {
+  static constexpr Eigen::Index size = 3 * (degree + 1);
+  using Normal = Eigen::Matrix<S, size, size>;
+  using Coefficients = Eigen::Matrix<S, size, 1>;
+
+  Coefficients p;
+  Normal covariance;  // for errors of variance 1
+  S squares;          // of what is left
+  S least_share;      // of a pivot, of what the other coefficients leave open
+
+  Column<S> coefficient(Eigen::Index k) const { return p.template segment<3>(3 * k); }
+  Square<S> block(Eigen::Index k, Eigen::Index l) const {
+    return covariance.template block<3, 3>(3 * k, 3 * l);
+  }
+
+  /// An error e of the sample's attitude in b moves theta by J^-1 e: J (theta - polynomial) is what is
+  /// squared.
+  LogPolynomial(const std::vector<S>& u, const std::vector<Column<S>>& theta) {
+    Normal normal = Normal::Zero();
+    Coefficients right = Coefficients::Zero();
+    for (std::size_t i = 0; i < u.size(); ++i) {
+      const auto design = row(u[i], theta[i]);
+      normal += design.transpose() * design;
+      right += design.transpose() * theta[i];  // J theta = theta
+    }
+    const Coefficients scale = normal.diagonal().cwiseSqrt().cwiseInverse();
+    const Eigen::LLT<Normal> factor(Normal(scale.asDiagonal() * normal * scale.asDiagonal()));
+    least_share =
+        factor.info() == Eigen::Success ? S(factor.matrixLLT().diagonal().cwiseAbs2().minCoeff()) : S(0);
+    covariance = scale.asDiagonal() * factor.solve(Normal::Identity()) * scale.asDiagonal();
+    p = covariance * right;
+    squares = S(0);
+    for (std::size_t i = 0; i < u.size(); ++i) {
+      squares += (theta[i] - row(u[i], theta[i]) * p).squaredNorm();
+    }
+  }
+
+ private:
+  static Eigen::Matrix<S, 3, size> row(const S& u, const Column<S>& theta) {
+    Eigen::Matrix<S, 3, size> design;
+    Square<S> term = log_jacobian(theta);
+    for (Eigen::Index k = 0; k <= degree; ++k) {
+      design.template middleCols<3>(3 * k) = term;
+      term *= u;
+    }
+    return design;
+  }
+};
+
+template <class S> Square<S> symmetric(const Square<S>& P) {
+  return (P + P.transpose()) / S(2);
+}
+
+}  // namespace detail
+
+/// The motion at t by least squares: a polynomial of rotation vectors through the samples no further than
+/// `half_width` from t, each of which is wrong by a small turn of the standard deviation sigma about each
+/// axis, independently of the others. In the middle of a window of n samples a step h apart the standard
+/// deviation of w is about sigma/h sqrt(12/n^3) for degree 2 (and sqrt(75/n^3) for 3 and 4). The covariances
+/// are of first order in sigma and know nothing of what the polynomial cannot follow. Throws BadInput when t
+/// is outside the samples, when the window has fewer samples than the polynomial has coefficients, or turns
+/// by more than widest_window_turn to either side, and for sigma that is not positive.
+template <int degree = 3, class A, class B, class S>
+  requires(degree >= 2 && degree <= 6 && detail::SingleNumber<S>)
+MotionEstimate<A, B, S> estimate_motion(const std::vector<AttitudeSample<A, B, S>>& samples,
+                                        const Quantity<si::time, S>& t,
+                                        const Quantity<si::time, S>& half_width,
+                                        const Quantity<si::angle, S>& sigma) {
+  using detail::text;
+  const auto refuse = [](const std::string& why) {
+    throw BadInput(detail::samples_place<A, B>("estimate_motion") + why);
+  };
+  detail::require_samples("estimate_motion", samples, degree + 1);
+  const S now = t.value(), width = half_width.value(), variance = sigma.value() * sigma.value();
+  if (!(sigma.value() > S(0) && variance > S(0) && variance - variance == S(0)))
+    refuse("the standard deviation is " + text(sigma.value()) + " rad");
+  if (!(width > S(0) && width - width == S(0))) refuse("the half width is " + text(width) + " s");
+  const S earliest = samples.front().time.value(), latest = samples.back().time.value();
+  if (!(now >= earliest && now <= latest))
+    refuse("time " + text(now) + " s is outside [" + text(earliest) + ", " + text(latest) + "] s");
+
+  const auto before = [](const AttitudeSample<A, B, S>& sample, const S& time) {
+    return sample.time.value() < time;
+  };
+  const auto until = [](const S& time, const AttitudeSample<A, B, S>& sample) {
+    return time < sample.time.value();
+  };
+  const auto first = std::lower_bound(samples.begin(), samples.end(), now - width, before);
+  const auto end = std::upper_bound(samples.begin(), samples.end(), now + width, until);
+  const std::size_t count = first < end ? static_cast<std::size_t>(end - first) : 0;
+  if (count < degree + 1)
+    refuse("the number of samples within " + text(width) + " s of " + text(now) + " s is " + text(count) +
+           "; a polynomial of degree " + text(degree) + " needs " + text(degree + 1));
+  const auto middle = std::min(std::lower_bound(first, end, now, before), end - 1);
+  const auto turned = [](auto from, auto last) {
+    S angle = S(0);
+    for (; from != last; ++from)
+      angle += detail::turn_between(from->q_a_from_b, std::next(from)->q_a_from_b).norm();
+    return angle;
+  };
+  const S turn = std::max(turned(first, middle), turned(middle, end - 1));
+  if (!(turn <= S(widest_window_turn)))
+    refuse("from the middle of the window to its end b turns by " + text(turn) + " rad, at most " +
+           text(widest_window_turn) + " rad are allowed");
+
+  using Polynomial = detail::LogPolynomial<degree, S>;
+  std::vector<S> u;
+  for (auto sample = first; sample != end; ++sample) u.push_back((sample->time.value() - now) / width);
+  const auto fit_about = [&](const Quaternion<A, B, S>& q0) {
+    std::vector<detail::Column<S>> theta;
+    for (auto sample = first; sample != end; ++sample)
+      theta.push_back(detail::turn_between(q0, sample->q_a_from_b));
+    return Polynomial(u, theta);
+  };
+  const auto moved = [](const Quaternion<A, B, S>& q0, const detail::Column<S>& theta) {
+    const auto increment = exp_quaternion(RotationVector<A, B, S>{detail::trusted, theta});
+    return Quaternion<A, B, S>{detail::trusted, q0.eigen() * increment.eigen()};
+  };
+  // Once about the sample in the middle; then about what that finds, where theta is nearly zero.
+  const Polynomial coarse = fit_about(middle->q_a_from_b);
+  if (!(coarse.least_share > S(detail::door_tolerance<S>(nearly_undetermined))))
+    refuse("the times of the " + text(count) + " samples in the window do not fix a polynomial of degree " +
+           text(degree) + ": the share " + text(coarse.least_share) + " is left to one coefficient");
+  const Quaternion<A, B, S> q0 = moved(middle->q_a_from_b, coarse.coefficient(0));
+  const Polynomial fine = fit_about(q0);
+  const detail::Column<S> rate = fine.coefficient(1) / width;
+  const detail::Column<S> acceleration = S(2) * fine.coefficient(2) / (width * width);
+  const detail::LogMotion<S> motion{fine.coefficient(0), rate, acceleration};
+
+  // At theta = 0:  dw = dtheta' + theta' x dtheta / 2
+  //                dalpha = dtheta'' + theta'' x dtheta / 2 - theta' x (theta' x dtheta) / 6
+  using Square = detail::Square<S>;
+  const Square half_rate = hat(rate) / S(2);
+  const Square bent = hat(acceleration) / S(2) - hat(rate) * hat(rate) / S(6);
+  const Square P00 = fine.block(0, 0);
+  const Square P10 = fine.block(1, 0) / width, P11 = fine.block(1, 1) / (width * width);
+  const Square P20 = S(2) * fine.block(2, 0) / (width * width);
+  const Square P22 = S(4) * fine.block(2, 2) / (width * width * width * width);
+  const Square Pw = P11 + half_rate * P10.transpose() + P10 * half_rate.transpose() +
+                    half_rate * P00 * half_rate.transpose();
+  const Square Palpha = P22 + bent * P20.transpose() + P20 * bent.transpose() + bent * P00 * bent.transpose();
+  return {
+      {{dcm(moved(q0, fine.coefficient(0))),
+        AngularVelocity<A, B, In<B>, S>{detail::trusted, motion.angular_velocity()}},
+       AngularAcceleration<A, B, In<B>, S>{detail::trusted, motion.angular_acceleration()}},
+      Covariance<B, si::angle, S>{detail::trusted, detail::symmetric<S>(variance * P00)},
+      Covariance<B, si::angular_velocity, S>{detail::trusted, detail::symmetric<S>(variance * Pw)},
+      Covariance<B, si::angular_acceleration, S>{detail::trusted, detail::symmetric<S>(variance * Palpha)},
+      fine.squares / variance / S(2),
+      3 * (count - degree - 1)};
+}
+template <int degree = 3, class Samples, class Time, class HalfWidth, class Deviation>
+auto estimate_motion(  // samples of b relative to a, t and half width in s, sigma in rad; degree 2 to 6
+    const Samples&, const Time&, const HalfWidth&, const Deviation&) -> Refused = delete;
+
+}  // namespace vectrix

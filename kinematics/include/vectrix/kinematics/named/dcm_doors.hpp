@@ -1,0 +1,101 @@
+#pragma once
+
+#include <vectrix/frames/dcm_doors.hpp>
+#include <vectrix/kinematics/named/dcm.hpp>
+
+namespace vectrix {
+namespace detail {
+
+// What stands for a run-time frame in a typed door.
+struct FirstNamed : moving_frame {};
+struct SecondNamed : moving_frame {};
+
+inline void replace_all(std::string& text, const std::string& word, const std::string& by) {
+  for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + by.size()))
+    text.replace(at, word.size(), by);
+}
+
+inline void require_two(NamedFrame first, NamedFrame second) {
+  if (first == second) {
+    throw BadInput("to " + in_quotes(first) + ", from " + in_quotes(second) +
+                   ": a door takes two frames, and these are one");
+  }
+}
+/// Goes through a typed door: `make()` returns what it makes. Its errors then name the run-time frames.
+template <class Make> auto through_door(NamedFrame first, NamedFrame second, const Make& make) {
+  require_two(first, second);
+  try {
+    return make();
+  } catch (const BadInput& error) {
+    std::string text = error.what();
+    replace_all(text, frame_name<FirstNamed>(), in_quotes(first));
+    replace_all(text, frame_name<SecondNamed>(), in_quotes(second));
+    throw BadInput(text);
+  }
+}
+
+template <class Typed> NamedDcm named(NamedFrame b, NamedFrame a, const Typed& typed) {
+  return through_door(b, a, [&] {
+    return NamedDcm{trusted, b, a, typed(vectrix::to<FirstNamed>, vectrix::from<SecondNamed>).matrix()};
+  });
+}
+
+template <class Derived>
+concept Matrix3x3d = Matrix3x3<Derived> && std::same_as<typename Derived::Scalar, double>;
+
+}  // namespace detail
+
+// The doors of dcm_doors.hpp for frames known at run time: the same checks, the same errors.
+
+/// Checked: throws BadInput unless `matrix` is finite, orthonormal to 1e-9 and right-handed.
+template <detail::Matrix3x3d Matrix>
+NamedDcm dcm(To<NamedFrame> b, From<NamedFrame> a, const Matrix& matrix) {
+  return detail::named(b.frame, a.frame, [&](auto to_b, auto from_a) { return dcm(to_b, from_a, matrix); });
+}
+
+struct NearestNamedDcm {
+  NamedDcm dcm;
+  /// Frobenius norm of what was changed.
+  double distance;
+};
+
+/// Projecting: the nearest rotation, and how far it was.
+template <detail::Matrix3x3d Matrix>
+NearestNamedDcm nearest_dcm(To<NamedFrame> b, From<NamedFrame> a, const Matrix& matrix) {
+  double distance = 0.0;
+  const NamedDcm nearest = detail::named(b.frame, a.frame, [&](auto to_b, auto from_a) {
+    const auto found = nearest_dcm(to_b, from_a, matrix);
+    distance = found.distance;
+    return found.dcm;
+  });
+  return {nearest, distance};
+}
+
+/// Trusted: no check of the matrix.
+template <detail::Matrix3x3d Matrix>
+NamedDcm trust_dcm(To<NamedFrame> b, From<NamedFrame> a, const Matrix& matrix) {
+  detail::require_two(b.frame, a.frame);
+  return {detail::trusted, b.frame, a.frame, matrix};
+}
+
+/// Claims that the axes of a and b are parallel.
+inline NamedDcm aligned(To<NamedFrame> b, From<NamedFrame> a) {
+  detail::require_two(b.frame, a.frame);
+  return {detail::trusted, b.frame, a.frame, detail::Square<double>::Identity()};
+}
+
+/// R_b_from_a when turning a by `angle` about its x axis (y, z) gives b. Any finite angle is valid.
+inline NamedDcm turned_x(To<NamedFrame> b, From<NamedFrame> a, const Quantity<si::angle>& angle) {
+  return detail::named(b.frame, a.frame,
+                       [&](auto to_b, auto from_a) { return turned_x(to_b, from_a, angle); });
+}
+inline NamedDcm turned_y(To<NamedFrame> b, From<NamedFrame> a, const Quantity<si::angle>& angle) {
+  return detail::named(b.frame, a.frame,
+                       [&](auto to_b, auto from_a) { return turned_y(to_b, from_a, angle); });
+}
+inline NamedDcm turned_z(To<NamedFrame> b, From<NamedFrame> a, const Quantity<si::angle>& angle) {
+  return detail::named(b.frame, a.frame,
+                       [&](auto to_b, auto from_a) { return turned_z(to_b, from_a, angle); });
+}
+
+}  // namespace vectrix

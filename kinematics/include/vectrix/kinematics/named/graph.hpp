@@ -1,0 +1,192 @@
+#pragma once
+
+#include <vectrix/frames/graph/frame_graph.hpp>
+#include <vectrix/kinematics/named/sampled_edge.hpp>
+#include <vectrix/kinematics/named/snapshot.hpp>
+#include <vectrix/kinematics/points/rigid_edge.hpp>
+
+namespace vectrix {
+namespace detail {
+
+/// What a graph answers, as the function of an edge of a FrameGraph.
+template <class V> struct AnswerOfGraph {
+  const NamedGraphCore* core;
+
+  V operator()(Quantity<si::time> t) const {
+    constexpr auto a = to<typename LevelOf<V>::first>;
+    constexpr auto b = from<typename LevelOf<V>::second>;
+    if constexpr (LevelOf<V>::level == Level::rotation) {
+      return NamedSnapshot{*core, t.value()}.rotation(a, b);
+    } else {
+      return with_motion(NamedSnapshot{*core, t.value()}, a, b);
+    }
+  }
+
+ private:
+  // From a snapshot that keeps the values of its edges.
+  template <class A, class B> static V with_motion(const NamedSnapshot& now, To<A> a, From<B> b) {
+    const auto moving = moving_dcm(now.rotation(a, b), now.angular_velocity(of<B>, relative_to<A>, in<B>));
+    if constexpr (LevelOf<V>::level == Level::rate) {
+      return moving;
+    } else {
+      return {moving, now.angular_acceleration(of<B>, relative_to<A>, in<B>)};
+    }
+  }
+};
+
+/// Throws BadInput unless the graph has a path from a to b that knows the level.
+inline void require_answer(const NamedGraphCore& core, const FrameRecord& b, const FrameRecord& a,
+                           Level level) {
+  const NamedQuery query{"typed_edge", b, a, a, level};
+  core.with_path(a, b, [&](const NamedPath* path) {
+    if (path == nullptr) query.no_path(a, b);
+    query.require_level(*path);
+  });
+}
+
+/// The result of adding a typed edge: one of time, without a place, which a NamedGraph would forget.
+template <class Edge>
+using KeptWhole =
+    std::enable_if_t<!LevelOf<typename Edge::value_type>::placed && Edge::template takes<Quantity<si::time>>>;
+
+}  // namespace detail
+
+/// A tree of frames known at run time: those of a file, wheel k of N. The words, levels and errors of a
+/// FrameGraph; what that refuses to compile, this refuses with BadInput.
+///     NamedGraph graph;
+///     const NamedFrame body = graph.add_frame("body", FrameMotion::moving);
+///     graph.add_edge(rigid_edge(turned_x(To(body), From(camera), angle)));
+///     graph.at(t).angular_velocity(Of(camera), RelativeTo("gcrf"), In(body))
+/// Threads may ask while others add, without waiting for them; only who asks for a pair of frames for the
+/// first time may wait while their trees are joined. Frames and edges are never removed.
+class NamedGraph {
+ public:
+  /// Keeps the paths of the first `cached_paths` pairs of frames that are asked for; the others are found
+  /// each time.
+  explicit NamedGraph(std::size_t cached_paths = 1024)
+      : core_(std::make_unique<detail::NamedGraphCore>(cached_paths)) {}
+
+  /// Adds a frame; throws BadInput when the name is empty or taken. With a type F, that type is bound to it.
+  NamedFrame add_frame(std::string name, FrameMotion motion) {
+    return core_->add_frame(std::move(name), motion, nullptr);
+  }
+  template <Frame F> NamedFrame add_frame(std::string name) {
+    return core_->add_frame(std::move(name), motion_of_type<F>, &typeid(F));
+  }
+
+  /// Claims that the type F and a frame of the graph are one. Throws BadInput when either is bound already,
+  /// the frame is unknown, or one is inertial and the other not.
+  template <Frame F> void bind(NamedFrame frame) { bind_to<F>(core_->record(frame)); }
+  template <Frame F> void bind(std::string_view name) { bind_to<F>(core_->record(name)); }
+
+  /// Adds an edge. Throws BadInput when its frames are of another graph, are joined already, by an edge or by
+  /// a path, or its fixed rotation is not finite.
+  void add_edge(NamedEdge edge) { core_->add_edge(std::move(edge)); }
+
+  /// Adds an edge of a FrameGraph, static_edge(R_a_from_b), rigid_edge(R_a_from_b) or edge(f), between the
+  /// frames that its types are bound to.
+  template <class Edge> detail::KeptWhole<Edge> add_edge(Edge edge) {
+    using V = typename Edge::value_type;
+    const NamedFrame a = frame<detail::FirstOf<Edge>>();
+    const NamedFrame b = frame<detail::SecondOf<Edge>>();
+    if constexpr (detail::is_constant<Edge>) {
+      core_->add_edge(
+          {detail::trusted, a, b,
+           std::make_unique<detail::ConstantFunction>(detail::level_of<V>, detail::motion_of(edge.value()))});
+    } else {
+      core_->add_edge(
+          {detail::trusted, a, b, std::make_unique<detail::FunctionOfTime<Edge, V>>(a, b, std::move(edge))});
+    }
+  }
+  template <class Edge>
+    requires(LevelOf<typename Edge::value_type>::placed)
+  auto add_edge(  // this graph keeps no places: add the rotation of a transform alone
+      const Edge&) -> Refused = delete;
+
+  /// The graph at one instant. Throws BadInput when the time is not finite.
+  NamedSnapshot at(const Quantity<si::time>& t) const& { return {*core_, t.value()}; }
+  NamedSnapshot at(  // the snapshot refers to the graph: give the graph a name first
+      const Quantity<si::time>&) const&& = delete;
+
+  /// The frame of that name, or bound to that type. Throws BadInput, with the nearest name, for none.
+  NamedFrame frame(std::string_view name) const { return NamedFrame{core_->record(name)}; }
+  template <Frame F> NamedFrame frame() const { return NamedFrame{core_->record<F>()}; }
+  /// An answer of this graph as an edge of a FrameGraph; V, a Dcm<A, B>, MovingDcm or AcceleratingDcm, says
+  /// its frames and level. Throws BadInput now when the graph cannot answer. Must not outlive the graph.
+  template <EdgeValue V>
+    requires(!LevelOf<V>::placed)
+  auto typed_edge() const& {
+    using A = typename LevelOf<V>::first;
+    using B = typename LevelOf<V>::second;
+    detail::require_answer(*core_, core_->record<B>(), core_->record<A>(), LevelOf<V>::level);
+    return edge(detail::AnswerOfGraph<V>{core_.get()});
+  }
+  template <EdgeValue V>
+  void typed_edge() const&& = delete;  // the edge refers to the graph: give the graph a name first
+
+  /// A typed value with the names that its types are bound to.
+  template <class B, class A> NamedDcm named(const Dcm<B, A>& R_b_from_a) const {
+    return {detail::trusted, frame<B>(), frame<A>(), R_b_from_a.matrix()};
+  }
+  template <class C, class U> NamedVector<U> named(const Vector<C, U>& r_c) const {
+    return {detail::trusted, frame<C>(), r_c.coordinates()};
+  }
+  template <class A, class B, class C>
+  NamedAngularVelocity named(const AngularVelocity<A, B, In<C>>& w_ab_c) const {
+    return {detail::trusted, frame<B>(), frame<A>(), named(w_ab_c.vector())};
+  }
+  template <class A, class B, class C>
+  NamedAngularAcceleration named(const AngularAcceleration<A, B, In<C>>& alpha_ab_c) const {
+    return {detail::trusted, frame<B>(), frame<A>(), named(alpha_ab_c.vector())};
+  }
+
+  /// A named value with the types that its frames are bound to. Throws BadInput when they are others.
+  template <Frame B, Frame A> Dcm<B, A> typed(To<B>, From<A>, const NamedDcm& R_b_from_a) const {
+    require_bound<B>(R_b_from_a.to());
+    require_bound<A>(R_b_from_a.from());
+    return {detail::trusted, R_b_from_a.matrix()};
+  }
+  template <Frame C, class U> Vector<C, U> typed(In<C>, const NamedVector<U>& r_c) const {
+    require_bound<C>(r_c.in());
+    return {detail::trusted, r_c.coordinates()};
+  }
+  template <Frame B, Frame A, Frame C>
+  AngularVelocity<A, B, In<C>> typed(Of<B>, RelativeTo<A>, In<C>, const NamedAngularVelocity& w_ab_c) const {
+    require_bound<B>(w_ab_c.of());
+    require_bound<A>(w_ab_c.relative_to());
+    return AngularVelocity<A, B, In<C>>{detail::trusted, typed(in<C>, w_ab_c.vector())};
+  }
+  template <Frame B, Frame A, Frame C>
+  AngularAcceleration<A, B, In<C>> typed(Of<B>, RelativeTo<A>, In<C>,
+                                         const NamedAngularAcceleration& alpha_ab_c) const {
+    require_bound<B>(alpha_ab_c.of());
+    require_bound<A>(alpha_ab_c.relative_to());
+    return AngularAcceleration<A, B, In<C>>{detail::trusted, typed(in<C>, alpha_ab_c.vector())};
+  }
+
+  /// All frames, in the order in which they were added.
+  std::vector<NamedFrame> frames() const { return core_->frames(); }
+
+  std::size_t cached_paths() const { return core_->cached_paths(); }
+
+ private:
+  template <class F>
+  static constexpr FrameMotion motion_of_type =
+      InertialFrame<F> ? FrameMotion::inertial : FrameMotion::moving;
+
+  template <class F> void require_bound(NamedFrame given) const {
+    const NamedFrame bound = frame<F>();
+    if (bound == given) return;
+    throw BadInput("typed: the type " + frame_name<F>() + " is bound to the frame " +
+                   detail::in_quotes(bound) + ", the value carries " + detail::in_quotes(given) +
+                   (bound.name() == given.name() ? " of another graph" : ""));
+  }
+
+  template <class F> void bind_to(const detail::FrameRecord& record) {
+    core_->bind(typeid(F), frame_name<F>(), motion_of_type<F>, record);
+  }
+
+  std::unique_ptr<detail::NamedGraphCore> core_;
+};
+
+}  // namespace vectrix

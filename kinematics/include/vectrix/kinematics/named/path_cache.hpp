@@ -1,0 +1,97 @@
+#pragma once
+
+#include <memory>
+#include <vectrix/kinematics/named/tree.hpp>
+
+namespace vectrix::detail {
+
+/// A part of a path as a rotation is walked: one edge to evaluate, or the product of fixed ones.
+struct PathLeg {
+  const EdgeFunction* function;  // null for a fixed rotation
+  bool against, in_quaternions;
+  Square<double> fixed;
+};
+
+/// What is to be done between two frames, found once.
+struct NamedPath {
+  std::vector<PathStep> steps;
+  std::vector<PathLeg> legs;
+
+  explicit NamedPath(std::vector<PathStep> found) : steps(std::move(found)) {
+    legs.reserve(steps.size());
+    for (const PathStep& step : steps) {
+      const EdgeFunction& function = step.edge->function();
+      const Square<double>* R = function.constant();
+      if (R == nullptr) {
+        legs.push_back({&function, step.against, function.in_quaternions(), Square<double>::Identity()});
+        continue;
+      }
+      const Square<double> turned = step.against ? Square<double>(R->transpose()) : *R;
+      if (legs.empty() || legs.back().function != nullptr) {
+        legs.push_back({nullptr, false, false, turned});
+      } else {
+        legs.back().fixed *= turned;
+      }
+    }
+  }
+
+  /// The first edge that knows less than `level`; null when all know enough.
+  const NamedEdge* edge_below(Level level) const {
+    for (const PathStep& step : steps)
+      if (step.edge->level() < level) return step.edge;
+    return nullptr;
+  }
+};
+
+/// Paths by their two ends. Bounded: it takes in what it has room for, and then no more. Never stale: a path,
+/// once there, cannot change, and that there is none is not kept. Any number of threads read while one adds.
+class PathCache {
+ public:
+  explicit PathCache(std::size_t capacity) : capacity_(capacity) {
+    while (mask_ + 1 < 2 * capacity_) mask_ = 2 * mask_ + 1;
+    slots_ = std::make_unique<std::atomic<const Entry*>[]>(mask_ + 1);
+  }
+
+  const NamedPath* find(std::uint32_t start, std::uint32_t goal) const {
+    const std::uint64_t key = key_of(start, goal);
+    for (std::size_t slot = slot_of(key);; slot = (slot + 1) & mask_) {
+      const Entry* entry = slots_[slot].load(std::memory_order_acquire);
+      if (entry == nullptr) return nullptr;
+      if (entry->key == key) return &entry->path;
+    }
+  }
+
+  /// The path as kept, by this call or an earlier one; null when there is no room. One thread at a time.
+  const NamedPath* add(std::uint32_t start, std::uint32_t goal, const NamedPath& path) {
+    if (const NamedPath* kept = find(start, goal)) return kept;
+    if (entries_.size() == capacity_) return nullptr;
+    const Entry& entry = entries_.emplace_back(Entry{key_of(start, goal), path});
+    std::size_t slot = slot_of(entry.key);
+    while (slots_[slot].load(std::memory_order_relaxed) != nullptr) slot = (slot + 1) & mask_;
+    slots_[slot].store(&entry, std::memory_order_release);
+    return &entry.path;
+  }
+
+  std::size_t size() const { return entries_.size(); }
+
+ private:
+  struct Entry {
+    std::uint64_t key;
+    NamedPath path;
+  };
+
+  static std::uint64_t key_of(std::uint32_t start, std::uint32_t goal) {
+    return static_cast<std::uint64_t>(start) << 32 | goal;
+  }
+  // Fibonacci hashing: the high half of the product with 2^64 / golden ratio.
+  std::size_t slot_of(std::uint64_t key) const {
+    return static_cast<std::size_t>(key * 0x9E3779B97F4A7C15u >> 32) & mask_;
+  }
+
+  std::size_t capacity_;
+  std::size_t mask_ = 1;
+  std::unique_ptr<std::atomic<const Entry*>[]> slots_;
+  std::deque<Entry> entries_;
+};
+
+}  // namespace vectrix::detail

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <vectrix/kinematics/named/dcm.hpp>
+
+namespace vectrix {
+
+/// r^a: coordinates in a frame known at run time, in the unit U. The frames are checked when it is used, the
+/// unit when it is compiled. Made by `vector(In(a), ...)`; no default.
+template <VectorUnit U> class NamedVector {
+ public:
+  template <class Derived>
+  NamedVector(detail::Trusted, NamedFrame in, const Eigen::MatrixBase<Derived>& coordinates)
+      : in_(in), coordinates_(coordinates) {}
+
+  NamedFrame in() const { return in_; }
+  const detail::Column<double>& coordinates() const& { return coordinates_; }
+  detail::Column<double> coordinates() && { return coordinates_; }
+
+  NamedVector operator-() const { return {detail::trusted, in_, -coordinates_}; }
+
+ private:
+  NamedFrame in_;
+  detail::Column<double> coordinates_;
+};
+
+template <class U> inline constexpr bool detail::is_framed<NamedVector<U>> = true;
+
+/// Claims that the three bare numbers are coordinates in a, in the coherent SI unit U:
+/// vector<si::length>(In(a), m). Throws BadInput when one is not finite.
+template <VectorUnit U, class Derived>
+  requires(Derived::SizeAtCompileTime == 3 && std::same_as<typename Derived::Scalar, double>)
+NamedVector<U> vector(In<NamedFrame> a, const Eigen::MatrixBase<Derived>& coordinates) {
+  const detail::Column<double> r = coordinates;
+  if (!r.allFinite()) {
+    throw BadInput("vector(in<" + detail::in_quotes(a.frame) + ">): the coordinates (" + detail::text(r.x()) +
+                   ", " + detail::text(r.y()) + ", " + detail::text(r.z()) + ") are not finite");
+  }
+  return {detail::trusted, a.frame, r};
+}
+template <class BoostUnit>
+  requires VectorUnit<unit_tag<BoostUnit>> NamedVector<unit_tag<BoostUnit>> vector(
+      In<NamedFrame> a, const AnyQuantity<BoostUnit, double>& x, const AnyQuantity<BoostUnit, double>& y,
+      const AnyQuantity<BoostUnit, double>& z) {
+    return vector<unit_tag<BoostUnit>>(a, detail::Column<double>(x.value(), y.value(), z.value()));
+  }
+
+// r^b = R_a^b r^a
+template <class U> NamedVector<U> product(const NamedDcm& R_b_from_a, const NamedVector<U>& r_a) {
+  detail::require_same(R_b_from_a.from(), r_a.in(), [&] {
+    return "product of " + detail::described(R_b_from_a) + " and a vector in " + detail::in_quotes(r_a.in());
+  });
+  return {detail::trusted, R_b_from_a.to(), R_b_from_a.matrix() * r_a.coordinates()};
+}
+
+template <class U> NamedVector<U> sum(const NamedVector<U>& r, const NamedVector<U>& s) {
+  detail::require_same(r.in(), s.in(), [] { return std::string{"sum of two vectors"}; });
+  return {detail::trusted, r.in(), r.coordinates() + s.coordinates()};
+}
+template <class U> NamedVector<U> difference(const NamedVector<U>& r, const NamedVector<U>& s) {
+  detail::require_same(r.in(), s.in(), [] { return std::string{"difference of two vectors"}; });
+  return {detail::trusted, r.in(), r.coordinates() - s.coordinates()};
+}
+
+template <class U> std::ostream& print_framed(std::ostream& out, const NamedVector<U>& r_a) {
+  return detail::print_column(out, r_a.coordinates(), detail::unit_symbol<U>)
+         << " in " << detail::in_quotes(r_a.in());
+}
+
+}  // namespace vectrix

@@ -1,0 +1,165 @@
+#pragma once
+
+#include <numbers>
+#include <vectrix/kinematics/attitude/exp.hpp>
+#include <vectrix/kinematics/rates/moving_dcm.hpp>
+#include <vectrix/kinematics/samples/attitude_sample.hpp>
+#include <vectrix/kinematics/samples/log_motion.hpp>
+
+namespace vectrix {
+
+/// Neighbouring samples nearer to half a turn than this have two ways between them, and no spline.
+inline constexpr double nearly_half_a_turn = 1e-9;
+
+/// The ends of a spline of which nothing is known: claims that alpha is zero there, as it is for a beam.
+struct NaturalEnds {};
+inline constexpr NaturalEnds natural_ends{};
+
+/// The twice differentiable motion through samples: from t_i to t_(i+1)
+///     q_b^a(t) = q_i exp(theta(t)),   theta a cubic, theta(t_i) = 0, theta(t_(i+1)) = log(q_i^-1 q_(i+1))
+/// The rates at the samples are those that make alpha_ab continuous there. It passes through every sample by
+/// the shortest turn; a constant change of a, of b, or of both turns it along, and the motion of a relative
+/// to b is the spline of the inverse samples. With a step h and given end rates the error is of order h^4 in
+/// q, h^3 in w and h^2 in alpha; with natural_ends of order h^2, h and 1 next to the ends, dying out by a
+/// factor of about four a sample. Throws BadInput for samples and times as SampledAttitude does, but for gaps
+/// when it is made; for neighbours half a turn apart; and for turns so large that the rates cannot be found.
+template <Frame A, Frame B, class S = double> class RotationSpline {
+ public:
+  RotationSpline(const std::vector<AttitudeSample<A, B, S>>& samples,
+                 const Quantity<si::time, S>& longest_gap, NaturalEnds) {
+    set(samples, longest_gap.value(), nullptr, nullptr);
+  }
+  /// With the rates w_ab^b at the first and at the last sample.
+  RotationSpline(const std::vector<AttitudeSample<A, B, S>>& samples,
+                 const Quantity<si::time, S>& longest_gap, const AngularVelocity<A, B, In<B>, S>& first,
+                 const AngularVelocity<A, B, In<B>, S>& last) {
+    set(samples, longest_gap.value(), &first.coordinates(), &last.coordinates());
+  }
+  template <class Given, class... Ends>
+  RotationSpline(  // samples of b relative to a; natural_ends, or w_ab_b at the first and the last
+      const std::vector<Given>&, const Quantity<si::time, S>&, const Ends&...) = delete;
+
+  AcceleratingDcm<A, B, S> operator()(const Quantity<si::time, S>& t) const {
+    const Segment& here = segments_[detail::segment_at<A, B>("RotationSpline", segments_, t.value())];
+    const S h = here.end - here.start;
+    const S s = (t.value() - here.start) / h;
+    const detail::LogMotion<S> motion{s * (here.linear + s * (here.square + s * here.cube)),
+                                      (here.linear + s * (S(2) * here.square + S(3) * s * here.cube)) / h,
+                                      (S(2) * here.square + S(6) * s * here.cube) / (h * h)};
+    const Quaternion<A, B, S> turn = exp_quaternion(RotationVector<A, B, S>{detail::trusted, motion.theta});
+    return {{dcm(Quaternion<A, B, S>{detail::trusted, here.q0 * turn.eigen()}),
+             AngularVelocity<A, B, In<B>, S>{detail::trusted, motion.angular_velocity()}},
+            AngularAcceleration<A, B, In<B>, S>{detail::trusted, motion.angular_acceleration()}};
+  }
+
+ private:
+  using Column = detail::Column<S>;
+  using Square = detail::Square<S>;
+
+  struct Segment {
+    S start, end;
+    Eigen::Quaternion<S> q0;
+    Column linear, square, cube;  // theta(s), s from 0 to 1
+  };
+
+  static void refuse(const std::string& why) {
+    throw BadInput(detail::samples_place<A, B>("RotationSpline") + why);
+  }
+
+  void set(const std::vector<AttitudeSample<A, B, S>>& samples, const S& longest_gap, const Column* first,
+           const Column* last) {
+    using detail::text;
+    detail::require_samples("RotationSpline", samples, 2);
+    detail::require_longest_gap<A, B>("RotationSpline", longest_gap);
+    std::vector<S> steps;
+    std::vector<Column> turns;
+    for (std::size_t i = 1; i < samples.size(); ++i) {
+      const std::string which = "samples " + text(i - 1) + " and " + text(i) + " are ";
+      steps.push_back(samples[i].time.value() - samples[i - 1].time.value());
+      if (steps.back() > longest_gap) {
+        refuse(which + text(steps.back()) + " s apart; the longest allowed is " + text(longest_gap) + " s");
+      }
+      turns.push_back(detail::turn_between(samples[i - 1].q_a_from_b, samples[i].q_a_from_b));
+      const S angle = turns.back().norm();
+      if (!(angle < S(std::numbers::pi - nearly_half_a_turn))) {
+        refuse(which + "half a turn apart, " + text(angle) + " rad: there are two ways between them");
+      }
+    }
+    const std::vector<Column> rates = rates_at_samples(steps, turns, first, last);
+    for (std::size_t i = 0; i < turns.size(); ++i) {
+      const Column at_start = steps[i] * rates[i];
+      const Column at_end = steps[i] * (detail::inverse_log_jacobian(turns[i]) * rates[i + 1]);
+      segments_.push_back({samples[i].time.value(), samples[i + 1].time.value(),
+                           samples[i].q_a_from_b.eigen(), at_start,
+                           S(3) * turns[i] - S(2) * at_start - at_end, at_start + at_end - S(2) * turns[i]});
+    }
+  }
+
+  /// The w_i that make alpha continuous at every sample between the ends: with h before it and k after it,
+  ///     2/h J_(i-1) w_(i-1) + (4/h + 4/k) w_i + 2/k J_i^-1 w_(i+1) = 6/h^2 turn_(i-1) + 6/k^2 turn_i - J'
+  ///     theta'
+  /// The last term is of the order of h^2 w^2 of the others: it is taken from the round before.
+  static std::vector<Column> rates_at_samples(const std::vector<S>& steps, const std::vector<Column>& turns,
+                                              const Column* first, const Column* last) {
+    const std::size_t n = turns.size();  // samples 0 ... n
+    std::vector<Square> before(n + 1, Square::Zero()), pivot(n + 1, Square::Identity()), after = before;
+    std::vector<Column> given(n + 1, Column::Zero()), solved = given, rates = given;
+    for (std::size_t i = 0; i <= n; ++i) {
+      if (i == 0 && first != nullptr) {
+        given[i] = *first;
+      } else if (i == n && last != nullptr) {
+        given[i] = *last;
+      } else {
+        pivot[i].setZero();
+        if (i > 0) {
+          const S h = steps[i - 1];
+          before[i] = S(2) / h * detail::log_jacobian(turns[i - 1]);
+          pivot[i] += S(4) / h * Square::Identity();
+          given[i] += S(6) / (h * h) * turns[i - 1];
+        }
+        if (i < n) {
+          const S k = steps[i];
+          after[i] = S(2) / k * detail::inverse_log_jacobian(turns[i]);
+          pivot[i] += S(4) / k * Square::Identity();
+          given[i] += S(6) / (k * k) * turns[i];
+        }
+      }
+      if (i > 0) pivot[i] -= before[i] * pivot[i - 1] * after[i - 1];
+      pivot[i] = pivot[i].inverse().eval();
+    }
+    const S enough = S(64) * S(Eigen::NumTraits<S>::epsilon());
+    S change = S(0);
+    for (int round = 0; round < 200; ++round) {
+      for (std::size_t i = 0; i <= n; ++i) {
+        Column right = given[i];
+        if (i > 0 && !(i == n && last != nullptr)) {
+          const Column& turn = turns[i - 1];
+          const Column rate = detail::inverse_log_jacobian(turn) * rates[i];
+          right -= detail::LogMotion<S>{turn, rate, Column::Zero()}.angular_acceleration();
+        }
+        if (i > 0) right -= before[i] * solved[i - 1];
+        solved[i] = pivot[i] * right;
+      }
+      change = S(0);
+      S largest = S(0);
+      for (std::size_t i = n + 1; i-- > 0;) {
+        if (i < n) solved[i] -= pivot[i] * after[i] * solved[i + 1];
+        change = std::max(change, S((solved[i] - rates[i]).norm()));
+        largest = std::max(largest, S(solved[i].norm()));
+      }
+      rates = solved;
+      if (change <= enough * largest) return rates;
+    }
+    refuse("the rates at the samples do not settle, they still change by " + detail::text(change) +
+           " rad/s: the samples are too far apart");
+    return rates;
+  }
+
+  std::vector<Segment> segments_;
+};
+
+template <class A, class B, class S, class... Ends>
+RotationSpline(const std::vector<AttitudeSample<A, B, S>>&, const Quantity<si::time, S>&, const Ends&...)
+    -> RotationSpline<A, B, S>;
+
+}  // namespace vectrix

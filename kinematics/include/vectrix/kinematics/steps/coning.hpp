@@ -1,0 +1,97 @@
+#pragma once
+
+#include <vectrix/kinematics/steps/increment.hpp>
+
+namespace vectrix {
+
+/// int w_ab^b dt over an interval, component by component in the turning b, rad: what an integrating gyro
+/// counts. Not a rotation vector unless w keeps its direction: coning_corrected() makes an increment of it.
+///     alpha over [t1, t2] + alpha over [t2, t3] = alpha over [t1, t3]
+template <Frame A, Frame B, class S = double>
+class AngleIncrement : public detail::RelativeVector<B, si::angle, S> {
+ public:
+  AngleIncrement() = delete;  // angle_increment(of<B>, relative_to<A>, alpha_b)
+  using detail::RelativeVector<B, si::angle, S>::RelativeVector;
+};
+
+template <class A, class B, class S> inline constexpr bool detail::is_framed<AngleIncrement<A, B, S>> = true;
+
+/// Claims that the vector is the integral of the rate of b relative to a, in b's own axes.
+template <Frame B, Frame A, class S>
+detail::OfTwo<B, A, AngleIncrement<A, B, S>> angle_increment(Of<B>, RelativeTo<A>,
+                                                             const Vector<B, si::angle, S>& alpha_b) {
+  return AngleIncrement<A, B, S>{detail::trusted, alpha_b};
+}
+template <class OfFrame, class RelativeToFrame, class Given>
+auto angle_increment(  // of<B>, relative_to<A>: two frames; an angle expressed in b
+    const OfFrame&, const RelativeToFrame&, const Given&) -> Refused = delete;
+
+// of adjoining intervals
+template <class A, class B, class S>
+AngleIncrement<A, B, S> sum(const AngleIncrement<A, B, S>& first, const AngleIncrement<A, B, S>& second) {
+  return AngleIncrement<A, B, S>{detail::trusted, first.coordinates() + second.coordinates()};
+}
+
+// The increment of a step from the angle increments of its parts, of equal duration.
+template <class A, class B, class S>
+Increment<A, B, S> corrected_increment(const AngleIncrement<A, B, S>& first,
+                                       const AngleIncrement<A, B, S>& second) {
+  const auto& a1 = first.coordinates();
+  const auto& a2 = second.coordinates();
+  return {detail::trusted, a1 + a2 + S(2) / S(3) * a1.cross(a2)};
+}
+template <class A, class B, class S>
+Increment<A, B, S> corrected_increment(const AngleIncrement<A, B, S>& first,
+                                       const AngleIncrement<A, B, S>& second,
+                                       const AngleIncrement<A, B, S>& third) {
+  const auto& a1 = first.coordinates();
+  const auto& a2 = second.coordinates();
+  const auto& a3 = third.coordinates();
+  return {detail::trusted,
+          a1 + a2 + a3 + S(9) / S(20) * a1.cross(a3) + S(27) / S(40) * a2.cross(detail::Column<S>(a3 - a1))};
+}
+
+namespace detail {
+
+template <class... Parts> using CorrectedOf = decltype(corrected_increment(std::declval<const Parts&>()...));
+template <class... Parts>
+concept Corrects = requires {
+  typename CorrectedOf<Parts...>;
+};
+
+}  // namespace detail
+
+/// The increment of a step whose two halves, or three thirds, were counted:
+///     theta = alpha1 + alpha2 + 2/3 alpha1 x alpha2
+///     theta = alpha1 + alpha2 + alpha3 + 9/20 alpha1 x alpha3 + 27/40 alpha2 x (alpha3 - alpha1)
+/// The second has the coefficients that leave the smallest drift in coning (Miller 1983); the first is exact
+/// to order 4 for a rate of polynomial form, and the best of two samples in coning too (Ignagni 1990).
+template <class... Parts> detail::CorrectedOf<Parts...> coning_corrected(const Parts&... alpha) {
+  return corrected_increment(alpha...);
+}
+template <class... Parts>
+  requires(!detail::Corrects<Parts...>)
+auto coning_corrected(  // two or three angle increments of one b relative to one a
+    const Parts&...) -> Refused = delete;
+
+/// The increment over the interval of one count, with the count of the interval before it (Savage 1998):
+///     theta = alpha + 1/12 alpha_before x alpha
+/// In coning as good as the two-sample rule, at every count; of a general motion the error of an interval is
+/// h^4/12 w x w'', and the order 3, where the two-sample rule's is 4.
+template <class A, class B, class S>
+Increment<A, B, S> coning_corrected_after(const AngleIncrement<A, B, S>& alpha_before,
+                                          const AngleIncrement<A, B, S>& alpha) {
+  return {detail::trusted,
+          alpha.coordinates() + alpha_before.coordinates().cross(alpha.coordinates()) / S(12)};
+}
+template <class BeforeCount, class Count>
+auto coning_corrected_after(  // two angle increments of one b relative to one a
+    const BeforeCount&, const Count&) -> Refused = delete;
+
+template <class A, class B, class S>
+std::ostream& print_framed(std::ostream& out, const AngleIncrement<A, B, S>& alpha) {
+  return detail::print_column(out, alpha.coordinates(), "rad")
+         << detail::print_of_relative_to<B, A> << " in " << frame_name<B>();
+}
+
+}  // namespace vectrix

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <vectrix/kinematics/attitude/exp.hpp>
+#include <vectrix/kinematics/rates/angular_velocity.hpp>
+
+namespace vectrix {
+
+/// The frame b as it stood relative to a before a step of its motion, fixed in a since. It has a type of its
+/// own, so that what is composed across a step cancels as any chain of frames does.
+template <Frame A, Frame B> struct Before : moving_frame {};
+
+/// How b turned relative to a in a step, a rotation vector: turning b as it was gives b as it is.
+///     R_b^a(t + dt) = R_b^a(t) exp([theta]x)
+template <Frame A, Frame B, class S = double> using Increment = RotationVector<Before<A, B>, B, S>;
+
+/// Claims that the rotation is the one before a step.
+template <class A, class B, class S> Dcm<A, Before<A, B>, S> before(const Dcm<A, B, S>& R_a_from_b) {
+  return {detail::trusted, R_a_from_b.matrix()};
+}
+template <class A, class B, class S>
+Quaternion<A, Before<A, B>, S> before(const Quaternion<A, B, S>& q_a_from_b) {
+  return {detail::trusted, q_a_from_b.eigen()};
+}
+
+template <class A, class B, class S>
+Dcm<A, B, S> advanced(const Dcm<A, B, S>& R_a_from_b, const Increment<A, B, S>& theta) {
+  return detail::composed(before(R_a_from_b), exp(theta));
+}
+template <class A, class B, class S>
+Quaternion<A, B, S> advanced(const Quaternion<A, B, S>& q_a_from_b, const Increment<A, B, S>& theta) {
+  return before(q_a_from_b) * exp_quaternion(theta);
+}
+
+namespace detail {
+
+template <class Rotation, class Turn>
+using AdvancedOf = decltype(advanced(std::declval<const Rotation&>(), std::declval<const Turn&>()));
+
+/// That the duration of a step of b relative to a is finite.
+template <class A, class B, class S> void require_duration(const S& dt, const char* action) {
+  if (!all(dt - dt == S(0))) {
+    throw BadInput(std::string{action} + "(of " + frame_name<B>() + " relative to " + frame_name<A>() +
+                   "): dt is " + text(dt) + " s");
+  }
+}
+
+/// A rate of b relative to a, expressed in b: what a step in b's own axes takes.
+template <class Rate> struct BodyRate {};
+template <class A, class B, class S> struct BodyRate<AngularVelocity<A, B, In<B>, S>> {
+  using increment = Increment<A, B, S>;
+  using dcm = Dcm<A, B, S>;
+  using quaternion = Quaternion<A, B, S>;
+  using scalar = S;
+};
+
+}  // namespace detail
+
+/// The attitude after the step: advance(R_a_from_b, theta), or of a quaternion. The result is a rotation
+/// whatever the increment; its errors are those of exp().
+template <class Rotation, class Turn>
+detail::AdvancedOf<Rotation, Turn> advance(const Rotation& rotation, const Turn& theta) {
+  return advanced(rotation, theta);
+}
+template <class Rotation, class Turn>
+  requires(detail::is_framed<Rotation> && !detail::Lawful<detail::AdvancedOf, Rotation, Turn>)
+auto advance(  // advance(R_a_from_b, theta): the increment of the same b relative to the same a
+    const Rotation&, const Turn&) -> Refused = delete;
+
+}  // namespace vectrix

@@ -1,0 +1,168 @@
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <vectrix/frames/dcm_doors.hpp>
+#include <vectrix/kinematics/attitude/quaternion.hpp>
+
+#include "testing/attitudes.hpp"
+
+using namespace vectrix;
+using namespace vectrix_test;
+
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+template <class B, class A> Quaternion<B, A> any_quaternion() {
+  const auto q = *attitude();
+  return quaternion_scalar_first(to<B>, from<A>, q.w(), q.x(), q.y(), q.z());
+}
+
+// 1. r^b = q r^a q*, the same as R_a^b r^a.
+RC_GTEST_PROP(Quaternion, Law1MapsCoordinatesAsItsDcm, ()) {
+  const auto q_b_from_a = any_quaternion<Body, Gcrf>();
+  const auto r_a = vector<si::length>(in<Gcrf>, *triple());
+  const Vector<Body, si::length> r_b = q_b_from_a * r_a;
+  const Dcm<Body, Gcrf> R_b_from_a = dcm(q_b_from_a);
+  RC_ASSERT(distance(r_b.coordinates(), (R_b_from_a * r_a).coordinates()) <= rounding);
+  const Eigen::Quaterniond pure(0, r_a.x().value(), r_a.y().value(), r_a.z().value());
+  const Eigen::Quaterniond product = q_b_from_a.eigen() * pure * q_b_from_a.eigen().conjugate();
+  RC_ASSERT(distance(r_b.coordinates(), product.vec()) <= rounding);
+}
+
+// 2. q_a^c = q_b^c q_a^b.
+RC_GTEST_PROP(Quaternion, Law2InnerFramesCancel, ()) {
+  const auto q_c_from_b = any_quaternion<Camera, Body>();
+  const auto q_b_from_a = any_quaternion<Body, Gcrf>();
+  const Quaternion<Camera, Gcrf> q_c_from_a = q_c_from_b * q_b_from_a;
+  const auto r_a = vector<si::length>(in<Gcrf>, *triple());
+  RC_ASSERT(distance(dcm(q_c_from_a).matrix(), (dcm(q_c_from_b) * dcm(q_b_from_a)).matrix()) <= rounding);
+  RC_ASSERT(distance((q_c_from_a * r_a).coordinates(), (q_c_from_b * (q_b_from_a * r_a)).coordinates()) <=
+            rounding);
+  RC_ASSERT(distance(dcm(inverse(q_b_from_a)).matrix(), inverse(dcm(q_b_from_a)).matrix()) <= rounding);
+}
+
+TEST(Quaternion, Law2IsNotTheReversedProduct) {
+  const auto q_c_from_b = quaternion_scalar_first(to<Camera>, from<Body>, 0.5, 0.5, -0.5, 0.5);
+  const auto q_b_from_a = quaternion_scalar_first(to<Body>, from<Gcrf>, 0.6, 0.0, 0.8, 0.0);
+  const Eigen::Matrix3d reversed = dcm(q_b_from_a).matrix() * dcm(q_c_from_b).matrix();
+  EXPECT_GT(distance(dcm(q_c_from_b * q_b_from_a).matrix(), reversed), visible);
+}
+
+// 3. q and -q are the same rotation.
+RC_GTEST_PROP(Quaternion, Law3TheSignDoesNotMatter, ()) {
+  const auto q = *attitude();
+  const auto plus = quaternion_scalar_first(to<Body>, from<Gcrf>, q.w(), q.x(), q.y(), q.z());
+  const auto minus = quaternion_scalar_first(to<Body>, from<Gcrf>, -q.w(), -q.x(), -q.y(), -q.z());
+  RC_ASSERT(dcm(plus).matrix() == dcm(minus).matrix());
+}
+
+bool canonical(const std::array<double, 4>& q) {
+  for (const double c : q) {
+    if (c != 0.0) return c > 0.0;
+  }
+  return false;
+}
+
+RC_GTEST_PROP(Quaternion, ThatOfADcmIsAccurateForEveryRotation, ()) {
+  const auto R = trust_dcm(to<Body>, from<Gcrf>, *rotation_matrix());
+  const auto q = quaternion(R);
+  RC_ASSERT(distance(dcm(q).matrix(), R.matrix()) <= rounding);
+  RC_ASSERT(std::abs(q.eigen().norm() - 1.0) <= rounding);
+  RC_ASSERT(canonical(q.scalar_first()));
+}
+
+TEST(Quaternion, TheWayByTheDcmKeepsEveryNumber) {
+  for (const auto& given : hard_attitudes()) {
+    const auto q = quaternion_scalar_first(to<Body>, from<Gcrf>, given.w(), given.x(), given.y(), given.z());
+    const Eigen::Vector4d back = quaternion(dcm(q)).eigen().coeffs();
+    EXPECT_LE(std::min(distance(back, given.coeffs()), distance(back, -given.coeffs())), rounding)
+        << given.coeffs().transpose();
+  }
+}
+
+TEST(Quaternion, AQuarterTurnAboutZHasItsPublishedNumbers) {
+  // b is a turned by 90 degrees about z: q_a_from_b = (cos 45, 0, 0, sin 45), scalar first.
+  const auto R_b_from_a = turned_z(to<Body>, from<Gcrf>, std::numbers::pi / 2 * si::radian);
+  const auto q = quaternion(inverse(R_b_from_a)).scalar_first();
+  EXPECT_NEAR(q[0], std::numbers::sqrt2 / 2, rounding);
+  EXPECT_NEAR(q[3], std::numbers::sqrt2 / 2, rounding);
+  EXPECT_NEAR(q[1], 0.0, rounding);
+  EXPECT_NEAR(q[2], 0.0, rounding);
+}
+
+TEST(Quaternion, TheDoorsSayWhereTheScalarIs) {
+  const auto first = quaternion_scalar_first(to<Body>, from<Gcrf>, 0.1, 0.5, -0.7, 0.5);
+  const auto last = quaternion_scalar_last(to<Body>, from<Gcrf>, 0.5, -0.7, 0.5, 0.1);
+  EXPECT_EQ(first.scalar_first(), (std::array{0.1, 0.5, -0.7, 0.5}));
+  EXPECT_EQ(first.scalar_last(), (std::array{0.5, -0.7, 0.5, 0.1}));
+  EXPECT_EQ(last.scalar_first(), first.scalar_first());
+  EXPECT_EQ(first.eigen().w(), 0.1);
+}
+
+TEST(Quaternion, BadNumbersAreBadInput) {
+  const auto none =
+      message<BadInput>([] { quaternion_scalar_first(to<Body>, from<Gcrf>, 0.0, 0.0, 0.0, 0.0); });
+  EXPECT_TRUE(contains(none, "quaternion_scalar_first(to<")) << none;
+  EXPECT_TRUE(contains(none, "the norm is 0; a zero quaternion turns nothing")) << none;
+  const auto not_a_number =
+      message<BadInput>([] { quaternion_scalar_last(to<Body>, from<Gcrf>, 0.0, nan, 0.0, 1.0); });
+  EXPECT_TRUE(contains(not_a_number, "quaternion_scalar_last(to<")) << not_a_number;
+  EXPECT_TRUE(contains(not_a_number, "Body>, from<") && contains(not_a_number, "Gcrf>): ")) << not_a_number;
+  EXPECT_TRUE(contains(not_a_number, "the numbers, scalar first, (1, 0, nan, 0) are not finite"))
+      << not_a_number;
+  const auto rounded =
+      message<BadInput>([] { quaternion_scalar_first(to<Body>, from<Gcrf>, 1.5, 0.0, 0.0, 0.0); });
+  EXPECT_TRUE(contains(rounded, "the norm differs from 1 by 0.5, tolerance 1e-09")) << rounded;
+  EXPECT_TRUE(contains(rounded, "nearest_quaternion_scalar_first() projects")) << rounded;
+  EXPECT_NE(
+      message<BadInput>([] { nearest_quaternion_scalar_last(to<Body>, from<Gcrf>, 0.0, 0.0, 0.0, 0.0); }),
+      "");
+  EXPECT_NE(
+      message<BadInput>([] { nearest_quaternion_scalar_first(to<Body>, from<Gcrf>, nan, 0.0, 0.0, 0.0); }),
+      "");
+}
+
+TEST(Quaternion, TheToleranceIsThatOfTenPrintedDigits) {
+  const auto door = [](double w) {
+    return message<BadInput>([=] { quaternion_scalar_first(to<Body>, from<Gcrf>, w, 0.0, 0.0, 0.0); });
+  };
+  EXPECT_EQ(door(1 + 0.9 * unit_norm_tolerance), "");
+  EXPECT_NE(door(1 + 1.1 * unit_norm_tolerance), "");
+  EXPECT_NE(door(1 - 1.1 * unit_norm_tolerance), "");
+}
+
+TEST(Quaternion, TheProjectingDoorsSayHowFar) {
+  const auto first = nearest_quaternion_scalar_first(to<Body>, from<Gcrf>, 3.0, 0.0, 4.0, 0.0);
+  EXPECT_EQ(first.distance, 4.0);
+  EXPECT_EQ(first.quaternion.scalar_first(), (std::array{0.6, 0.0, 0.8, 0.0}));
+  const auto last = nearest_quaternion_scalar_last(to<Body>, from<Gcrf>, 0.0, 4.0, 0.0, 3.0);
+  EXPECT_EQ(last.quaternion.scalar_first(), first.quaternion.scalar_first());
+}
+
+template <class Left, class Right>
+concept Multiplies = requires(const Left& left, const Right& right) {
+  left* right;
+};
+static_assert(Multiplies<Quaternion<Camera, Body>, Quaternion<Body, Gcrf>>);
+static_assert(!Multiplies<Quaternion<Camera, Body>, Quaternion<Gcrf, Body>>);
+static_assert(!Multiplies<Quaternion<Camera, Body>, Dcm<Body, Gcrf>>);
+static_assert(Multiplies<Quaternion<Body, Gcrf>, Vector<Gcrf, si::force>>);
+static_assert(!Multiplies<Quaternion<Gcrf, Body>, Vector<Gcrf, si::force>>);
+static_assert(!std::is_constructible_v<Quaternion<Body, Gcrf>, double, double, double, double>);
+static_assert(!std::is_convertible_v<Eigen::Quaterniond, Quaternion<Body, Gcrf>>);
+static_assert(!std::is_convertible_v<Quaternion<Body, Gcrf>, Dcm<Body, Gcrf>>);
+static_assert(!std::is_default_constructible_v<Quaternion<Body, Gcrf>>);
+
+TEST(Quaternion, TheProjectionOfTinyAndHugeNumbersIsAUnitQuaternion) {
+  for (const double size : {5e-324, 1e-200, 1e200, 8e307}) {
+    const auto q = nearest_quaternion_scalar_first(to<Body>, from<Gcrf>, size, size, size, size).quaternion;
+    for (const double component : q.scalar_first()) EXPECT_EQ(component, 0.5) << size;
+  }
+  EXPECT_TRUE(contains(message<BadInput>([] {
+                         nearest_quaternion_scalar_first(to<Body>, from<Gcrf>, 1e308, 1e308, 1e308, 1e308);
+                       }),
+                       "the norm is inf; the numbers are too large"));
+}
+
+}  // namespace

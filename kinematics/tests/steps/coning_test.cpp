@@ -1,0 +1,161 @@
+#include <gtest/gtest.h>
+
+#include "testing/attitudes.hpp"
+#include "testing/coning_motion.hpp"
+
+using namespace vectrix;
+using namespace vectrix_test;
+
+namespace {
+
+using Coning = ConingMotion<Gcrf, Body>;
+const Coning motion{1e-3, 50.0};  // 1 mrad, about 8 turns a second
+
+TEST(Coning, TheMotionIsThatOfItsRate) {
+  const Coning wide{0.7, 3.0};
+  const double t = 0.4, h = 1e-5;
+  const auto R = [&](double at) { return dcm(wide.attitude(at)).matrix(); };
+  EXPECT_LE(distance(R(t) * hat(wide.rate(t).coordinates()), (R(t + h) - R(t - h)) / (2 * h)), 1e-9);
+  // The integral by Simpson's rule.
+  const Eigen::Vector3d simpson =
+      0.1 / 6 *
+      (wide.rate(0.4).coordinates() + 4 * wide.rate(0.45).coordinates() + wide.rate(0.5).coordinates());
+  EXPECT_LE(distance(wide.count(0.4, 0.1).coordinates(), simpson), 1e-5);
+}
+
+/// The part of an algorithm's increment along the cone's axis that is not true, over sin^2(cone). In closed
+/// form, with k = speed h of one count, what p counts lack is (pk - sin pk) / 2, and counts i and j give
+/// 4 sin^2(k/2) sin((j - i) k) a product alpha_i x alpha_j.
+template <class Algorithm> double drift(double h, int counts, Algorithm algorithm) {
+  const double t = 0.123;
+  const double s = std::sin(motion.cone);
+  return (algorithm(t) - motion.increment(t, counts * h)).x() / (s * s);
+}
+double lacking(double k, int counts) {
+  return (counts * k - std::sin(counts * k)) / 2;
+}
+double product(double k, int apart) {
+  return 4 * std::sin(k / 2) * std::sin(k / 2) * std::sin(apart * k);
+}
+
+// The closed forms leave out the square of the cone, 1e-6 of what is lacking, and rounding: 1e-16 / s^2.
+double room(double k, int counts) {
+  return 2e-6 * lacking(k, counts) + 2e-9;
+}
+
+TEST(Coning, DriftsAsTheClosedFormSays) {
+  for (const double k : {0.05, 0.1, 0.2, 0.4, 0.8}) {
+    const double h = k / motion.speed;
+    const auto count = [&](double t, int i) { return motion.count(t + i * h, h); };
+    const double uncorrected = drift(h, 1, [&](double t) { return count(t, 0).coordinates(); });
+    EXPECT_NEAR(uncorrected, -lacking(k, 1), room(k, 1)) << k;
+    const double one = drift(
+        h, 1, [&](double t) { return coning_corrected_after(count(t, -1), count(t, 0)).coordinates(); });
+    EXPECT_NEAR(one, product(k, 1) / 12 - lacking(k, 1), room(k, 1)) << k;
+    const double two =
+        drift(h, 2, [&](double t) { return coning_corrected(count(t, 0), count(t, 1)).coordinates(); });
+    EXPECT_NEAR(two, product(k, 1) * 2 / 3 - lacking(k, 2), room(k, 2)) << k;
+    const double three = drift(h, 3, [&](double t) {
+      return coning_corrected(count(t, 0), count(t, 1), count(t, 2)).coordinates();
+    });
+    EXPECT_NEAR(three, product(k, 2) * 9 / 20 + 2 * product(k, 1) * 27 / 40 - lacking(k, 3), room(k, 3)) << k;
+    if (k < 0.4) continue;
+    // For each count: about k^3/12, k^5/60 twice, and less by k^2 again.
+    EXPECT_LT(std::abs(one), 0.3 * k * k * std::abs(uncorrected)) << k;
+    EXPECT_NEAR(two / 2, one, 0.1 * std::abs(one)) << k;
+    EXPECT_LT(std::abs(three / 3), 0.25 * k * k * std::abs(two / 2)) << k;
+  }
+}
+
+// Against the closed form over a second, turning wide: the attitude itself. What is left of the last is of
+// third order in the counts, which no product of two takes away.
+TEST(Coning, CorrectedCountsKeepTheAttitude) {
+  const Coning wide{0.1, 20.0};
+  const double h = 1.0 / 240;
+  const auto run = [&](int counts, auto increment) {
+    Quaternion<Gcrf, Body> q = wide.attitude(0.0);
+    for (int i = 0; i < 240; i += counts) q = advance(q, increment(i * h));
+    return log(inverse(before(q)) * wide.attitude(1.0)).angle().value();
+  };
+  const double plain = run(1, [&](double t) {
+    return rotation_vector(of<Body>, relative_to<Before<Gcrf, Body>>, wide.count(t, h).vector());
+  });
+  const double after =
+      run(1, [&](double t) { return coning_corrected_after(wide.count(t - h, h), wide.count(t, h)); });
+  const double two =
+      run(2, [&](double t) { return coning_corrected(wide.count(t, h), wide.count(t + h, h)); });
+  const double three = run(3, [&](double t) {
+    return coning_corrected(wide.count(t, h), wide.count(t + h, h), wide.count(t + 2 * h, h));
+  });
+  EXPECT_GT(plain, 1e-4);
+  EXPECT_LT(after, 1e-2 * plain);
+  EXPECT_LT(two, 1e-2 * plain);
+  EXPECT_LT(three, 0.3 * two);
+}
+
+TEST(Coning, AdjoiningCountsAdd) {
+  const auto whole = motion.count(0.2, 0.03);
+  const auto parts = motion.count(0.2, 0.01) + motion.count(0.21, 0.02);
+  EXPECT_LE(distance(whole.coordinates(), parts.coordinates()), rounding);
+}
+
+GyroErrors<Body> errors() {
+  Eigen::Matrix<double, 3, 2> lean;
+  lean << 1e-3, -2e-3, 3e-3, 4e-3, -5e-3, 6e-3;
+  return gyro_errors(vector<si::angular_velocity>(in<Body>, Eigen::Vector3d(1e-3, -2e-3, 3e-3)),
+                     vector<si::dimensionless>(in<Body>, Eigen::Vector3d(1e-2, 2e-2, -3e-2)), lean);
+}
+
+TEST(Gyro, MeasuresByItsModel) {
+  const auto w = angular_velocity(of<Body>, relative_to<Gcrf>,
+                                  vector<si::angular_velocity>(in<Body>, Eigen::Vector3d(0.1, 0.2, 0.3)));
+  const Eigen::Vector3d expected(1.01 * 0.1 + 1e-3 * 0.2 - 2e-3 * 0.3 + 1e-3,
+                                 3e-3 * 0.1 + 1.02 * 0.2 + 4e-3 * 0.3 - 2e-3,
+                                 -5e-3 * 0.1 + 6e-3 * 0.2 + 0.97 * 0.3 + 3e-3);
+  EXPECT_LE(distance(errors().applied(w).coordinates(), expected), rounding);
+  EXPECT_LE(distance(errors().corrected(errors().applied(w)).coordinates(), w.coordinates()), rounding);
+  const auto alpha = motion.count(0.1, 0.5);
+  const auto dt = 0.5 * si::second;
+  EXPECT_LE(distance(errors().corrected(errors().applied(alpha, dt), dt).coordinates(), alpha.coordinates()),
+            rounding);
+}
+
+TEST(Gyro, CarriesTheAttitudeAlong) {
+  const Coning wide{0.1, 20.0};
+  const double h = 1.0 / 500;
+  const auto dt = h * si::second;
+  GyroAttitude<Gcrf, Body> known(wide.attitude(0.0), errors());
+  Quaternion<Gcrf, Body> unknown = wide.attitude(0.0);
+  for (int i = 0; i < 2000; ++i) {
+    const auto count = errors().applied(wide.count(i * h, h), dt);
+    known.add(count, dt);
+    unknown = advance(unknown, rotation_vector(of<Body>, relative_to<Before<Gcrf, Body>>,
+                                               vector<si::angle>(in<Body>, count.coordinates())));
+  }
+  const auto off = [&](const Quaternion<Gcrf, Body>& q) {
+    return log(inverse(before(q)) * wide.attitude(4.0)).angle().value();
+  };
+  EXPECT_LT(off(known.attitude()), 1e-7);
+  EXPECT_GT(off(unknown), 1e-2);
+}
+
+TEST(Gyro, RefusesBadInput) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const auto none = zero<si::angular_velocity>(in<Body>);
+  const auto make = [&](double scale, double lean) {
+    return message<BadInput>([&] {
+      gyro_errors(none, vector<si::dimensionless>(in<Body>, Eigen::Vector3d(0, scale, 0)),
+                  Eigen::Matrix<double, 3, 2>(Eigen::Matrix<double, 3, 2>::Constant(lean)));
+    });
+  };
+  EXPECT_EQ(make(0.0, 0.0), "");
+  EXPECT_TRUE(contains(make(-1.0, 0.0), "the determinant of the sensitivity is 0")) << make(-1.0, 0.0);
+  EXPECT_TRUE(contains(make(0.0, nan), "of the sensitivity entry (1, 2) is nan")) << make(0.0, nan);
+  GyroAttitude<Gcrf, Body> attitude(motion.attitude(0.0), errors());
+  const auto count = measured(motion.count(0.0, 0.1));
+  EXPECT_EQ(
+      message<BadInput>([&] { attitude.add(count, nan * si::second); }),
+      "GyroAttitude::add(of " + frame_name<Body>() + " relative to " + frame_name<Gcrf>() + "): dt is nan s");
+}
+
+}  // namespace

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include <vectrix/frames/export.hpp>
+#include <vectrix/kinematics/rates/moving_dcm.hpp>
+#include <vectrix/space/time/epoch.hpp>
+
+namespace vectrix {
+
+/// The frames of the Earth. Their own namespace leaves the short names to users.
+namespace earth {
+
+/// Geocentric Celestial Reference Frame: the axes do not turn relative to distant objects.
+struct Gcrf : inertial_frame {};
+/// International Terrestrial Reference Frame: fixed to the Earth; z to the pole, x to the prime meridian.
+struct Itrf : moving_frame {};
+/// True equator and equinox of date: z along the celestial intermediate pole, x to the equinox.
+struct TrueOfDate : moving_frame {};
+
+}  // namespace earth
+
+/// What must be observed of the Earth's orientation at an instant (IERS Conventions 2010, chapter 5).
+struct EarthOrientationParameters {
+  Quantity<si::angle> pole_x, pole_y;    ///< polar motion
+  Quantity<si::time> ut1_minus_tai;      ///< UT1-UTC less the leap seconds, so that it does not jump
+  Quantity<si::dimensionless> ut1_gain;  ///< d(UT1-TAI)/dTAI
+  Quantity<si::angle> dX, dY;            ///< offsets of the celestial pole from IAU 2006/2000A
+};
+
+/// The rotation of the Earth by IAU 2006/2000A, with the pole's observed offsets and polar motion:
+///     R_itrf^gcrf = Q(X + dX, Y + dY, s) R3(-ERA(UT1)) W(x, y, s')
+///     w_gi^i = dERA/dUT1 (1 + d(UT1-TAI)/dTAI), along the celestial intermediate pole
+/// The rate leaves out the motion of the pole: precession-nutation (below 1e-11 rad/s), polar motion (1e-13
+/// rad/s). A call takes about 0.1 ms, for the series of X and Y.
+VECTRIX_EXPORT MovingDcm<earth::Gcrf, earth::Itrf> earth_rotation(
+    const Epoch& epoch, const EarthOrientationParameters& parameters);
+
+/// The classical way by the equinox: bias, precession and nutation of the same models without observed
+/// offsets (a few 1e-9 rad), then apparent sidereal time and polar motion. With dX = dY = 0 both ways agree
+/// to 1e-11.
+VECTRIX_EXPORT Dcm<earth::TrueOfDate, earth::Gcrf> true_of_date_from_gcrf(const Epoch& epoch);
+VECTRIX_EXPORT Dcm<earth::Itrf, earth::TrueOfDate> itrf_from_true_of_date(
+    const Epoch& epoch, const EarthOrientationParameters& parameters);
+
+/// The observed orientation of the Earth, a row a day, from the IERS series finals2000A:
+///     graph edge    edge([&](const Epoch& t) { return orientation.at(t); })
+/// Parameters are interpolated linearly between days; tides of a day and half a day (below 1 milliarcsecond)
+/// are not in the series. Asked outside the rows: BadInput with the epoch and the span.
+class VECTRIX_EXPORT EarthOrientation {
+ public:
+  /// Reads fixed columns: MJD 8-15, x 19-27 and y 38-46 (arcsec), UT1-UTC 59-68 (s), dX 98-106 and dY 117-125
+  /// (milliarcsec). Lines that begin with '#' are comments. The series ends with predictions that lack
+  /// values: the rows used end with the last complete one. Throws BadInput with file, line, columns and
+  /// reason when a field is no number, a complete row follows an incomplete one, rows are not a day apart,
+  /// UT1-TAI jumps as at a leap second unknown to ERFA, the file stops within a line, or fewer than two rows
+  /// are complete.
+  static EarthOrientation read(const std::filesystem::path& finals2000A);
+
+  [[nodiscard]] const Epoch& first() const { return epochs_.front(); }
+  [[nodiscard]] const Epoch& last() const { return epochs_.back(); }
+
+  [[nodiscard]] EarthOrientationParameters parameters(const Epoch& epoch) const;
+  /// R_itrf^gcrf and w_gi^i.
+  [[nodiscard]] MovingDcm<earth::Gcrf, earth::Itrf> at(const Epoch& epoch) const;
+
+ private:
+  EarthOrientation(std::vector<Epoch> epochs, std::vector<EarthOrientationParameters> rows);
+
+  std::vector<Epoch> epochs_;
+  std::vector<EarthOrientationParameters> rows_;  // their ut1_gain is left at 0
+};
+
+}  // namespace vectrix

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <optional>
+
+#include <vectrix/frames/export.hpp>
+#include <vectrix/space/earth/earth_orientation.hpp>
+
+namespace vectrix {
+
+/// Geodetic coordinates: latitude in [-pi/2, pi/2], positive north; longitude in (-pi, pi], positive east;
+/// height above the ellipsoid.
+struct Geodetic {
+  Quantity<si::angle> latitude, longitude;
+  Quantity<si::length> height;
+};
+
+/// The reference ellipsoid WGS-84: semi-major axis a = 6378137 m, flattening 1/298.257223563.
+namespace wgs84 {
+
+/// Throws BadInput for the centre of the Earth, which has no latitude, and for a position too far out for
+/// ERFA, beyond 1e25 m.
+VECTRIX_EXPORT Geodetic geodetic(const Vector<earth::Itrf, si::length>& r_itrf);
+
+/// The inverse. Throws BadInput when a number is not finite or the latitude is beyond a pole.
+VECTRIX_EXPORT Vector<earth::Itrf, si::length> position(const Geodetic& geodetic);
+
+/// The unit normal of the ellipsoid, up at the latitude and longitude of r.
+VECTRIX_EXPORT Vector<earth::Itrf, si::dimensionless> up(const Vector<earth::Itrf, si::length>& r_itrf);
+
+/// Where the ray r + t d, t >= 0, first meets the ellipsoid; nothing when it misses. d is any vector but
+/// zero. An origin within about 10 micrometres of the surface is itself the answer. Throws BadInput when the
+/// origin lies inside, or d is zero.
+VECTRIX_EXPORT std::optional<Vector<earth::Itrf, si::length>> first_intersection(
+    const Vector<earth::Itrf, si::length>& r_itrf, const Vector<earth::Itrf, si::dimensionless>& d_itrf);
+
+}  // namespace wgs84
+}  // namespace vectrix

@@ -1,0 +1,269 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <sstream>
+
+#include <vectrix/frames/dcm_doors.hpp>
+#include <vectrix/frames/graph/frame_graph.hpp>
+#include <vectrix/kinematics/attitude/log.hpp>
+#include <vectrix/space/earth/earth_orientation.hpp>
+#include <vectrix/space/files/csv_table.hpp>
+
+#include "temporary_file.hpp"
+
+namespace vectrix {
+namespace {
+
+const std::filesystem::path source{VECTRIX_SOURCE_DIR};
+const auto april_2022 = source / "examples/data/finals2000A_april_2022.txt";
+const auto leap_second_2016 = source / "space/tests/data/finals2000A_leap_second_2016.txt";
+
+// Per element, against matrices of the same models computed elsewhere.
+constexpr double model_tolerance = 1e-12;
+// X and Y by their own series or out of the matrix of precession and nutation: 7e-12 at these epochs.
+constexpr double difference_of_series = 1e-11;
+// The Julian dates of the reference are rounded at 1e-16 day.
+constexpr double date_rounding = 3e-16;
+constexpr double arcsecond = 4.84813681109536e-6;  // rad
+constexpr double polar_motion_squared = 1e-11;     // rad
+constexpr double parameter_rounding = 1e-15;       // of numbers up to 1
+// Precession-nutation and polar motion, which the rate leaves out: 8.4e-12 rad/s at most from 1982 to 2025.
+constexpr double rate_left_out = 1e-11;  // rad/s
+
+Eigen::Matrix3d matrix(const CsvTable& table, std::size_t row, const std::string& letter) {
+  Eigen::Matrix3d result;
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      result(i, j) = table.number(row, letter + std::to_string(i + 1) + std::to_string(j + 1));
+    }
+  }
+  return result;
+}
+
+double largest(const Eigen::Matrix3d& m) {
+  return m.cwiseAbs().maxCoeff();
+}
+
+TEST(EarthRotation, AgreesWithTwentyReferenceMatrices) {
+  const auto table = CsvTable::read(source / "space/tests/data/gcrs_to_itrs_20_epochs.csv", {});
+  ASSERT_EQ(table.rows(), 20U);
+  for (std::size_t i = 0; i < table.rows(); ++i) {
+    const auto number = [&](const char* column) { return table.number(i, column); };
+    const auto angle = [&](double arcseconds) { return convert<si::angle>(arcseconds * si::arcsecond); };
+    const auto epoch = Epoch::from_utc_mjd(static_cast<int>(number("mjd_utc_int")), number("frac_day_utc"));
+    EXPECT_EQ(epoch.tt_date().day, number("tt_jd1"));
+    EXPECT_NEAR(epoch.tt_date().fraction, number("tt_jd2"), date_rounding);
+
+    EarthOrientationParameters observed{angle(number("xp_arcsec")),
+                                        angle(number("yp_arcsec")),
+                                        number("dut1_s") * si::second - epoch.tai_minus_utc(),
+                                        0.0,
+                                        angle(1e-3 * number("dX_mas")),
+                                        angle(1e-3 * number("dY_mas"))};
+    const auto with_offsets = inverse(earth_rotation(epoch, observed).rotation);
+    EXPECT_LT(largest(with_offsets.matrix() - matrix(table, i, "C")), model_tolerance) << "row " << i;
+
+    const auto true_of_date = true_of_date_from_gcrf(epoch);
+    EXPECT_LT(largest(true_of_date.matrix() - matrix(table, i, "B")), model_tolerance) << "row " << i;
+    const auto by_the_equinox = itrf_from_true_of_date(epoch, observed) * true_of_date;
+    EXPECT_LT(largest(by_the_equinox.matrix() - matrix(table, i, "N")), model_tolerance) << "row " << i;
+
+    observed.dX = observed.dY = 0.0 * si::radian;
+    const auto without_offsets = inverse(earth_rotation(epoch, observed).rotation);
+    EXPECT_LT(largest(without_offsets.matrix() - by_the_equinox.matrix()), difference_of_series)
+        << "row " << i;
+  }
+}
+
+TEST(EarthOrientation, HasTheRowsOfTheSeries) {
+  const auto orientation = EarthOrientation::read(april_2022);
+  EXPECT_EQ(orientation.first().utc(0), "2022-04-11T00:00:00");
+  EXPECT_EQ(orientation.last().utc(0), "2022-04-17T00:00:00");
+  const auto row = orientation.parameters(Epoch::from_utc("2022-04-14T00:00:00"));
+  EXPECT_NEAR(row.pole_x.value(), 0.056532 * arcsecond, parameter_rounding);
+  EXPECT_NEAR(row.pole_y.value(), 0.452863 * arcsecond, parameter_rounding);
+  EXPECT_NEAR(row.ut1_minus_tai.value(), -0.0965616 - 37.0, 37.0 * parameter_rounding);
+  EXPECT_NEAR(row.dX.value(), 0.328e-3 * arcsecond, parameter_rounding);
+  EXPECT_NEAR(row.dY.value(), -0.128e-3 * arcsecond, parameter_rounding);
+}
+
+TEST(EarthOrientation, InterpolatesBetweenRows) {
+  const auto orientation = EarthOrientation::read(april_2022);
+  const auto quarter = orientation.parameters(Epoch::from_utc("2022-04-14T06:00:00"));
+  EXPECT_NEAR(quarter.pole_x.value(), (0.75 * 0.056532 + 0.25 * 0.057880) * arcsecond, parameter_rounding);
+  EXPECT_NEAR(quarter.pole_y.value(), (0.75 * 0.452863 + 0.25 * 0.454480) * arcsecond, parameter_rounding);
+  EXPECT_NEAR(quarter.ut1_minus_tai.value(), -(0.75 * 0.0965616 + 0.25 * 0.0969019) - 37.0,
+              37.0 * parameter_rounding);
+  EXPECT_NEAR(quarter.dX.value(), (0.75 * 0.328e-3 + 0.25 * 0.320e-3) * arcsecond, parameter_rounding);
+  EXPECT_NEAR(quarter.dY.value(), -0.128e-3 * arcsecond, parameter_rounding);
+  // The length of the day: 0.3403 ms more than 86400 s.
+  EXPECT_NEAR(quarter.ut1_gain.value() * 86400.0, -0.0969019 + 0.0965616, 86400.0 * parameter_rounding);
+}
+
+TEST(EarthOrientation, IsContinuousOverALeapSecond) {
+  const auto orientation = EarthOrientation::read(leap_second_2016);
+  const auto ut1_minus_tai = [&](const char* utc) {
+    return orientation.parameters(Epoch::from_utc(utc)).ut1_minus_tai.value();
+  };
+  const double before = -0.4077601 - 36.0;
+  const double after = 0.5912821 - 37.0;
+  EXPECT_NEAR(ut1_minus_tai("2016-12-31T00:00:00"), before, 37.0 * parameter_rounding);
+  EXPECT_NEAR(ut1_minus_tai("2017-01-01T00:00:00"), after, 37.0 * parameter_rounding);
+  EXPECT_NEAR(ut1_minus_tai("2016-12-31T23:59:60"), before + (after - before) * 86400.0 / 86401.0,
+              37.0 * parameter_rounding);
+  // One second further the Earth has turned by one second.
+  const auto at = [&](const char* utc) { return orientation.at(Epoch::from_utc(utc)).rotation; };
+  const Eigen::Matrix3d turn =
+      at("2016-12-31T23:59:60").matrix().transpose() * at("2017-01-01T00:00:00").matrix();
+  EXPECT_NEAR(Eigen::AngleAxisd(turn).angle(), 7.2921150e-5, 1e-11);
+}
+
+// d/dt R_i^g = R_i^g [w_gi^i]x: the turn over two minutes, against the rate in its middle.
+TEST(EarthOrientation, RateIsTheDerivativeOfTheRotation) {
+  const double h = 60.0;  // s; the third derivative leaves 1e-3 of the tolerance
+  double largest_difference = 0.0;
+  for (const auto& [file, first_hour] :
+       {std::pair{april_2022, "2022-04-11T01:00:00"}, std::pair{leap_second_2016, "2016-12-29T01:00:00"}}) {
+    const auto orientation = EarthOrientation::read(file);
+    for (int hour = 0; hour < 96; hour += 5) {
+      const auto epoch = Epoch::from_utc(first_hour) + (3600.0 * hour) * si::second;
+      const auto before = orientation.at(epoch - h * si::second).rotation;
+      const auto after = orientation.at(epoch + h * si::second).rotation;
+      // Itrf at two instants has one type: the increment is taken as raw numbers.
+      const auto turn =
+          log(trust_dcm(to<earth::Gcrf>, from<earth::Itrf>, before.matrix().transpose() * after.matrix()));
+      const auto w = orientation.at(epoch).angular_velocity.coordinates();
+      largest_difference = std::max(largest_difference, (turn.coordinates() / (2.0 * h) - w).norm());
+    }
+  }
+  EXPECT_LT(largest_difference, rate_left_out);
+  EXPECT_GT(largest_difference, 0.1 * rate_left_out);
+}
+
+// dERA/dUT1 = 2 pi 1.00273781191135448 / 86400 s, along the pole that polar motion leaves near z.
+TEST(EarthOrientation, RateFollowsTheLengthOfTheDay) {
+  const auto orientation = EarthOrientation::read(april_2022);
+  const auto epoch = Epoch::from_utc("2022-04-14T06:00:00");
+  const auto parameters = orientation.parameters(epoch);
+  const auto w = orientation.at(epoch).angular_velocity.coordinates();
+  const double nominal = 2.0 * 3.14159265358979324 * 1.00273781191135448 / 86400.0;
+  EXPECT_NEAR(w.norm() / nominal - 1.0, parameters.ut1_gain.value(), parameter_rounding);
+  EXPECT_NEAR(w.x() / w.z(), parameters.pole_x.value(), polar_motion_squared);
+  EXPECT_NEAR(w.y() / w.z(), -parameters.pole_y.value(), polar_motion_squared);
+}
+
+TEST(EarthOrientation, IsAnEdgeOfAGraph) {
+  const auto orientation = EarthOrientation::read(april_2022);
+  const auto graph = frame_graph(edge([&](const Epoch& t) { return orientation.at(t); }));
+  const auto epoch = Epoch::from_utc("2022-04-14T10:22:11.874999");
+  EXPECT_EQ(graph.at(epoch).rotation(to<earth::Gcrf>, from<earth::Itrf>).matrix(),
+            orientation.at(epoch).rotation.matrix());
+  const auto w = graph.at(epoch).angular_velocity(of<earth::Itrf>, relative_to<earth::Gcrf>, in<earth::Itrf>);
+  EXPECT_EQ(w.coordinates(), orientation.at(epoch).angular_velocity.coordinates());
+}
+
+TEST(EarthOrientation, RefusesEpochsOutsideTheData) {
+  const auto orientation = EarthOrientation::read(april_2022);
+  EXPECT_NO_THROW((void)orientation.at(orientation.first()));
+  EXPECT_NO_THROW((void)orientation.at(orientation.last()));
+  EXPECT_EQ(complaint([&] { (void)orientation.at(Epoch::from_utc("2022-04-17T00:00:00.000001")); }),
+            "EarthOrientation: the epoch 2022-04-17T00:00:00.000001 UTC is outside the data, which span "
+            "2022-04-11T00:00:00.000000 UTC to 2022-04-17T00:00:00.000000 UTC");
+  EXPECT_EQ(complaint([&] { (void)orientation.at(Epoch::from_tt("1950-01-01T00:00:00")); }),
+            "EarthOrientation: the epoch 1950-01-01T00:00:00.000000 TT is outside the data, which span "
+            "2022-04-11T00:00:00.000000 UTC to 2022-04-17T00:00:00.000000 UTC");
+}
+
+class Finals2000A : public ::testing::Test {
+ protected:
+  Finals2000A() {
+    std::ifstream in(april_2022);
+    for (std::string line; std::getline(in, line);) {
+      if (!line.starts_with('#')) lines.push_back(line);
+    }
+  }
+
+  // Overwrites the columns, counted from 1, of a line, counted from 1.
+  void write(std::size_t line, std::size_t column, const std::string& text) {
+    lines[line - 1].replace(column - 1, text.size(), text);
+  }
+
+  [[nodiscard]] std::string content() const {
+    std::ostringstream out;
+    for (const auto& line : lines) out << line << '\n';
+    return out.str();
+  }
+
+  [[nodiscard]] std::string refusal() const { return refusal(content()); }
+  [[nodiscard]] static std::string refusal(const std::string& content) {
+    const TemporaryFile file(content);
+    return complaint([&] { EarthOrientation::read(file.path()); }, file.path());
+  }
+
+  std::vector<std::string> lines;
+};
+
+TEST_F(Finals2000A, EndsWithTheLastCompleteRow) {
+  write(6, 98, "         ");
+  lines[6].resize(16);
+  const TemporaryFile file(content());
+  EXPECT_EQ(EarthOrientation::read(file.path()).last().utc(0), "2022-04-15T00:00:00");
+}
+
+TEST_F(Finals2000A, RefusesABlankFieldBeforeACompleteRow) {
+  write(3, 98, "         ");
+  EXPECT_EQ(refusal(),
+            "Earth orientation FILE, line 3: columns 98-106 (dX): the field is blank, but a complete row "
+            "follows");
+}
+
+TEST_F(Finals2000A, RefusesWhatIsNotANumber) {
+  write(2, 59, "-0.09x5844");
+  EXPECT_EQ(refusal(),
+            "Earth orientation FILE, line 2: columns 59-68 (UT1-UTC): '-0.09x5844' is not a number");
+  write(1, 19, "      nan");
+  EXPECT_EQ(refusal(), "Earth orientation FILE, line 1: columns 19-27 (x): 'nan' is not a finite number");
+  write(1, 8, "59680.50");
+  EXPECT_EQ(refusal(), "Earth orientation FILE, line 1: columns 8-15 (MJD): 59680.5 is not a whole day");
+  write(1, 8, "        ");
+  EXPECT_EQ(refusal(), "Earth orientation FILE, line 1: columns 8-15 (MJD): the field is blank");
+}
+
+TEST_F(Finals2000A, RefusesRowsThatAreNotADayApart) {
+  lines.erase(lines.begin() + 3);
+  EXPECT_EQ(refusal(),
+            "Earth orientation FILE, line 4: columns 8-15 (MJD): the day 59684 follows 59682; rows must be a "
+            "day apart");
+  std::swap(lines[0], lines[1]);
+  EXPECT_EQ(refusal(),
+            "Earth orientation FILE, line 2: columns 8-15 (MJD): the day 59680 follows 59681; rows must be a "
+            "day apart");
+}
+
+TEST_F(Finals2000A, RefusesALeapSecondThatErfaDoesNotKnow) {
+  write(5, 59, " 0.9030981");
+  EXPECT_EQ(refusal().substr(0, 86),
+            "Earth orientation FILE, line 5: columns 59-68 (UT1-UTC): UT1-TAI changes by 0.99965970");
+}
+
+TEST_F(Finals2000A, RefusesFilesWithoutRows) {
+  EXPECT_EQ(complaint([] { EarthOrientation::read("/nowhere/finals"); }),
+            "Earth orientation /nowhere/finals: cannot be read");
+  EXPECT_EQ(refusal(""), "Earth orientation FILE: 0 complete rows; there must be two");
+  EXPECT_EQ(refusal(lines[0] + "\n"), "Earth orientation FILE: 1 complete rows; there must be two");
+  write(2, 38, "         ");
+  EXPECT_EQ(refusal(lines[0] + "\n" + lines[1] + "\n"),
+            "Earth orientation FILE, line 2: columns 38-46 (y): the field is blank after 1 complete rows; "
+            "there must be "
+            "two");
+}
+
+TEST_F(Finals2000A, RefusesATruncatedFile) {
+  const std::string whole = content();
+  EXPECT_EQ(refusal(whole.substr(0, whole.size() - 100)),
+            "Earth orientation FILE, line 7: the file stops within this line; it was truncated");
+}
+
+}  // namespace
+}  // namespace vectrix

@@ -1,0 +1,136 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <random>
+
+#include <vectrix/space/earth/ellipsoid.hpp>
+
+#include "temporary_file.hpp"
+
+namespace vectrix {
+namespace {
+
+constexpr double a = 6378137.0;                        // m
+constexpr double b = a * (1.0 - 1.0 / 298.257223563);  // m
+constexpr double pi = std::numbers::pi;
+
+constexpr double length_rounding = 5e-9;      // m: a few times 1e-16 of the Earth's radius
+constexpr double angle_rounding = 1e-15;      // rad
+constexpr double latitude_tolerance = 1e-12;  // rad: 6 micrometres; ERFA takes one step of an iteration
+// A ray from 1e7 m that meets the surface at an angle of 1 degree or more.
+constexpr double ray_rounding = 1e-6;  // m
+
+Vector<earth::Itrf, si::length> r(double x, double y, double z) {
+  return vector(in<earth::Itrf>, x * si::metre, y * si::metre, z * si::metre);
+}
+Vector<earth::Itrf, si::dimensionless> d(double x, double y, double z) {
+  return vector<si::dimensionless>(in<earth::Itrf>, Eigen::Vector3d(x, y, z));
+}
+
+void expect_geodetic(const Vector<earth::Itrf, si::length>& position, double latitude, double longitude,
+                     double height) {
+  const Geodetic g = wgs84::geodetic(position);
+  EXPECT_NEAR(g.latitude.value(), latitude, latitude_tolerance);
+  EXPECT_NEAR(g.longitude.value(), longitude, angle_rounding);
+  EXPECT_NEAR(g.height.value(), height, length_rounding);
+}
+
+TEST(Ellipsoid, GeodeticOnTheAxes) {
+  expect_geodetic(r(a + 1000.0, 0.0, 0.0), 0.0, 0.0, 1000.0);
+  expect_geodetic(r(0.0, a, 0.0), 0.0, pi / 2.0, 0.0);
+  expect_geodetic(r(-a - 5.0, 0.0, 0.0), 0.0, pi, 5.0);
+  expect_geodetic(r(0.0, -a + 1.0, 0.0), 0.0, -pi / 2.0, -1.0);
+  expect_geodetic(r(0.0, 0.0, b + 2000.0), pi / 2.0, 0.0, 2000.0);
+  expect_geodetic(r(0.0, 0.0, -b), -pi / 2.0, 0.0, 0.0);
+}
+
+// At geodetic latitude phi: N = a^2 / sqrt(a^2 cos^2 + b^2 sin^2), p = (N + h) cos, z = (N b^2/a^2 + h) sin.
+TEST(Ellipsoid, GeodeticByItsDefinition) {
+  const double phi = 0.9;
+  const double lambda = -2.0;
+  const double h = 700e3;
+  const double N = a * a / std::hypot(a * std::cos(phi), b * std::sin(phi));
+  const double p = (N + h) * std::cos(phi);
+  const auto position =
+      r(p * std::cos(lambda), p * std::sin(lambda), (N * b * b / (a * a) + h) * std::sin(phi));
+  expect_geodetic(position, phi, lambda, h);
+  const auto back = wgs84::position({phi * si::radian, lambda * si::radian, h * si::metre});
+  EXPECT_LT(norm(back - position).value(), length_rounding);
+  EXPECT_NEAR(wgs84::up(position).coordinates().z(), std::sin(phi), latitude_tolerance);
+  EXPECT_NEAR(wgs84::up(position).coordinates().x(), std::cos(phi) * std::cos(lambda), latitude_tolerance);
+}
+
+TEST(Ellipsoid, RaysAlongTheAxes) {
+  const auto expect_hit = [](const auto& origin, const auto& towards, const auto& point) {
+    const auto hit = wgs84::first_intersection(origin, towards);
+    ASSERT_TRUE(hit.has_value());
+    EXPECT_LT(norm(*hit - point).value(), length_rounding);
+  };
+  expect_hit(r(7e6, 0.0, 0.0), d(-1.0, 0.0, 0.0), r(a, 0.0, 0.0));
+  expect_hit(r(0.0, -9e6, 0.0), d(0.0, 0.3, 0.0), r(0.0, -a, 0.0));
+  expect_hit(r(0.0, 0.0, 1e7), d(0.0, 0.0, -5.0), r(0.0, 0.0, b));
+  // Off the axis: x^2/a^2 + z^2/b^2 = 1 at z = b/2.
+  expect_hit(r(8e6, 0.0, b / 2.0), d(-1.0, 0.0, 0.0), r(a * std::sqrt(0.75), 0.0, b / 2.0));
+}
+
+TEST(Ellipsoid, RaysThatMiss) {
+  EXPECT_FALSE(wgs84::first_intersection(r(7e6, 0.0, 0.0), d(1.0, 0.0, 0.0)));
+  EXPECT_FALSE(wgs84::first_intersection(r(7e6, 0.0, 0.0), d(0.0, 1.0, 0.0)));
+  EXPECT_FALSE(wgs84::first_intersection(r(7e6, 0.0, b + 0.01), d(-1.0, 0.0, 0.0)));
+  EXPECT_TRUE(wgs84::first_intersection(r(7e6, 0.0, b - 0.01), d(-1.0, 0.0, 0.0)));
+}
+
+// Aimed at a known point of the near side, each ray has to find it.
+TEST(Ellipsoid, RaysFindThePointTheyAreAimedAt) {
+  std::mt19937_64 random(20220414);
+  std::uniform_real_distribution<double> part(-1.0, 1.0);
+  int aimed = 0;
+  while (aimed < 1000) {
+    const auto point = wgs84::position(
+        {std::asin(part(random)) * si::radian, pi * part(random) * si::radian, 0.0 * si::metre});
+    const auto origin =
+        point +
+        vector<si::length>(in<earth::Itrf>,
+                           Eigen::Vector3d(1e7 * Eigen::Vector3d(part(random), part(random), part(random))));
+    const auto ray = direction(point - origin);
+    const double cosine_from_normal = -dot(ray, wgs84::up(point)).value();
+    if (cosine_from_normal < std::sin(pi / 180.0)) continue;
+    ++aimed;
+    const auto hit = wgs84::first_intersection(origin, ray);
+    ASSERT_TRUE(hit.has_value());
+    EXPECT_LT(norm(*hit - point).value(), ray_rounding);
+  }
+}
+
+TEST(Ellipsoid, AnOriginOnTheSurfaceIsTheAnswer) {
+  const auto point = wgs84::position({0.7 * si::radian, 1.0 * si::radian, 0.0 * si::metre});
+  for (const auto& towards : {d(0.0, 0.0, 1.0), d(0.0, 0.0, -1.0)}) {
+    const auto hit = wgs84::first_intersection(point, towards);
+    ASSERT_TRUE(hit.has_value());
+    EXPECT_EQ(hit->coordinates(), point.coordinates());
+  }
+}
+
+TEST(Ellipsoid, RefusesBadInput) {
+  EXPECT_EQ(complaint([] { wgs84::geodetic(r(0.0, 0.0, 0.0)); }),
+            "wgs84::geodetic: the centre of the Earth has no latitude");
+  EXPECT_EQ(
+      complaint([] { wgs84::geodetic(r(1e200, 0.0, 0.0)); }),
+      "wgs84::geodetic: a position of |r| = 1e+200 m is too far out for its latitude and height to be found");
+  EXPECT_EQ(complaint([] { wgs84::first_intersection(r(0.0, 0.0, 0.0), d(1.0, 0.0, 0.0)); }),
+            "wgs84::first_intersection: the origin lies inside the ellipsoid, at a height of -6378137 m");
+  EXPECT_THROW(wgs84::first_intersection(r(a - 1.0, 0.0, 0.0), d(1.0, 0.0, 0.0)), BadInput);
+  EXPECT_THROW(wgs84::first_intersection(r(7e6, 0.0, 0.0), d(0.0, 0.0, 0.0)), BadInput);
+  const auto at = [](double latitude, double height) {
+    return wgs84::position({latitude * si::radian, 0.0 * si::radian, height * si::metre});
+  };
+  EXPECT_EQ(complaint([&] { at(1.6, 0.0); }),
+            "wgs84::position: the latitude 1.6 rad is not in [-pi/2, pi/2]");
+  EXPECT_THROW(at(std::numeric_limits<double>::quiet_NaN(), 0.0), BadInput);
+  EXPECT_THROW(at(1.0, std::numeric_limits<double>::infinity()), BadInput);
+}
+
+}  // namespace
+}  // namespace vectrix

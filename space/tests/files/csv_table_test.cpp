@@ -1,0 +1,128 @@
+#include <gtest/gtest.h>
+
+#include <vectrix/space/files/csv_table.hpp>
+
+#include "temporary_file.hpp"
+
+namespace vectrix {
+namespace {
+
+struct Station : moving_frame {};
+
+CsvTable read(const std::string& content) {
+  return CsvTable::read(TemporaryFile(content).path(), {"t", "x"});
+}
+
+// What reading the content, and then every number of it, complains about.
+std::string refusal(const std::string& content) {
+  const TemporaryFile file(content);
+  return complaint(
+      [&] {
+        const auto table = CsvTable::read(file.path(), {"t", "x"});
+        for (std::size_t row = 0; row < table.rows(); ++row) {
+          for (const auto& column : table.columns()) (void)table.number(row, column);
+        }
+      },
+      file.path());
+}
+
+TEST(CsvTable, ReadsNumbersAndTextByName) {
+  const auto table = read("# a comment\nx,name,t\n1.5e-3, Rigel ,2\n-4,b,+3\n");
+  ASSERT_EQ(table.rows(), 2U);
+  EXPECT_EQ(table.columns(), (std::vector<std::string>{"x", "name", "t"}));
+  EXPECT_EQ(table.number(0, "x"), 1.5e-3);
+  EXPECT_EQ(table.number(0, "t"), 2.0);
+  EXPECT_EQ(table.number(1, "x"), -4.0);
+  EXPECT_EQ(table.number(1, "t"), 3.0);
+  EXPECT_EQ(table.text(0, "name"), "Rigel");
+}
+
+TEST(CsvTable, ReadsLinesThatEndWithCarriageReturn) {
+  const auto table = read("t,x\r\n1,2\r\n");
+  EXPECT_EQ(table.number(0, "x"), 2.0);
+}
+
+TEST(CsvTable, ReadsPastAByteOrderMark) {
+  EXPECT_EQ(read("\xEF\xBB\xBF# a comment\nt,x\n1,2\n").number(0, "t"), 1.0);
+}
+
+TEST(CsvTable, RefusesWhatItsReaderCannotUse) {
+  const TemporaryFile file("# a comment\nt,x\n1,2\n0,3\n");
+  const auto table = CsvTable::read(file.path(), {"t", "x"});
+  EXPECT_EQ(complaint([&] { table.refuse(1, "t", "0 is not after the row before"); }, file.path()),
+            "table FILE, line 4, column 1 ('t'): 0 is not after the row before");
+  EXPECT_THROW(table.refuse(2, "t", ""), CsvError);
+}
+
+TEST(CsvTable, MayHaveNoRows) {
+  EXPECT_EQ(read("t,x\n").rows(), 0U);
+}
+
+TEST(CsvTable, ReadsVectors) {
+  const TemporaryFile file("x_m,y_m,z_m\n1,2,3\n4,5,nan\n");
+  const auto table = CsvTable::read(file.path(), {"x_m", "y_m", "z_m"});
+  const Vector<Station, si::length> r = read_vector<si::length>(in<Station>, table, 0, {"x_m", "y_m", "z_m"});
+  EXPECT_EQ(r.coordinates(), Eigen::Vector3d(1.0, 2.0, 3.0));
+  EXPECT_THROW(read_vector<si::length>(in<Station>, table, 1, {"x_m", "y_m", "z_m"}), CsvError);
+}
+
+TEST(CsvTable, RefusesAMissingFile) {
+  EXPECT_EQ(complaint([] { CsvTable::read("/nowhere/orbit.csv", {"t"}); }),
+            "table /nowhere/orbit.csv: cannot be read");
+  const auto folder = std::filesystem::temp_directory_path();
+  EXPECT_EQ(complaint([&] { CsvTable::read(folder, {"t"}); }, folder), "table FILE: cannot be read");
+}
+
+TEST(CsvTable, RefusesAnEmptyFile) {
+  EXPECT_EQ(refusal(""), "table FILE: is empty, not even a header line");
+  EXPECT_EQ(refusal("# only a comment\n"), "table FILE: is empty, not even a header line");
+}
+
+TEST(CsvTable, RefusesAWrongHeader) {
+  EXPECT_EQ(refusal("# a comment\nt,y\n"), "table FILE, line 2: no column 'x' in the header 't,y'");
+  EXPECT_EQ(refusal("t,x,t\n"), "table FILE, line 1, column 3 ('t'): column 1 has the same name");
+  EXPECT_EQ(refusal("t,,x\n"), "table FILE, line 1, column 2 (''): the column has no name");
+}
+
+TEST(CsvTable, RefusesAWrongNumberOfFields) {
+  EXPECT_EQ(refusal("t,x\n1,2\n3\n"), "table FILE, line 3, column 2 ('x'): 1 fields instead of 2");
+  EXPECT_EQ(refusal("t,x\n1,2,3\n"), "table FILE, line 2, column 4: 3 fields instead of 2");
+  EXPECT_EQ(refusal("t,x\n1,2\n\n"), "table FILE, line 3, column 2 ('x'): 1 fields instead of 2");
+}
+
+TEST(CsvTable, RefusesWhatIsNotAFiniteNumber) {
+  for (const std::string wrong : {"abc", "1.5x", "1 2", "0x10", "--1", "+-1", "1,5e", ""}) {
+    const std::string field = wrong.substr(wrong.find(',') + 1);
+    EXPECT_EQ(refusal("t,x\n1,2\n3," + field + "\n"),
+              "table FILE, line 3, column 2 ('x'): '" + field + "' is not a number");
+  }
+  for (const std::string wrong : {"nan", "inf", "-inf", "-nan"}) {
+    EXPECT_EQ(refusal("t,x\n" + wrong + ",2\n"),
+              "table FILE, line 2, column 1 ('t'): '" + wrong + "' is not a finite number");
+  }
+  EXPECT_EQ(refusal("t,x\n1e999,2\n"), "table FILE, line 2, column 1 ('t'): '1e999' is not a number");
+}
+
+TEST(CsvTable, RefusesATruncatedFile) {
+  EXPECT_EQ(refusal("t,x\n1,2\n3,4"),
+            "table FILE, line 3, column 2 ('x'): the file stops within this line; it was truncated");
+  EXPECT_EQ(refusal("t,x\n1,2\n3"), "table FILE, line 3, column 2 ('x'): 1 fields instead of 2");
+  EXPECT_EQ(refusal("t,x"),
+            "table FILE, line 1, column 2 ('x'): the file stops within this line; it was truncated");
+}
+
+TEST(CsvTable, RefusesQuotationMarks) {
+  EXPECT_EQ(refusal("t,x\n1,\"2\"\n"),
+            "table FILE, line 2, column 2 ('x'): quotation marks are not supported");
+}
+
+TEST(CsvTable, RefusesToAnswerForWhatItDoesNotHave) {
+  const TemporaryFile file("t,x\n1,2\n");
+  const auto table = CsvTable::read(file.path(), {});
+  EXPECT_EQ(complaint([&] { (void)table.number(0, "y"); }, file.path()),
+            "table FILE: asked for a column 'y', which it does not have");
+  EXPECT_EQ(complaint([&] { (void)table.text(1, "x"); }, file.path()), "table FILE: asked for row 1 of 1");
+}
+
+}  // namespace
+}  // namespace vectrix

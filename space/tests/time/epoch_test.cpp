@@ -1,0 +1,140 @@
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <limits>
+
+#include <vectrix/frames/errors.hpp>
+#include <vectrix/space/time/epoch.hpp>
+
+#include "temporary_file.hpp"
+
+namespace vectrix {
+namespace {
+
+// A part of a day is kept to 1e-16 day: 1e-11 s, in each of the two epochs of a difference.
+constexpr double clock_rounding = 3e-11;  // s
+
+double seconds(const Quantity<si::time>& t) {
+  return t.value();
+}
+
+TEST(Epoch, ReadsAndWritesUtc) {
+  EXPECT_EQ(Epoch::from_utc("2022-04-14T10:22:11.874999").utc(), "2022-04-14T10:22:11.874999");
+  EXPECT_EQ(Epoch::from_utc("2022-04-14T10:22:11Z").utc(0), "2022-04-14T10:22:11");
+  EXPECT_EQ(Epoch::from_utc("2022-04-14T23:59:59.9999996").utc(), "2022-04-15T00:00:00.000000");
+  EXPECT_EQ(Epoch::from_utc("1960-01-01T00:00:00").utc(3), "1960-01-01T00:00:00.000");
+  EXPECT_EQ(Epoch::from_utc("2016-12-31T23:59:60.25").utc(2), "2016-12-31T23:59:60.25");
+}
+
+TEST(Epoch, KnowsTheScales) {
+  const auto epoch = Epoch::from_utc("2022-04-14T10:22:11.5");
+  EXPECT_EQ(seconds(epoch.tai_minus_utc()), 37.0);
+  EXPECT_EQ(epoch.tt(), "2022-04-14T10:23:20.684000");
+  EXPECT_NEAR(seconds(Epoch::from_tt("2022-04-14T10:23:20.684") - epoch), 0.0, clock_rounding);
+  // J2000.0
+  const auto j2000 = Epoch::from_tt("2000-01-01T12:00:00");
+  EXPECT_EQ(j2000.utc(3), "2000-01-01T11:58:55.816");
+  EXPECT_EQ(j2000.tt_date().day, 2451544.5);
+  EXPECT_NEAR(j2000.tt_date().fraction, 0.5, 1e-15);
+}
+
+TEST(Epoch, CountsLeapSeconds) {
+  const auto before = Epoch::from_utc("2016-12-31T00:00:00");
+  const auto after = Epoch::from_utc("2017-01-01T00:00:00");
+  EXPECT_NEAR(seconds(after - before), 86401.0, clock_rounding);
+  EXPECT_EQ(seconds(before.tai_minus_utc()), 36.0);
+  EXPECT_EQ(seconds(after.tai_minus_utc()), 37.0);
+  EXPECT_EQ((before + 86400.5 * si::second).utc(1), "2016-12-31T23:59:60.5");
+  EXPECT_EQ((after - 1.0 * si::second).utc(0), "2016-12-31T23:59:60");
+}
+
+TEST(Epoch, IsMadeFromAModifiedJulianDay) {
+  EXPECT_EQ(Epoch::from_utc_mjd(59683).utc(0), "2022-04-14T00:00:00");
+  EXPECT_EQ(Epoch::from_utc_mjd(59683, 0.75).utc(0), "2022-04-14T18:00:00");
+  // The day has 86401 s.
+  EXPECT_NEAR(seconds(Epoch::from_utc_mjd(57753, 0.5) - Epoch::from_utc_mjd(57753)), 43200.5, clock_rounding);
+  EXPECT_THROW(Epoch::from_utc_mjd(59683, 1.0), BadInput);
+  EXPECT_THROW(Epoch::from_utc_mjd(59683, std::numeric_limits<double>::quiet_NaN()), BadInput);
+  EXPECT_EQ(complaint([] { Epoch::from_utc_mjd(36933); }),
+            "Epoch::from_utc_mjd(36933, 0): UTC is not known before 1960");
+}
+
+TEST(Epoch, IsOrdered) {
+  const auto epoch = Epoch::from_utc("2022-04-14T23:59:59");
+  EXPECT_LT(epoch, epoch + 2.0 * si::second);
+  EXPECT_GT(epoch, epoch - 1e-6 * si::second);
+  EXPECT_EQ(epoch, epoch + 0.0 * si::second);
+}
+
+RC_GTEST_PROP(Epoch, DifferenceUndoesSum, ()) {
+  const auto start =
+      Epoch::from_utc_mjd(*rc::gen::inRange(41317, 61000), *rc::gen::inRange(0, 1000) / 1000.0);
+  const double duration = *rc::gen::inRange(-1'000'000'000, 1'000'000'000) / 1024.0;
+  const auto end = start + duration * si::second;
+  RC_ASSERT(end.tai().fraction >= 0.0 && end.tai().fraction < 1.0);
+  const double whole_days = 1e-16 * std::abs(duration);  // rounding of the sum of days and rest
+  RC_ASSERT(std::abs(seconds(end - start) - duration) <= clock_rounding + whole_days);
+}
+
+RC_GTEST_PROP(Epoch, TextIsReadBack, ()) {
+  const auto epoch = Epoch::from_utc_mjd(*rc::gen::inRange(41317, 61000)) +
+                     (*rc::gen::inRange(0, 864'000'000) * 1e-4) * si::second;
+  RC_ASSERT(std::abs(seconds(Epoch::from_utc(epoch.utc(4)) - epoch)) <= clock_rounding);
+  RC_ASSERT(std::abs(seconds(Epoch::from_tt(epoch.tt(4)) - epoch)) <= clock_rounding);
+}
+
+std::string refusal(const std::string& text) {
+  return complaint([&] { Epoch::from_utc(text); });
+}
+
+TEST(Epoch, RefusesBadText) {
+  for (const std::string text :
+       {"", "yesterday", "2022-04-14", "2022-04-14 10:22:11", "2022-04-14T10:22", "2022-4-14T10:22:11",
+        "2022-04-14T10:22:11.", "2022-04-14T10:22:11,5", "2022-04-14T10:22:11+02:00",
+        "2022-04-14T10:22:11 UTC", "2022-04-14T10:22:11TAI", "2022-04-14T10:22:11ZZ", " 2022-04-14T10:22:11",
+        "-022-04-14T10:22:11", "2022-04-14T10:22:1e", "2022-04-14T10:22:11.5e3",
+        "2022-04-14T10:22:11.1234567890123"}) {
+    EXPECT_EQ(refusal(text), "epoch '" + text + "' in UTC: it is not written as 2022-04-14T10:22:11.874999");
+  }
+  EXPECT_THROW(Epoch::from_tt("2022-04-14T10:22:11Z"), BadInput);
+}
+
+TEST(Epoch, RefusesDatesThatDoNotExist) {
+  const auto wrong = [](const std::string& text, const std::string& reason) {
+    EXPECT_EQ(refusal(text), "epoch '" + text + "' in UTC: " + reason);
+  };
+  wrong("2022-13-14T10:22:11", "there is no such month");
+  wrong("2022-00-14T10:22:11", "there is no such month");
+  wrong("2022-02-29T10:22:11", "there is no such day");
+  wrong("2022-04-14T24:00:00", "there is no such hour");
+  wrong("2022-04-14T10:60:11", "there is no such minute");
+  wrong("2022-04-14T10:22:60", "there is no such second");
+  wrong("2022-04-14T23:59:60", "there is no such second");
+  wrong("2016-12-31T23:59:61", "there is no such second");
+  wrong("1959-12-31T23:59:59", "UTC is not known before 1960");
+}
+
+TEST(Epoch, RefusesUtcBefore1960) {
+  const auto epoch = Epoch::from_tt("1950-01-01T00:00:32.184");
+  EXPECT_EQ(epoch.tt(0), "1950-01-01T00:00:32");
+  EXPECT_EQ(complaint([&] { (void)epoch.utc(); }),
+            "Epoch 1950-01-01T00:00:00.000000 TAI: UTC is not known before 1960");
+  EXPECT_THROW((void)epoch.tai_minus_utc(), BadInput);
+}
+
+TEST(Epoch, TakesTheLastKnownLeapSecondInTheFuture) {
+  EXPECT_EQ(seconds(Epoch::from_utc("2035-01-01T00:00:00").tai_minus_utc()), 37.0);
+}
+
+TEST(Epoch, RefusesDurationsThatAreNotFinite) {
+  const auto epoch = Epoch::from_utc("2022-04-14T10:22:11");
+  EXPECT_EQ(complaint([&] { epoch + std::numeric_limits<double>::infinity() * si::second; }),
+            "epoch + duration: the duration is inf s");
+  EXPECT_THROW(epoch - std::numeric_limits<double>::quiet_NaN() * si::second, BadInput);
+  EXPECT_THROW((void)(epoch + 1e20 * si::second).tt(), BadInput);
+  EXPECT_THROW((void)epoch.utc(-1), BadInput);
+  EXPECT_THROW((void)epoch.utc(10), BadInput);
+}
+
+}  // namespace
+}  // namespace vectrix
