@@ -34,12 +34,13 @@ template <int method> void step_row(Table& table, const char* name, const Bound&
 // Motion at a time: R, w, alpha in five columns.
 template <class S> using Fifteen = Eigen::Matrix<S, 3, 5>;
 template <class S> Fifteen<S> splined(const std::vector<Eigen::Vector4d>& q, double t) {
-  std::vector<AttitudeSample<A, B, S>> samples;
+  std::vector<AttitudeSample<A, B, Quantity<si::time, S>>> samples;
   for (std::size_t i = 0; i < q.size(); ++i) {
     const auto when = Quantity<si::time, S>::from_value(S(static_cast<double>(i)));
     samples.push_back({when, q_of<A, B>(FourOf<S>(q[i].cast<S>()))});
   }
-  const RotationSpline<A, B, S> spline(samples, Quantity<si::time, S>::from_value(S(2)), natural_ends);
+  const RotationSpline<A, B, Quantity<si::time, S>> spline(samples, Quantity<si::time, S>::from_value(S(2)),
+                                                           natural_ends);
   const auto motion = spline(Quantity<si::time, S>::from_value(S(t)));
   Fifteen<S> numbers;
   numbers << rotation_of(motion).matrix(), motion.moving.angular_velocity.coordinates(),

@@ -49,7 +49,8 @@ Scenario<Inertial, Body> run_10A() {
           .initial = {.time = 0.0 * si::second,
                       .q_i_from_b = quaternion(inverse(R_b_from_i)),
                       .w_ib_b = w_ib_b,
-                      .orbit = OrbitState<Inertial>{r_i, v_i}},
+                      .orbit = point_motion(of<CentreOfMassOf<Body>>, relative_to<Inertial>,
+                                            observed_from<Inertial>, r_i, v_i)},
           .mu = Quantity<si::gravitational_parameter>::from_value(3.986004415e14),
           .gravity_gradient = true};
 }
@@ -69,7 +70,7 @@ void compare(const char* name, const State<Inertial, Body>& state, const Eigen::
   const auto theirs = nearest_dcm(to<Inertial>, from<Body>, R_i_from_b).dcm;
   const double differences[] = {log(inverse(state.R_i_from_b()) * theirs).angle().value(),
                                 (state.w_ib_b.coordinates() - w_b).norm(),
-                                (state.orbit->r_i.coordinates() - r_i).norm()};
+                                (state.orbit->position.coordinates() - r_i).norm()};
   const char* units[] = {"rad", "rad/s", "m"};
   std::printf("%-8s", name);
   for (int i = 0; i < 3; ++i) {
@@ -91,7 +92,7 @@ void run() {
   for (int hour = 0; hour <= 8; ++hour) {
     const auto state = trajectory.at(3600.0 * hour * si::second);
     const Eigen::Vector3d w = state.w_ib_b.coordinates() * 180.0 / M_PI;
-    const auto nadir_b = inverse(state.R_i_from_b()) * -direction(state.orbit->r_i);
+    const auto nadir_b = inverse(state.R_i_from_b()) * -direction(state.orbit->position.vector());
     std::printf("%8d %14.9f %14.9f %14.9f %14.4f deg\n", hour, w.x(), w.y(), w.z(),
                 std::acos(nadir_b.x().value()) * 180.0 / M_PI);
   }

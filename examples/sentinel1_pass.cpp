@@ -1,15 +1,15 @@
 // Where was Sentinel-1A looking? Twenty-five seconds of a real radar pass, from the image's own files.
 //
-// Six frames in one graph:
+// Seven frames in one graph:
 //
-//     Itrf --- Gcrf --- QuaternionAxes --- Body --- Antenna
-//                \--- Orbit
+//     Satellite --- Itrf --- Gcrf --- QuaternionAxes --- Body --- Antenna
+//                              \--- Orbit
 //
+//     r^itrf, v^itrf    the orbit, in axes of the Earth
 //     R_itrf^gcrf, w    Earth orientation, observed by the IERS
-//     R_orbit^gcrf      z to nadir, y along -(r x v) with inertial v, x = y x z
-//     R_axes^gcrf, w    the quaternions; between two of them the turn at constant rate
-//     R_axes^body       [0 -1 0; -1 0 0; 0 0 -1]
-//     R_body^antenna    the boresight, x of the antenna, is z of the body
+//     R_orbit^gcrf      z to nadir, y along -(r x v) with inertial v, x = y x z: what the graph says of the
+//     others R_axes^gcrf, w    the quaternions; between two of them the turn at constant rate R_axes^body [0
+//     -1 0; -1 0 0; 0 0 -1] R_body^antenna    the boresight, x of the antenna, is z of the body
 //
 // Every question is a path through it; the graph multiplies the matrices and adds the rates on the way:
 //
@@ -36,16 +36,9 @@
 #include <fstream>
 #include <numbers>
 #include <stdexcept>
-#include <utility>
 #include <vector>
 
-#include <vectrix/frames.hpp>
-#include <vectrix/kinematics.hpp>
-#include <vectrix/space/earth/earth_orientation.hpp>
-#include <vectrix/space/earth/ellipsoid.hpp>
-#include <vectrix/space/files/csv_table.hpp>
-#include <vectrix/space/orbits/hermite.hpp>
-#include <vectrix/space/time/epoch.hpp>
+#include <vectrix/space.hpp>
 
 #ifndef VECTRIX_EXAMPLE_DATA
 #define VECTRIX_EXAMPLE_DATA "examples/data"
@@ -56,6 +49,7 @@ namespace {
 using namespace vectrix;
 using earth::Gcrf, earth::Itrf;
 
+struct Satellite : moving_frame {};  // at its place, parallel to Itrf
 struct Orbit : moving_frame {};
 struct QuaternionAxes : moving_frame {};
 struct Body : moving_frame {};
@@ -63,15 +57,10 @@ struct Antenna : moving_frame {};
 
 constexpr double printed_to = 1e-6;  // the quaternions have seven decimals
 
-struct OrbitSample {
-  Epoch epoch;
-  PositionVelocity<Itrf> itrf;
-};
-
-struct AttitudeSample {
-  Epoch epoch;
-  NearestQuaternion<Gcrf, QuaternionAxes, double> q_gcrf_from_axes;
-  Vector<Body, si::angular_velocity> gyro_body;
+struct Telemetry {
+  std::vector<AttitudeSample<Gcrf, QuaternionAxes, Epoch>> attitude;
+  std::vector<Vector<Body, si::angular_velocity>> gyro_body;  // at the same epochs
+  double off_unit = 0.0;                                      // of the printed quaternions, the largest
 };
 
 // What the graph says at one instant; angles in degrees.
@@ -98,29 +87,29 @@ template <class Sample>
 Epoch next_epoch(const std::vector<Sample>& samples, const CsvTable& table, std::size_t row) {
   const char* const column = "time_utc";
   const auto epoch = from_row(table, row, column, [&] { return Epoch::from_utc(table.text(row, column)); });
-  if (!samples.empty() && !(samples.back().epoch < epoch)) {
+  if (!samples.empty() && !(samples.back().time < epoch)) {
     table.refuse(
         row, column,
-        table.text(row, column) + " is not after " + samples.back().epoch.utc() + " of the row before");
+        table.text(row, column) + " is not after " + samples.back().time.utc() + " of the row before");
   }
   return epoch;
 }
 
-std::vector<OrbitSample> read_orbit(const std::filesystem::path& file) {
+std::vector<PositionSample<Itrf, Satellite, Epoch>> read_orbit(const std::filesystem::path& file) {
   const auto table = CsvTable::read(file, {"time_utc", "x_m", "y_m", "z_m", "vx_mps", "vy_mps", "vz_mps"});
-  std::vector<OrbitSample> samples;
+  std::vector<PositionSample<Itrf, Satellite, Epoch>> samples;
   for (std::size_t i = 0; i < table.rows(); ++i) {
+    const auto r = read_vector<si::length>(in<Itrf>, table, i, {"x_m", "y_m", "z_m"});
+    const auto v = read_vector<si::velocity>(in<Itrf>, table, i, {"vx_mps", "vy_mps", "vz_mps"});
     samples.push_back({next_epoch(samples, table, i),
-                       {read_vector<si::length>(in<Itrf>, table, i, {"x_m", "y_m", "z_m"}),
-                        read_vector<si::velocity>(in<Itrf>, table, i, {"vx_mps", "vy_mps", "vz_mps"})}});
+                       point_motion(of<Satellite>, relative_to<Itrf>, observed_from<Itrf>, r, v)});
   }
   return samples;
 }
 
-std::vector<AttitudeSample> read_attitude(const std::filesystem::path& file) {
+Telemetry read_attitude(const std::filesystem::path& file) {
   const auto table = CsvTable::read(file, {"time_utc", "q0", "q1", "q2", "q3", "wx", "wy", "wz"});
-  if (table.rows() < 2) throw BadInput(file.string() + ": an attitude history needs two samples or more");
-  std::vector<AttitudeSample> samples;
+  Telemetry telemetry;
   for (std::size_t i = 0; i < table.rows(); ++i) {
     const auto q = [&](const char* column) { return table.number(i, column); };
     const auto nearest = from_row(table, i, "q0", [&] {
@@ -129,43 +118,11 @@ std::vector<AttitudeSample> read_attitude(const std::filesystem::path& file) {
     });
     if (nearest.distance > printed_to)
       table.refuse(i, "q0", "the norm of q0 to q3 is off 1 by " + std::to_string(nearest.distance));
-    samples.push_back({next_epoch(samples, table, i), nearest,
-                       read_vector<si::angular_velocity>(in<Body>, table, i, {"wx", "wy", "wz"})});
+    telemetry.attitude.push_back({next_epoch(telemetry.attitude, table, i), nearest.quaternion});
+    telemetry.gyro_body.push_back(read_vector<si::angular_velocity>(in<Body>, table, i, {"wx", "wy", "wz"}));
+    telemetry.off_unit = std::max(telemetry.off_unit, nearest.distance);
   }
-  return samples;
-}
-
-// The first of the two samples that enclose the epoch.
-template <class Sample> const Sample& sample_before(const std::vector<Sample>& samples, const Epoch& epoch) {
-  const auto after = std::upper_bound(samples.begin(), samples.end(), epoch,
-                                      [](const Epoch& t, const Sample& sample) { return t < sample.epoch; });
-  if (after == samples.begin() || after == samples.end()) throw BadInput("no samples around " + epoch.utc());
-  return *(after - 1);
-}
-
-// The cubic between two samples: within 0.3 mm of an orbit sampled every ten seconds.
-PositionVelocity<Itrf> orbit_at(const std::vector<OrbitSample>& samples, const Epoch& epoch) {
-  const OrbitSample& a = sample_before(samples, epoch);
-  const OrbitSample& b = *(&a + 1);
-  return hermite(a.itrf, b.itrf, b.epoch - a.epoch, epoch - a.epoch);
-}
-
-Dcm<Gcrf, Orbit> orbit_frame(const PositionVelocity<Itrf>& orbit, const MovingDcm<Gcrf, Itrf>& earth) {
-  // v^gcrf = R_itrf^gcrf (v^itrf + w x r)
-  const auto v_gcrf =
-      earth.rotation * (orbit.velocity + cross(earth.angular_velocity.vector(), orbit.position));
-  const auto z_gcrf = -direction(earth.rotation * orbit.position);
-  const auto y_gcrf = direction(cross(z_gcrf, v_gcrf));
-  return inverse(dcm_from_axes(to<Orbit>, cross(y_gcrf, z_gcrf), y_gcrf, z_gcrf));
-}
-
-// R_axes^gcrf and its rate between two samples: the turn at constant rate.
-MovingDcm<Gcrf, QuaternionAxes> attitude_at(const std::vector<AttitudeSample>& samples, const Epoch& epoch) {
-  const AttitudeSample& a = sample_before(samples, epoch);
-  const AttitudeSample& b = *(&a + 1);
-  const Slerp turn(0.0 * si::second, a.q_gcrf_from_axes.quaternion, b.epoch - a.epoch,
-                   b.q_gcrf_from_axes.quaternion);
-  return turn(epoch - a.epoch);
+  return telemetry;
 }
 
 double degrees(double radians) {
@@ -178,30 +135,28 @@ template <class F, class U, class V> double angle(const Vector<F, U>& r, const V
   return degrees(std::atan2(norm(cross(r_hat, s_hat)).value(), dot(r_hat, s_hat).value()));
 }
 
-// Halfway between the samples a and b everything that the graph can be asked.
+// Everything that the graph can be asked at one epoch.
 template <class Graph>
-Look look(const Graph& graph, const std::vector<OrbitSample>& samples, const AttitudeSample& a,
-          const AttitudeSample& b) {
-  const Epoch epoch = a.epoch + 0.5 * (b.epoch - a.epoch);
-  const auto orbit = orbit_at(samples, epoch);
+Look look(const Graph& graph, const Epoch& epoch, const Vector<Body, si::angular_velocity>& gyro_body) {
   const auto now = graph.at(epoch);
 
-  const auto v_body = now.rotation(to<Body>, from<Itrf>) * orbit.velocity;
+  const auto v_body = now.velocity(of<Satellite>, relative_to<Itrf>, observed_from<Itrf>, in<Body>);
   const auto attitude = euler_angles(intrinsic<3, 2, 1>, now.rotation(to<Orbit>, from<Body>));
   const auto w_gb_body = now.angular_velocity(of<Body>, relative_to<Gcrf>, in<Body>);
 
   const auto axis_itrf = now.rotation(to<Itrf>, from<Antenna>) * unit_x(in<Antenna>);
-  const auto ground = wgs84::first_intersection(orbit.position, axis_itrf);
+  const auto r_itrf = now.position(of<Satellite>, relative_to<Itrf>, in<Itrf>);
+  const auto ground = wgs84::first_intersection(r_itrf.vector(), axis_itrf);
   if (!ground) throw BadInput("the antenna's axis misses the Earth at " + epoch.utc());
   const Geodetic place = wgs84::geodetic(*ground);
 
   return {epoch,
-          angle(unit_x(in<Body>), v_body),
+          angle(unit_x(in<Body>), v_body.vector()),
           degrees(attitude.third().value()),
           degrees(attitude.second().value()),
           degrees(attitude.first().value()),
           w_gb_body.vector(),
-          0.5 * (a.gyro_body + b.gyro_body),
+          gyro_body,
           degrees(place.latitude.value()),
           degrees(place.longitude.value()),
           angle(wgs84::up(*ground), -axis_itrf)};
@@ -230,7 +185,7 @@ void print(const std::vector<Look>& looks) {
   }
 }
 
-void summarise(const std::vector<Look>& looks, const std::vector<AttitudeSample>& attitude) {
+void summarise(const std::vector<Look>& looks, double off_unit) {
   const auto line = [&](const char* text, int decimals, const char* unit, auto figure) {
     std::vector<double> figures;
     for (const Look& look : looks) figures.push_back(figure(look));
@@ -244,9 +199,7 @@ void summarise(const std::vector<Look>& looks, const std::vector<AttitudeSample>
   line("Incidence of the antenna's axis on WGS-84", 2, "deg", [](const Look& l) { return l.incidence; });
 
   double square = 0.0;
-  double off_unit = 0.0;
   for (const Look& look : looks) square += std::pow(micro(norm(look.rate_body - look.gyro_body)), 2);
-  for (const auto& sample : attitude) off_unit = std::max(off_unit, sample.q_gcrf_from_axes.distance);
   std::printf("%-49s %8.2f urad/s, root mean square\n", "Rate of the quaternions less that of the gyros",
               std::sqrt(square / static_cast<double>(looks.size())));
   std::printf("%-49s %8.2f e-7\n", "Norm of the printed quaternions, off 1 by at most", 1e7 * off_unit);
@@ -272,26 +225,34 @@ void write(const std::vector<Look>& looks, const std::filesystem::path& file) {
 void run(const std::filesystem::path& data, const std::filesystem::path& table) {
   const auto orientation = EarthOrientation::read(data / "finals2000A_april_2022.txt");
   const auto orbit = read_orbit(data / "S1A_IW_20220414T102211_orbit.csv");
-  const auto attitude = read_attitude(data / "S1A_IW_20220414T102211_attitude.csv");
+  const auto telemetry = read_attitude(data / "S1A_IW_20220414T102211_attitude.csv");
 
-  // Earth and attitude know their rates; of the orbit frame only the rotation is claimed.
   const auto earth = edge([&](const Epoch& t) { return orientation.at(t); });
-  const auto frame = edge([&](const Epoch& t) { return orbit_frame(orbit_at(orbit, t), orientation.at(t)); });
-  const auto turns = edge([&](const Epoch& t) { return attitude_at(attitude, t); });
+  // The cubic through orbit samples ten seconds apart is off by 0.3 mm.
+  const auto satellite = sampled_edge(orbit, 20.0 * si::second);
+  const auto attitude = sampled_edge(telemetry.attitude, 2.0 * si::second);
+  const auto orbit_frame = edge<Dcm<Gcrf, Orbit>>([](const auto& now) {
+    const auto z = -direction(now.position(of<Satellite>, relative_to<Itrf>, in<Gcrf>).vector());
+    const auto v = now.velocity(of<Satellite>, relative_to<Itrf>, observed_from<Gcrf>, in<Gcrf>).vector();
+    const auto y = direction(cross(z, v));
+    return inverse(dcm_from_axes(to<Orbit>, cross(y, z), y, z));
+  });
   const auto R_body_from_axes = dcm_from_axes(to<Body>, -unit_y(in<QuaternionAxes>),
                                               -unit_x(in<QuaternionAxes>), -unit_z(in<QuaternionAxes>));
   const auto R_antenna_from_body = turned_y(to<Antenna>, from<Body>, convert<si::angle>(-90.0 * si::degree));
-  const auto graph =
-      frame_graph(earth, frame, turns, rigid_edge(R_body_from_axes), rigid_edge(R_antenna_from_body));
+  const auto graph = frame_graph(earth, satellite, orbit_frame, attitude, rigid_edge(R_body_from_axes),
+                                 rigid_edge(R_antenna_from_body));
 
   std::vector<Look> looks;
-  for (std::size_t i = 0; i + 1 < attitude.size(); ++i) {
-    looks.push_back(look(graph, orbit, attitude[i], attitude[i + 1]));
+  for (std::size_t i = 0; i + 1 < telemetry.attitude.size(); ++i) {
+    const Epoch &a = telemetry.attitude[i].time, &b = telemetry.attitude[i + 1].time;
+    looks.push_back(
+        look(graph, a + 0.5 * (b - a), 0.5 * (telemetry.gyro_body[i] + telemetry.gyro_body[i + 1])));
   }
   std::printf("Sentinel-1A, %s, %zu s. Contains Copernicus Sentinel data [2022].\n",
               looks.front().epoch.utc(0).substr(0, 10).c_str(), looks.size());
   print(looks);
-  summarise(looks, attitude);
+  summarise(looks, telemetry.off_unit);
   if (!table.empty()) write(looks, table);
 }
 

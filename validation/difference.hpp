@@ -24,8 +24,9 @@ struct Difference {
   void rate(const AngularVelocity<Inertial, Body, In<Body>>& w_ib_b, const Eigen::Vector3d& reference) {
     rate_rad_s = std::max(rate_rad_s, (w_ib_b.coordinates() - reference).norm());
   }
-  void position(const OrbitState<Inertial>& orbit, const Eigen::Vector3d& reference) {
-    position_m = std::max(position_m, (orbit.r_i.coordinates() - reference).norm());
+  void position(const PointMotion<Inertial, CentreOfMassOf<Body>, Inertial>& orbit,
+                const Eigen::Vector3d& reference) {
+    position_m = std::max(position_m, (orbit.position.coordinates() - reference).norm());
   }
 };
 

@@ -61,7 +61,8 @@ Scenario<Inertial, Body> nasa_scenario(const std::string& run) {
       .initial = {.time = 0.0 * si::second,
                   .q_i_from_b = quaternion(inverse(R_b_from_lvlh(run) * R_lvlh_from_i())),
                   .w_ib_b = w_ib_b(run),
-                  .orbit = OrbitState<Inertial>{r_i(), v_i()}},
+                  .orbit = point_motion(of<CentreOfMassOf<Body>>, relative_to<Inertial>,
+                                        observed_from<Inertial>, r_i(), v_i())},
       .mu = Quantity<si::gravitational_parameter>::from_value(3.986004415e14),
       .gravity_gradient = run == "10A"};
   if (run == "9A") {

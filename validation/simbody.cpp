@@ -54,13 +54,13 @@ void report(Rows& rows, Rows& tightened, const std::string& what, const std::str
   const std::string name = what + " (NASA run " + run + "), every 600 s to 28800 s";
   const double of_run = std::end(accuracies)[-1] * runs.back().steps;
   const double orbital_rate =
-      norm(scenario.initial.orbit->v_i).value() / norm(scenario.initial.orbit->r_i).value();
+      norm(scenario.initial.orbit->velocity).value() / norm(scenario.initial.orbit->position).value();
   const Difference& last = runs.back().difference;
   const std::string reason = "Simbody's accuracy " + power(std::end(accuracies)[-1]) + " times its steps";
   rows.push_back({"Simbody", name, "attitude", of_run, "rad", reason, last.attitude_rad});
   rows.push_back({"Simbody", name, "body rate", of_run * orbital_rate, "rad/s",
                   reason + " and the orbital rate", last.rate_rad_s});
-  rows.push_back({"Simbody", name, "position", of_run * norm(scenario.initial.orbit->r_i).value(), "m",
+  rows.push_back({"Simbody", name, "position", of_run * norm(scenario.initial.orbit->position).value(), "m",
                   reason + " and the radius", last.position_m});
   for (std::size_t i = 1; i < runs.size(); ++i) {
     tightened.push_back(

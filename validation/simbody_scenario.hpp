@@ -31,8 +31,9 @@ template <class I, class B> SimbodyBody simbody_body(const Scenario<I, B>& scena
                    .pulses = {},
                    .gravity_gradient = scenario.gravity_gradient};
   if (scenario.initial.orbit) {
-    body.orbit = SimbodyOrbit{scenario.mu->value(), detail::array(scenario.initial.orbit->r_i.coordinates()),
-                              detail::array(scenario.initial.orbit->v_i.coordinates())};
+    body.orbit =
+        SimbodyOrbit{scenario.mu->value(), detail::array(scenario.initial.orbit->position.coordinates()),
+                     detail::array(scenario.initial.orbit->velocity.coordinates())};
   }
   for (const PulseTorque<B>& pulse : scenario.pulses) {
     body.pulses.push_back(

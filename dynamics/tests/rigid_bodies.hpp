@@ -39,6 +39,12 @@ inline Quaternion<Gcrf, Body> attitude(const Eigen::Quaterniond& q) {
   return quaternion_scalar_first(to<Gcrf>, from<Body>, q.w(), q.x(), q.y(), q.z());
 }
 
+/// The orbit of the body's centre of mass.
+inline auto body_orbit(const Eigen::Vector3d& r, const Eigen::Vector3d& v) {
+  return point_motion(of<CentreOfMassOf<Body>>, relative_to<Gcrf>, observed_from<Gcrf>,
+                      vector<si::length>(in<Gcrf>, r), vector<si::velocity>(in<Gcrf>, v));
+}
+
 inline BodyState state_at(double t, const Eigen::Quaterniond& q, const Eigen::Vector3d& w) {
   return {seconds(t), attitude(q), rate_body(w)};
 }

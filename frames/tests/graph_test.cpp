@@ -137,6 +137,62 @@ TEST(FrameGraph, LongPathsAreFound) {
             rounding);
 }
 
+// The sun sensor's frame follows from where the others are: z along the z axis of Itrf, x as near that of
+// Body as can be.
+Dcm<Gcrf, Camera> follows(const Dcm<Gcrf, Itrf>& R_gcrf_from_itrf, const Dcm<Gcrf, Body>& R_gcrf_from_body) {
+  const auto z = R_gcrf_from_itrf * unit_z(in<Itrf>);
+  const auto y = direction(cross(z, R_gcrf_from_body * unit_x(in<Body>)));
+  return inverse(dcm_from_axes(to<Camera>, cross(y, z), y, z));
+}
+template <class Tree> auto with_follower(const Tree& tree) {
+  return frame_graph(edge(Counting<Itrf, Gcrf>{tree.itrf_from_gcrf, &tree.itrf}),
+                     edge(Counting<Gcrf, Body>{tree.gcrf_from_body, &tree.body}),
+                     edge<Dcm<Gcrf, Camera>>([](const auto& snapshot) {
+                       return follows(snapshot.rotation(to<Gcrf>, from<Itrf>),
+                                      snapshot.rotation(to<Gcrf>, from<Body>));
+                     }),
+                     edge(Counting<Body, Wheel<1>>{tree.body_from_wheel_1, &tree.wheel}));
+}
+
+RC_GTEST_PROP(FrameGraph, AnEdgeMayFollowFromTheEdgesBeforeIt, ()) {
+  const Tree tree;
+  const auto graph = with_follower(tree);
+  agree<Wheel<1>, Camera>(graph.at(now).rotation(to<Wheel<1>>, from<Camera>),
+                          inverse(tree.gcrf_from_body * tree.body_from_wheel_1) *
+                              follows(inverse(tree.itrf_from_gcrf), tree.gcrf_from_body));
+}
+
+// Whether the snapshot has a name or not.
+TEST(FrameGraph, WhatEdgesShareIsEvaluatedOnce) {
+  const Tree tree{.itrf_from_gcrf = turned_x(to<Itrf>, from<Gcrf>, 0.3 * si::radian),
+                  .ground_from_itrf = aligned(to<Ground>, from<Itrf>),
+                  .gcrf_from_body = turned_y(to<Gcrf>, from<Body>, 0.4 * si::radian),
+                  .camera_from_body = aligned(to<Camera>, from<Body>),
+                  .body_from_wheel_1 = turned_z(to<Body>, from<Wheel<1>>, 0.5 * si::radian),
+                  .wheel_2_from_body = aligned(to<Wheel<2>>, from<Body>)};
+  const auto graph = with_follower(tree);
+  (void)graph.at(now).rotation(to<Itrf>, from<Camera>);
+  EXPECT_EQ(tree.itrf, 1);
+  EXPECT_EQ(tree.body, 1);
+  EXPECT_EQ(tree.wheel, 0);
+  const auto snapshot = graph.at(now);
+  (void)snapshot.rotation(to<Wheel<1>>, from<Camera>);
+  (void)snapshot.rotation(to<Camera>, from<Itrf>);
+  EXPECT_EQ(tree.itrf, 2);
+  EXPECT_EQ(tree.body, 2);
+  EXPECT_EQ(tree.wheel, 1);
+}
+
+TEST(FrameGraph, AnEdgeIsToldTheInstant) {
+  const auto graph = frame_graph(static_edge(turned_x(to<Body>, from<Gcrf>, 0.5 * si::radian)),
+                                 edge<Dcm<Camera, Body>>([](const auto& snapshot) {
+                                   const Quantity<si::time> t = snapshot.instant();
+                                   return turned_z(to<Camera>, from<Body>, t.value() * si::radian);
+                                 }));
+  EXPECT_EQ(graph.at(0.25 * si::second).rotation(to<Camera>, from<Body>).matrix(),
+            turned_z(to<Camera>, from<Body>, 0.25 * si::radian).matrix());
+}
+
 // What the graph does not know, overload resolution refuses.
 template <class Snapshot, class B, class A>
 concept Answers = requires(const Snapshot& snapshot) {
@@ -156,6 +212,20 @@ using TwoTrees = GraphSnapshot<double, Fixed<Gcrf, Itrf>, Fixed<Body, Camera>>;
 static_assert(Answers<TwoTrees, Itrf, Gcrf> && Answers<TwoTrees, Body, Camera>);
 static_assert(!Answers<TwoTrees, Camera, Gcrf> && !Answers<TwoTrees, Ground, Gcrf>);
 static_assert(!AnswersRate<TwoTrees, Itrf, Gcrf, Gcrf>);
+
+// An edge sees those before it, not itself nor those after it.
+TEST(FrameGraph, AnEdgeDoesNotSeeItselfNorLaterEdges) {
+  const auto graph =
+      frame_graph(static_edge(aligned(to<Gcrf>, from<Itrf>)), edge<Dcm<Gcrf, Body>>([](const auto& snapshot) {
+                    using Snapshot = std::remove_cvref_t<decltype(snapshot)>;
+                    static_assert(Answers<Snapshot, Gcrf, Itrf>);
+                    static_assert(!Answers<Snapshot, Gcrf, Body>);
+                    static_assert(!Answers<Snapshot, Body, Camera>);
+                    return aligned(to<Gcrf>, from<Body>);
+                  }),
+                  static_edge(aligned(to<Body>, from<Camera>)));
+  EXPECT_EQ(graph.at(now).rotation(to<Gcrf>, from<Camera>).matrix(), Eigen::Matrix3d::Identity());
+}
 static_assert(Joins<Fixed<Gcrf, Body>, Fixed<Body, Camera>> && Joins<Fixed<Gcrf, Itrf>, Fixed<Body, Camera>>);
 static_assert(!Joins<>);
 static_assert(!Joins<Fixed<Gcrf, Body>, Fixed<Gcrf, Body>> && !Joins<Fixed<Gcrf, Body>, Fixed<Body, Gcrf>>);

@@ -194,8 +194,7 @@ TEST(TorqueFree, RefusesBadInput) {
   wrong.w_ib_b = AngularVelocity<Gcrf, Body, In<Body>>{detail::trusted, Eigen::Vector3d(0.0, nan, 1.0)};
   expect_bad_input([&] { torque_free(J, wrong); }, "the rate (0, nan, 1) rad/s is not finite");
   wrong = start;
-  wrong.orbit = OrbitState<Gcrf>{vector(in<Gcrf>, 7e6 * si::metre, 0.0 * si::metre, 0.0 * si::metre),
-                                 zero<si::velocity>(in<Gcrf>)};
+  wrong.orbit = body_orbit({7e6, 0.0, 0.0}, Eigen::Vector3d::Zero());
   expect_bad_input([&] { torque_free(J, wrong); }, "the state has an orbit, which is not carried along");
   for (const double t : {nan, infinity}) {
     expect_bad_input([&] { torque_free(J, start).at(seconds(t)); }, "the time is ");

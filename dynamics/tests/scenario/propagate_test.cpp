@@ -91,15 +91,15 @@ TEST_P(Propagate, kepler_ellipse_in_the_same_state) {
   body.w0 *= 1e-3;
   BodyScenario scenario = body.scenario();
   scenario.mu = Quantity<si::gravitational_parameter>::from_value(mu);
-  scenario.initial.orbit = {vector<si::length>(in<Gcrf>, tilt * ellipse(0.0).first),
-                            vector<si::velocity>(in<Gcrf>, tilt * ellipse(0.0).second)};
+  scenario.initial.orbit = body_orbit(tilt * ellipse(0.0).first, tilt * ellipse(0.0).second);
   const double end = 3.0 * 2.0 * pi / n;  // three revolutions, 8 h
   const auto trajectory = propagate(scenario, until(end));
   for (int i = 0; i <= 50; ++i) {
     const double t = i * end / 50.0;
     const BodyState found = trajectory.at(seconds(t));
-    EXPECT_LT((found.orbit->r_i.coordinates() - tilt * ellipse(t).first).norm(), orbit_accuracy(3.0) * a);
-    EXPECT_LT((found.orbit->v_i.coordinates() - tilt * ellipse(t).second).norm(),
+    EXPECT_LT((found.orbit->position.coordinates() - tilt * ellipse(t).first).norm(),
+              orbit_accuracy(3.0) * a);
+    EXPECT_LT((found.orbit->velocity.coordinates() - tilt * ellipse(t).second).norm(),
               orbit_accuracy(3.0) * n * a);
     EXPECT_LT(error(found, body.exact(t)), accuracy());
   }
@@ -212,8 +212,7 @@ struct GravityGradientPendulum {
   BodyScenario scenario(double phi) const {
     const Quaterniond q(Eigen::AngleAxisd(phi, Vector3d::UnitZ()));
     BodyScenario result{tensor(Jx, Jy, Jz), state_at(0.0, q, {0.0, 0.0, n})};
-    result.initial.orbit = {vector<si::length>(in<Gcrf>, Vector3d(radius, 0.0, 0.0)),
-                            vector<si::velocity>(in<Gcrf>, Vector3d(0.0, n * radius, 0.0))};
+    result.initial.orbit = body_orbit({radius, 0.0, 0.0}, {0.0, n * radius, 0.0});
     result.mu = Quantity<si::gravitational_parameter>::from_value(mu);
     result.gravity_gradient = true;
     return result;

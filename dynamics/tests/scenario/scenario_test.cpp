@@ -16,9 +16,8 @@ BodyScenario body() {
   return AxisymmetricBody{}.scenario();
 }
 
-OrbitState<Gcrf> orbit() {
-  return {vector<si::length>(in<Gcrf>, Vector3d(7e6, 0.0, 0.0)),
-          vector<si::velocity>(in<Gcrf>, Vector3d(0.0, 7500.0, 0.0))};
+auto orbit() {
+  return body_orbit({7e6, 0.0, 0.0}, {0.0, 7500.0, 0.0});
 }
 
 Quantity<si::gravitational_parameter> mu(double value = 3.986004418e14) {
@@ -76,7 +75,7 @@ TEST(ScenarioTorque, is_the_sum_of_all) {
   EXPECT_FALSE(scenario.torque_free());
   scenario.torques = {constant(1.0), constant(20.0)};
   scenario.pulses = {{seconds(0.0), seconds(2.0), torque_body(300.0, 0.0, 0.0)}};
-  const Vector<Body, si::length> r_b = inverse(scenario.initial.R_i_from_b()) * orbit().r_i;
+  const Vector<Body, si::length> r_b = inverse(scenario.initial.R_i_from_b()) * orbit().position.vector();
   const Vector3d gradient = gravity_gradient_torque(mu(), scenario.inertia, r_b).coordinates();
   EXPECT_GT(gradient.norm(), 0.0);
   EXPECT_LT((torque(scenario, scenario.initial).coordinates() - gradient - Vector3d(321.0, 0.0, 0.0)).norm(),

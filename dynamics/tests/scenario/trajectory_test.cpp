@@ -1,6 +1,8 @@
 #include <limits>
 #include <numbers>
 #include <vectrix/dynamics/scenario/conservation.hpp>
+#include <vectrix/frames/graph/frame_graph.hpp>
+#include <vectrix/kinematics/points/rigid_edge.hpp>
 
 #include "rigid_bodies.hpp"
 
@@ -14,6 +16,8 @@ using Eigen::Vector3d;
 
 constexpr double pi = std::numbers::pi;
 constexpr double accuracy = 1e-9;  // of a Fehlberg 7(8) run of some tens of radians at the default tolerances
+
+struct Camera : moving_frame {};
 
 const AxisymmetricBody body;
 
@@ -49,6 +53,19 @@ TEST(Trajectory, is_as_accurate_between_the_nodes_as_at_them) {
   }
   EXPECT_LT(at_nodes, accuracy);
   EXPECT_LT(between, 2.0 * at_nodes);
+}
+
+TEST(Trajectory, is_an_edge_of_a_frame_graph) {
+  const auto trajectory = propagate(body.scenario(), until(60.0));
+  const auto graph =
+      frame_graph(edge(trajectory), rigid_edge(turned_x(to<Body>, from<Camera>, 0.5 * si::radian)));
+  const auto now = graph.at(seconds(33.3));
+  const auto state = trajectory.at(seconds(33.3));
+  EXPECT_EQ(now.rotation(to<Gcrf>, from<Body>).matrix(), state.R_i_from_b().matrix());
+  // Of the camera, which is fixed on the body, in the body's axes.
+  EXPECT_EQ(now.angular_velocity(of<Camera>, relative_to<Gcrf>, in<Body>).coordinates(),
+            state.w_ib_b.coordinates());
+  EXPECT_THROW(graph.at(seconds(60.5)).rotation(to<Gcrf>, from<Body>), BadInput);
 }
 
 TEST(Trajectory, gives_the_states_at_its_nodes_and_at_the_output_times) {
@@ -270,8 +287,7 @@ TEST(Failure, after_max_steps) {
 BodyScenario in_orbit() {
   BodyScenario scenario = body.scenario();
   scenario.mu = Quantity<si::gravitational_parameter>::from_value(3.986004418e14);
-  scenario.initial.orbit = {vector<si::length>(in<Gcrf>, Vector3d(7e6, 0.0, 0.0)),
-                            vector<si::velocity>(in<Gcrf>, Vector3d(0.0, 5000.0, 6000.0))};
+  scenario.initial.orbit = body_orbit({7e6, 0.0, 0.0}, {0.0, 5000.0, 6000.0});
   return scenario;
 }
 

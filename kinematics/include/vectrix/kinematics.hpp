@@ -18,6 +18,7 @@
 #include <vectrix/kinematics/points/acceleration.hpp>
 #include <vectrix/kinematics/points/derivative.hpp>
 #include <vectrix/kinematics/points/moving_transform.hpp>
+#include <vectrix/kinematics/points/point_motion.hpp>
 #include <vectrix/kinematics/points/rigid_edge.hpp>
 #include <vectrix/kinematics/points/velocity.hpp>
 #include <vectrix/kinematics/rates/angular_acceleration.hpp>
@@ -27,8 +28,10 @@
 #include <vectrix/kinematics/rates/moving_dcm.hpp>
 #include <vectrix/kinematics/rates/rate.hpp>
 #include <vectrix/kinematics/samples/attitude_sample.hpp>
+#include <vectrix/kinematics/samples/hermite.hpp>
 #include <vectrix/kinematics/samples/rotation_spline.hpp>
 #include <vectrix/kinematics/samples/sampled_attitude.hpp>
+#include <vectrix/kinematics/samples/sampled_position.hpp>
 #include <vectrix/kinematics/samples/slerp.hpp>
 #include <vectrix/kinematics/screws/constant_twist.hpp>
 #include <vectrix/kinematics/screws/screw.hpp>

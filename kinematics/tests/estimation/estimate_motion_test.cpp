@@ -137,10 +137,10 @@ TEST(EstimateMotion, WhatCannotBeEstimatedIsRefused) {
   const auto said = [&](double t, double width, double sigma = 1e-3) {
     return message<BadInput>([&] { estimate_motion(list, seconds(t), seconds(width), rad(sigma)); });
   };
-  const std::string place = detail::samples_place<Gcrf, Body>("estimate_motion");
+  const std::string place = detail::samples_place<Gcrf, Body>("estimate_motion") + ": ";
   EXPECT_EQ(said(10, 2), "");
-  EXPECT_EQ(said(20.5, 2), place + "time 20.5 s is outside [0, 20] s");
-  EXPECT_EQ(said(std::nan(""), 2), place + "time nan s is outside [0, 20] s");
+  EXPECT_EQ(said(20.5, 2), place + "the time 20.5 s is outside the samples, [0 s, 20 s]");
+  EXPECT_EQ(said(std::nan(""), 2), place + "the time nan s is outside the samples, [0 s, 20 s]");
   EXPECT_EQ(said(10, 1),
             place + "the number of samples within 1 s of 10 s is 3; a polynomial of degree 3 needs 4");
   EXPECT_EQ(said(10.5, 0.1),

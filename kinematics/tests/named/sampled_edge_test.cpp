@@ -107,9 +107,9 @@ TEST_F(SampledEdge, TheRateJumpsAtASample) {
 
 TEST_F(SampledEdge, OutsideTheSamplesIsRefused) {
   graph.add_edge(sampled_edge(samples({10, 11, 12}), 1.0 * si::second));
-  expect(R"(the edge "gcrf" - "body": the time 9.5 s is outside the samples, [10, 12] s)",
+  expect(R"(the edge "gcrf" - "body": the time 9.5 s is outside the samples, [10 s, 12 s])",
          [&] { rotation(9.5); });
-  expect(R"(the edge "gcrf" - "body": the time 12.5 s is outside the samples, [10, 12] s)",
+  expect(R"(the edge "gcrf" - "body": the time 12.5 s is outside the samples, [10 s, 12 s])",
          [&] { rate(12.5); });
   EXPECT_EQ(message<BadInput>([&] { rotation(10), rotation(12); }), "");
 }
@@ -132,9 +132,9 @@ TEST_F(SampledEdge, BadSamplesAreRefused) {
   };
   const double infinity = std::numeric_limits<double>::infinity();
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  const std::string edge = R"(sampled_edge(q to "gcrf" from "body"): )";
-  EXPECT_EQ(make({}), "sampled_edge: 0 samples; two are needed to interpolate");
-  EXPECT_EQ(make({1}), edge + "1 samples; two are needed to interpolate");
+  const std::string edge = R"(the edge "gcrf" - "body": )";
+  EXPECT_EQ(make({}), "sampled_edge: the number of samples is 0, at least 2 are needed");
+  EXPECT_EQ(make({1}), edge + "the number of samples is 1, at least 2 are needed");
   EXPECT_EQ(make({0, 1, 1, 2}), edge + "samples 1 and 2 have one time, 1 s");
   EXPECT_EQ(make({0, 2, 1}), edge + "the time of sample 2, 1 s, is before that of sample 1, 2 s");
   EXPECT_EQ(make({0, 5e-324}), edge + "samples 0 and 1 are 5e-324 s apart");

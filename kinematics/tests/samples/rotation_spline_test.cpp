@@ -94,13 +94,14 @@ RC_GTEST_PROP(RotationSpline, ItsRatesAreDerivatives, ()) {
   const auto list = random_samples();
   const auto dual = [](double x) { return Dual(x, Eigen::Matrix<double, 1, 1>(0.0)); };
   const auto time = [](const Dual& t) { return Quantity<si::time, Dual>::from_value(t); };
-  std::vector<AttitudeSample<Gcrf, Body, Dual>> duals;
+  std::vector<AttitudeSample<Gcrf, Body, Quantity<si::time, Dual>>> duals;
   for (const auto& one : list) {
     const auto [w, x, y, z] = one.q_a_from_b.scalar_first();
     duals.push_back({time(dual(one.time.value())),
                      quaternion_scalar_first(to<Gcrf>, from<Body>, dual(w), dual(x), dual(y), dual(z))});
   }
-  const RotationSpline<Gcrf, Body, Dual> differentiable(duals, time(dual(10.0)), natural_ends);
+  const RotationSpline<Gcrf, Body, Quantity<si::time, Dual>> differentiable(duals, time(dual(10.0)),
+                                                                            natural_ends);
   const double t = inside(list);
   const auto at = differentiable(time(Dual(t, 1, 0)));
   const auto rate_of = [](const Dual& x) { return x.derivatives()(0); };
@@ -238,7 +239,7 @@ TEST(RotationSpline, BadSamplesAreRefused) {
   const auto at = [](double t, double angle = 0.0) {
     return AttitudeSample<Gcrf, Body>{seconds(t), typed(turn({angle, 0.0, 0.0}))};
   };
-  const std::string place = detail::samples_place<Gcrf, Body>("RotationSpline");
+  const std::string place = detail::samples_place<Gcrf, Body>("RotationSpline") + ": ";
   EXPECT_EQ(said({}), place + "the number of samples is 0, at least 2 are needed");
   EXPECT_EQ(said({at(0)}), place + "the number of samples is 1, at least 2 are needed");
   EXPECT_EQ(said({at(0), at(1), at(1)}), place + "samples 1 and 2 have one time, 1 s");
@@ -256,7 +257,7 @@ TEST(RotationSpline, BadSamplesAreRefused) {
   EXPECT_EQ(said({at(0), at(1, 3.1)}), "");
   const Spline spline({at(10), at(14)}, longest_gap, natural_ends);
   const auto ask = [&](double t) { return message<BadInput>([&] { spline(seconds(t)); }); };
-  EXPECT_EQ(ask(9.5), place + "time 9.5 s is outside [10, 14] s");
+  EXPECT_EQ(ask(9.5), place + "the time 9.5 s is outside the samples, [10 s, 14 s]");
   EXPECT_TRUE(contains(ask(14.5), "outside") && contains(ask(std::nan("")), "time nan s is outside"));
   EXPECT_EQ(ask(10) + ask(14), "");
 }

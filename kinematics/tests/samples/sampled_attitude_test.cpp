@@ -68,12 +68,12 @@ RC_GTEST_PROP(SampledAttitude, TheSignOfAQuaternionDoesNotMatter, ()) {
 TEST(SampledAttitude, OutsideAndInAGapIsRefused) {
   const SampledAttitude attitude(about_z({0, 1, 2, 7, 8}), seconds(2.0));
   const auto said = [&](double t) { return message<BadInput>([&] { attitude(seconds(t)); }); };
-  const std::string place = detail::samples_place<Gcrf, Body>("SampledAttitude");
-  EXPECT_EQ(said(-0.5), place + "time -0.5 s is outside [0, 8] s");
-  EXPECT_EQ(said(8.5), place + "time 8.5 s is outside [0, 8] s");
-  EXPECT_EQ(said(std::nan("")), place + "time nan s is outside [0, 8] s");
+  const std::string place = detail::samples_place<Gcrf, Body>("SampledAttitude") + ": ";
+  EXPECT_EQ(said(-0.5), place + "the time -0.5 s is outside the samples, [0 s, 8 s]");
+  EXPECT_EQ(said(8.5), place + "the time 8.5 s is outside the samples, [0 s, 8 s]");
+  EXPECT_EQ(said(std::nan("")), place + "the time nan s is outside the samples, [0 s, 8 s]");
   EXPECT_EQ(said(3),
-            place + "time 3 s is in a gap of 5 s after the sample at 2 s; the longest allowed is 2 s");
+            place + "the time 3 s is in a gap of 5 s after the sample at 2 s; the longest allowed is 2 s");
   for (const double t : {0.0, 1.5, 2.0, 7.0, 7.5, 8.0}) {
     EXPECT_LE(distance(attitude(seconds(t)).rotation.matrix(),
                        Eigen::AngleAxisd(0.1 * t, Eigen::Vector3d::UnitZ()).toRotationMatrix()),
@@ -88,7 +88,7 @@ TEST(SampledAttitude, BadSamplesAreRefused) {
   const auto said = [](const std::vector<double>& times, double gap = 1.0) {
     return message<BadInput>([&] { sampled_edge(about_z(times), seconds(gap)); });
   };
-  const std::string place = detail::samples_place<Gcrf, Body>("SampledAttitude");
+  const std::string place = detail::samples_place<Gcrf, Body>("SampledAttitude") + ": ";
   EXPECT_EQ(said({}), place + "the number of samples is 0, at least 2 are needed");
   EXPECT_EQ(said({0, 1, 1, 2}), place + "samples 1 and 2 have one time, 1 s");
   EXPECT_EQ(said({0, 2, 1}), place + "the time of sample 2, 1 s, is before that of sample 1, 2 s");

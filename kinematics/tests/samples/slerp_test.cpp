@@ -56,8 +56,9 @@ RC_GTEST_PROP(Slerp, ItsRateIsTheDerivativeOfItsRotation, ()) {
     return quaternion_scalar_first(to<Gcrf>, from<Body>, c(q.w()), c(q.x()), c(q.y()), c(q.z()));
   };
   const auto time = [](const Dual& seconds) { return Quantity<si::time, Dual>::from_value(seconds); };
-  const Slerp<Gcrf, Body, Dual> differentiable(time(Dual(10.0, Eigen::Matrix<double, 1, 1>(0.0))), dual(q0),
-                                               time(Dual(14.0, Eigen::Matrix<double, 1, 1>(0.0))), dual(q1));
+  const Slerp<Gcrf, Body, Quantity<si::time, Dual>> differentiable(
+      time(Dual(10.0, Eigen::Matrix<double, 1, 1>(0.0))), dual(q0),
+      time(Dual(14.0, Eigen::Matrix<double, 1, 1>(0.0))), dual(q1));
   const auto here = differentiable(time(Dual(11.5, 1, 0)));
   const Eigen::Matrix3d R = here.rotation.matrix().unaryExpr([](const Dual& x) { return x.value(); });
   const Eigen::Matrix3d Rdot =
@@ -89,7 +90,7 @@ TEST(Slerp, BadTimesAreBadInput) {
   EXPECT_TRUE(contains(make(0, std::numeric_limits<double>::infinity()), "0 s and inf s do not increase"));
   const Slerp slew(t0, q, t1, q);
   const auto ask = [&](double t) { return message<BadInput>([&] { slew(t * si::second); }); };
-  EXPECT_TRUE(contains(ask(9.5), "Slerp of ") && contains(ask(9.5), "time 9.5 s is outside [10, 14] s"))
+  EXPECT_TRUE(contains(ask(9.5), "Slerp of ") && contains(ask(9.5), "the time 9.5 s is outside [10 s, 14 s]"))
       << ask(9.5);
   EXPECT_TRUE(contains(ask(14.5), "time 14.5 s is outside"));
   EXPECT_TRUE(contains(ask(std::numeric_limits<double>::quiet_NaN()), "time nan s is outside"));

@@ -4,5 +4,4 @@
 #include <vectrix/space/earth/earth_orientation.hpp>
 #include <vectrix/space/earth/ellipsoid.hpp>
 #include <vectrix/space/files/csv_table.hpp>
-#include <vectrix/space/orbits/hermite.hpp>
 #include <vectrix/space/time/epoch.hpp>

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 #include <optional>
+#include <ostream>
 
 #include <vectrix/frames/errors.hpp>
 #include <vectrix/space/time/epoch.hpp>
@@ -108,9 +109,13 @@ JulianDate tai_of_utc(const JulianDate& utc, const std::string& what) {
   return normalised(day, fraction);
 }
 
+bool before_utc(const JulianDate& tai) {
+  return tai < tai_of_utc({modified_julian_zero + first_utc_day, 0.0}, "the first day of UTC");
+}
+
 // UTC, as ERFA's quasi-Julian date, in which every day has the length 1.
 JulianDate utc_date(const JulianDate& tai) {
-  if (tai < tai_of_utc({modified_julian_zero + first_utc_day, 0.0}, "the first day of UTC")) {
+  if (before_utc(tai)) {
     throw BadInput("Epoch " + iso_text("TAI", tai, 6) + " TAI: UTC is not known before 1960");
   }
   double day = 0.0;
@@ -188,6 +193,10 @@ Epoch operator+(const Epoch& epoch, const Quantity<si::time>& duration) {
 
 Epoch operator-(const Epoch& epoch, const Quantity<si::time>& duration) {
   return epoch + (-duration);
+}
+
+std::ostream& operator<<(std::ostream& out, const Epoch& epoch) {
+  return before_utc(epoch.tai()) ? out << epoch.tt() << " TT" : out << epoch.utc() << " UTC";
 }
 
 }  // namespace vectrix

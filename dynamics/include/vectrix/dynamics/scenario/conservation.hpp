@@ -40,11 +40,11 @@ Conservation conservation(const Scenario<I, B>& scenario, const Trajectory<I, B>
     return angular_momentum(scenario, state).coordinates();
   };
   const auto orbital_energy = [&](const State<I, B>& state) {
-    return state.orbit->v_i.coordinates().squaredNorm() / 2.0 -
-           scenario.mu->value() / norm(state.orbit->r_i).value();
+    return state.orbit->velocity.coordinates().squaredNorm() / 2.0 -
+           scenario.mu->value() / norm(state.orbit->position).value();
   };
   const auto orbital_momentum = [&](const State<I, B>& state) {
-    return cross(state.orbit->r_i, state.orbit->v_i).coordinates();
+    return cross(state.orbit->position.vector(), state.orbit->velocity.vector()).coordinates();
   };
 
   // The largest change of `quantity`, a number or a column, relative to its first value.

@@ -99,7 +99,7 @@ Vector<B, si::torque> torque(const Scenario<I, B>& scenario, const State<I, B>& 
                      "): the gravity-gradient torque needs mu and an orbit");
     }
     // r^b = R_i^b r^i
-    const Vector<B, si::length> r_b = inverse(state.R_i_from_b()) * state.orbit->r_i;
+    const Vector<B, si::length> r_b = inverse(state.R_i_from_b()) * state.orbit->position.vector();
     sum_b = sum_b + gravity_gradient_torque(*scenario.mu, scenario.inertia, r_b);
   }
   for (const CustomTorque<I, B>& custom : scenario.torques) {

@@ -20,6 +20,8 @@ namespace detail {
 /// The one place where a state loses its names to become an array for the integrator, and gets them back:
 ///     [ attitude (4 or 9) | w_ib^b (3) | r^i (3) | v^i (3) ]
 template <InertialFrame I, Frame B> class StateLayout {
+  using Orbit = PointMotion<I, CentreOfMassOf<B>, I>;
+
  public:
   StateLayout(AttitudeState attitude, bool orbit) : attitude_(attitude), orbit_(orbit) {}
 
@@ -48,8 +50,8 @@ template <InertialFrame I, Frame B> class StateLayout {
     }
     write_column(state.w_ib_b.coordinates(), y, attitude_size());
     if (orbit_) {
-      write_column(state.orbit->r_i.coordinates(), y, attitude_size() + 3);
-      write_column(state.orbit->v_i.coordinates(), y, attitude_size() + 6);
+      write_column(state.orbit->position.coordinates(), y, attitude_size() + 3);
+      write_column(state.orbit->velocity.coordinates(), y, attitude_size() + 6);
     }
     return y;
   }
@@ -57,7 +59,7 @@ template <InertialFrame I, Frame B> class StateLayout {
   /// The state, its attitude projected onto the nearest rotation.
   State<I, B> unpack(double t, std::span<const double> y) const {
     return {Quantity<si::time>::from_value(t), unit_attitude(y), rate(y),
-            orbit_ ? std::optional<OrbitState<I>>{orbit(y)} : std::nullopt};
+            orbit_ ? std::optional<Orbit>{orbit(y)} : std::nullopt};
   }
 
   /// How far the raw attitude is from a rotation: | |q| - 1 |, or the largest entry of |R^T R - I|.
@@ -82,9 +84,10 @@ template <InertialFrame I, Frame B> class StateLayout {
             : torque(scenario, unpack(t, y), Quantity<si::time>::from_value(segment_start));
     write_column(euler(scenario.inertia, w_ib_b, torque_b).coordinates(), ydot, attitude_size());
     if (orbit_) {
-      const OrbitState<I> now = orbit(y);
-      write_column(now.v_i.coordinates(), ydot, attitude_size() + 3);
-      write_column(point_mass_gravity(*scenario.mu, now.r_i).coordinates(), ydot, attitude_size() + 6);
+      const Orbit now = orbit(y);
+      write_column(now.velocity.coordinates(), ydot, attitude_size() + 3);
+      write_column(point_mass_gravity(*scenario.mu, now.position.vector()).coordinates(), ydot,
+                   attitude_size() + 6);
     }
   }
 
@@ -117,9 +120,9 @@ template <InertialFrame I, Frame B> class StateLayout {
     return AngularVelocity<I, B, In<B>>{trusted,
                                         Vector<B, si::angular_velocity>{trusted, column(y, attitude_size())}};
   }
-  OrbitState<I> orbit(std::span<const double> y) const {
-    return {Vector<I, si::length>{trusted, column(y, attitude_size() + 3)},
-            Vector<I, si::velocity>{trusted, column(y, attitude_size() + 6)}};
+  Orbit orbit(std::span<const double> y) const {
+    return {decltype(Orbit::position){trusted, column(y, attitude_size() + 3)},
+            decltype(Orbit::velocity){trusted, column(y, attitude_size() + 6)}};
   }
 
   AttitudeState attitude_;

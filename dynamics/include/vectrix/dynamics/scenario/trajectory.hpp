@@ -5,6 +5,7 @@
 #include <vector>
 #include <vectrix/dynamics/ode/solution.hpp>
 #include <vectrix/dynamics/scenario/state_layout.hpp>
+#include <vectrix/kinematics/rates/moving_dcm.hpp>
 
 namespace vectrix {
 
@@ -36,6 +37,12 @@ template <InertialFrame I, Frame B> class Trajectory {
                      detail::text(end().value()) + "] s");
     }
     return layout_.unpack(time.value(), solution_.at(time.value()));
+  }
+
+  /// R_b^i and w_ib^b: an edge of a frame graph, edge(trajectory). Errors as at().
+  MovingDcm<I, B> operator()(const Quantity<si::time>& time) const {
+    const State<I, B> now = at(time);
+    return {now.R_i_from_b(), now.w_ib_b};
   }
 
   /// The states at the output times that were asked for and reached.

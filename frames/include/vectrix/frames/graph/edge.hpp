@@ -49,6 +49,22 @@ template <class Function, EdgeValue V> class FunctionEdge {
   Function function_;
 };
 
+/// An edge of a frame graph that is a function of the graph's snapshot: of what the edges listed before it
+/// are at the same instant.
+template <class Function, EdgeValue V> class SnapshotEdge {
+ public:
+  using value_type = V;
+
+  template <class Instant> static constexpr bool takes = true;
+
+  explicit SnapshotEdge(Function function) : function_(std::move(function)) {}
+
+  template <class Snapshot> V operator()(const Snapshot& now) const { return function_(now); }
+
+ private:
+  Function function_;
+};
+
 /// A fixed rotation and nothing more: no rate can be asked across it. rigid_edge() in kinematics claims rest
 /// as well.
 template <class A, class B, class S> ConstantEdge<Dcm<A, B, S>> static_edge(const Dcm<A, B, S>& R_a_from_b) {
@@ -97,5 +113,14 @@ template <class Function, class Returned = detail::Result<Function>>
   requires(!EdgeValue<Returned>)
 auto edge(  // of one type of instant; returns a Dcm, MovingDcm, AcceleratingDcm, or one with a place
     Function) -> Refused = delete;
+
+/// The edge whose value, a V, follows from other edges of its graph at the same instant: f(now) asks `now` as
+/// a snapshot is asked. It sees the edges listed before it in frame_graph(), and what they share is evaluated
+/// once. `now.instant()` is the instant.
+///     edge<Dcm<Gcrf, Lvlh>>([](const auto& now) { ... now.position(of<Ship>, relative_to<Gcrf>, in<Gcrf>)
+///     ... })
+template <EdgeValue V, class Function> SnapshotEdge<Function, V> edge(Function function) {
+  return SnapshotEdge<Function, V>{std::move(function)};
+}
 
 }  // namespace vectrix

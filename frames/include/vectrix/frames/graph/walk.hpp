@@ -11,6 +11,9 @@ namespace vectrix::detail {
 template <class Edge> inline constexpr bool is_constant = false;
 template <class V> inline constexpr bool is_constant<ConstantEdge<V>> = true;
 
+template <class Edge> inline constexpr bool takes_snapshot = false;
+template <class Function, class V> inline constexpr bool takes_snapshot<SnapshotEdge<Function, V>> = true;
+
 /// The values of the edges at an instant, evaluated whenever they are asked for.
 template <class Instant, class... Edges> struct FreshValues {
   const std::tuple<Edges...>& edges;
@@ -29,17 +32,33 @@ struct NotKept {};
 template <class Edge>
 using Kept = std::conditional_t<is_constant<Edge>, NotKept, std::optional<typename Edge::value_type>>;
 
-/// The same, kept from one query to the next.
+/// The edges of a graph, an instant, and the values that they were found to have there.
+template <class Instant, class... Edges> struct Evaluation {
+  const std::tuple<Edges...>& edges;
+  Instant instant;
+  mutable std::tuple<Kept<Edges>...> kept;
+};
+
+template <std::size_t count, class Instant, class... Edges> class EarlierEdges;
+
+/// The same, kept from one query to the next, and shared with the edges that ask for the values of others.
 template <class Instant, class... Edges> struct KeptValues {
-  FreshValues<Instant, Edges...> fresh;
-  std::tuple<Kept<Edges>...>& kept;
+  const Evaluation<Instant, Edges...>& evaluation;
 
   template <std::size_t I> const auto& value() const {
-    if constexpr (is_constant<std::tuple_element_t<I, std::tuple<Edges...>>>) {
-      return fresh.template value<I>();
+    using Edge = std::tuple_element_t<I, std::tuple<Edges...>>;
+    const Edge& edge = std::get<I>(evaluation.edges);
+    if constexpr (is_constant<Edge>) {
+      return edge.value();
     } else {
-      auto& value = std::get<I>(kept);
-      if (!value) value.emplace(fresh.template value<I>());
+      auto& value = std::get<I>(evaluation.kept);
+      if (!value) {
+        if constexpr (takes_snapshot<Edge>) {
+          value.emplace(edge(EarlierEdges<I, Instant, Edges...>{evaluation}));
+        } else {
+          value.emplace(edge(evaluation.instant));
+        }
+      }
       return *value;
     }
   }

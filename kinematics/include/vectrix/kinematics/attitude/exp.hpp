@@ -14,16 +14,39 @@ template <class S> struct HalfTurn {
   S scalar;
   S factor;
 };
-/// By their series; for |theta| < 1e-2 the first terms left out are below 1e-22.
-template <class S> HalfTurn<S> half_turn_series(const S& square) {
+/// Up to which |theta|^2 the series takes over, and by how many terms: the first left out are below 1e-19 of
+/// doubles, 1e-22 of others.
+template <class S> inline constexpr bool long_series = std::is_same_v<S, double> || std::is_same_v<S, float>;
+template <class S> [[gnu::always_inline]] inline HalfTurn<S> half_turn_series(const S& square) {
   const S h2 = square / S(4);
-  return {S(1) - h2 * (S(1) / S(2) - h2 * (S(1) / S(24) - h2 * (S(1) / S(720) - h2 * (S(1) / S(40320))))),
-          S(1) / S(2) - h2 * (S(1) / S(12) - h2 * (S(1) / S(240) - h2 * (S(1) / S(10080))))};
+  if constexpr (long_series<S>) {
+    const S c = S(1) / S(40320) - h2 * (S(1) / S(3628800) - h2 * (S(1) / S(479001600)));
+    const S s = S(1) / S(725760) - h2 * (S(1) / S(79833600) - h2 * (S(1) / S(12454041600)));
+    return {S(1) - h2 * (S(1) / S(2) - h2 * (S(1) / S(24) - h2 * (S(1) / S(720) - h2 * c))),
+            S(1) / S(2) - h2 * (S(1) / S(12) - h2 * (S(1) / S(240) - h2 * (S(1) / S(10080) - h2 * s)))};
+  } else {
+    return {S(1) - h2 * (S(1) / S(2) - h2 * (S(1) / S(24) - h2 * (S(1) / S(720) - h2 * (S(1) / S(40320))))),
+            S(1) / S(2) - h2 * (S(1) / S(12) - h2 * (S(1) / S(240) - h2 * (S(1) / S(10080))))};
+  }
 }
-template <class S> [[gnu::always_inline]] inline HalfTurn<S> half_turn(const S& square) {
+template <class S> [[gnu::always_inline]] inline HalfTurn<S> half_turn_by_sine(const S& square) {
   const S angle = square_root(square);
   const auto [sine, cosine] = sine_cosine<S>(angle / S(2));
   return {cosine, sine / angle};
+}
+/// Accurate to rounding for every angle; no numbers where |theta|^2 is infinite or none.
+template <class S> [[gnu::always_inline]] inline HalfTurn<S> half_turn(const S& square) {
+  const auto small = square < number<S>(long_series<S> ? 0.25 : 1e-4);
+  if constexpr (Batch<S>) {
+    HalfTurn<S> half = half_turn_series(square);
+    if (!all(small)) {
+      const HalfTurn<S> other = half_turn_by_sine(square);
+      half = {select(small, half.scalar, other.scalar), select(small, half.factor, other.factor)};
+    }
+    return half;
+  } else {
+    return small ? half_turn_series(square) : half_turn_by_sine(square);
+  }
 }
 
 template <class B, class A, class S> [[noreturn, gnu::cold, gnu::noinline]] void refuse_exp(S square) {
@@ -34,21 +57,14 @@ template <class B, class A, class S> [[noreturn, gnu::cold, gnu::noinline]] void
 }  // namespace detail
 
 /// The quaternion of a rotation vector, q_b^a = (cos |theta|/2, sin(|theta|/2) theta/|theta|), maps b to a.
-/// Accurate to rounding for every angle; below |theta| = 1e-2 a series in |theta|^2 takes over, so that
-/// underflow of the square costs nothing. Throws BadInput when theta is not finite or |theta|^2 overflows.
+/// Accurate to rounding for every angle; for small ones a series in |theta|^2 takes over, so that underflow
+/// of the square costs nothing. Throws BadInput when theta is not finite or |theta|^2 overflows.
 template <class A, class B, class S>
 Quaternion<A, B, S> exp_quaternion(const RotationVector<A, B, S>& theta_ab) {
   const detail::Column<S>& theta = theta_ab.coordinates();
   const S square = theta.squaredNorm();
-  detail::HalfTurn<S> half = detail::half_turn_series(square);
-  if (const auto small = square < detail::number<S>(1e-4); !detail::all(small)) {
-    const detail::HalfTurn<S> other = detail::half_turn(square);
-    if (!detail::all(other.scalar == other.scalar)) {  // the cosine of an infinity is no number
-      detail::refuse_exp<B, A>(square);
-    }
-    half = {detail::select(small, half.scalar, other.scalar),
-            detail::select(small, half.factor, other.factor)};
-  }
+  const detail::HalfTurn<S> half = detail::half_turn(square);
+  if (!detail::all(half.scalar == half.scalar)) detail::refuse_exp<B, A>(square);
   return {detail::trusted, [&] {
             return Eigen::Quaternion<S>(half.scalar, half.factor * theta.x(), half.factor * theta.y(),
                                         half.factor * theta.z());

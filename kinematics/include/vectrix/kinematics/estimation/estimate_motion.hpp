@@ -6,6 +6,8 @@
 #include <vectrix/kinematics/rates/moving_dcm.hpp>
 #include <vectrix/kinematics/samples/attitude_sample.hpp>
 #include <vectrix/kinematics/samples/log_motion.hpp>
+#include <vectrix/kinematics/samples/sample_steps.hpp>
+#include <vectrix/kinematics/samples/slerp.hpp>
 
 namespace vectrix {
 
@@ -96,38 +98,36 @@ template <class S> Square<S> symmetric(const Square<S>& P) {
 /// are of first order in sigma and know nothing of what the polynomial cannot follow. Throws BadInput when t
 /// is outside the samples, when the window has fewer samples than the polynomial has coefficients, or turns
 /// by more than widest_window_turn to either side, and for sigma that is not positive.
-template <int degree = 3, class A, class B, class S>
+template <int degree = 3, class A, class B, class I, class S = InstantScalar<I>>
   requires(degree >= 2 && degree <= 6 && detail::SingleNumber<S>)
-MotionEstimate<A, B, S> estimate_motion(const std::vector<AttitudeSample<A, B, S>>& samples,
-                                        const Quantity<si::time, S>& t,
-                                        const Quantity<si::time, S>& half_width,
-                                        const Quantity<si::angle, S>& sigma) {
-  using detail::text;
-  const auto refuse = [](const std::string& why) {
-    throw BadInput(detail::samples_place<A, B>("estimate_motion") + why);
-  };
-  detail::require_samples("estimate_motion", samples, degree + 1);
-  const S now = t.value(), width = half_width.value(), variance = sigma.value() * sigma.value();
+MotionEstimate<A, B, S> estimate_motion(const std::vector<AttitudeSample<A, B, I>>& samples,
+                                        const std::type_identity_t<I>& t,
+                                        const Quantity<si::time, std::type_identity_t<S>>& half_width,
+                                        const Quantity<si::angle, std::type_identity_t<S>>& sigma) {
+  using detail::instant_text, detail::text;
+  using Sample = AttitudeSample<A, B, I>;
+  const std::string place = detail::samples_place<A, B>("estimate_motion");
+  const auto refuse = [&](const std::string& why) { throw BadInput(place + ": " + why); };
+  detail::SampleSteps<I>::require_instants(place, detail::instants_of(samples), degree + 1);
+  const S width = half_width.value(), variance = sigma.value() * sigma.value();
   if (!(sigma.value() > S(0) && variance > S(0) && variance - variance == S(0)))
     refuse("the standard deviation is " + text(sigma.value()) + " rad");
   if (!(width > S(0) && width - width == S(0))) refuse("the half width is " + text(width) + " s");
-  const S earliest = samples.front().time.value(), latest = samples.back().time.value();
-  if (!(now >= earliest && now <= latest))
-    refuse("time " + text(now) + " s is outside [" + text(earliest) + ", " + text(latest) + "] s");
+  const I &earliest = samples.front().time, &latest = samples.back().time;
+  const auto since_now = [&](const Sample& sample) -> S { return (sample.time - t).value(); };
+  if (!(since_now(samples.front()) <= S(0) && since_now(samples.back()) >= S(0)))
+    refuse("the time " + instant_text(t) + " is outside the samples, [" + instant_text(earliest) + ", " +
+           instant_text(latest) + "]");
 
-  const auto before = [](const AttitudeSample<A, B, S>& sample, const S& time) {
-    return sample.time.value() < time;
-  };
-  const auto until = [](const S& time, const AttitudeSample<A, B, S>& sample) {
-    return time < sample.time.value();
-  };
-  const auto first = std::lower_bound(samples.begin(), samples.end(), now - width, before);
-  const auto end = std::upper_bound(samples.begin(), samples.end(), now + width, until);
+  const auto before = [&](const Sample& sample, const S& time) { return since_now(sample) < time; };
+  const auto until = [&](const S& time, const Sample& sample) { return time < since_now(sample); };
+  const auto first = std::lower_bound(samples.begin(), samples.end(), -width, before);
+  const auto end = std::upper_bound(samples.begin(), samples.end(), width, until);
   const std::size_t count = first < end ? static_cast<std::size_t>(end - first) : 0;
   if (count < degree + 1)
-    refuse("the number of samples within " + text(width) + " s of " + text(now) + " s is " + text(count) +
+    refuse("the number of samples within " + text(width) + " s of " + instant_text(t) + " is " + text(count) +
            "; a polynomial of degree " + text(degree) + " needs " + text(degree + 1));
-  const auto middle = std::min(std::lower_bound(first, end, now, before), end - 1);
+  const auto middle = std::min(std::lower_bound(first, end, S(0), before), end - 1);
   const auto turned = [](auto from, auto last) {
     S angle = S(0);
     for (; from != last; ++from)
@@ -141,7 +141,7 @@ MotionEstimate<A, B, S> estimate_motion(const std::vector<AttitudeSample<A, B, S
 
   using Polynomial = detail::LogPolynomial<degree, S>;
   std::vector<S> u;
-  for (auto sample = first; sample != end; ++sample) u.push_back((sample->time.value() - now) / width);
+  for (auto sample = first; sample != end; ++sample) u.push_back(since_now(*sample) / width);
   const auto fit_about = [&](const Quaternion<A, B, S>& q0) {
     std::vector<detail::Column<S>> theta;
     for (auto sample = first; sample != end; ++sample)

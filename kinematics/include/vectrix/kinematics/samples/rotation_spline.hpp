@@ -5,6 +5,8 @@
 #include <vectrix/kinematics/rates/moving_dcm.hpp>
 #include <vectrix/kinematics/samples/attitude_sample.hpp>
 #include <vectrix/kinematics/samples/log_motion.hpp>
+#include <vectrix/kinematics/samples/sample_steps.hpp>
+#include <vectrix/kinematics/samples/slerp.hpp>
 
 namespace vectrix {
 
@@ -23,26 +25,27 @@ inline constexpr NaturalEnds natural_ends{};
 /// q, h^3 in w and h^2 in alpha; with natural_ends of order h^2, h and 1 next to the ends, dying out by a
 /// factor of about four a sample. Throws BadInput for samples and times as SampledAttitude does, but for gaps
 /// when it is made; for neighbours half a turn apart; and for turns so large that the rates cannot be found.
-template <Frame A, Frame B, class S = double> class RotationSpline {
+template <Frame A, Frame B, Instant I = Quantity<si::time>> class RotationSpline {
+  using S = InstantScalar<I>;
+
  public:
-  RotationSpline(const std::vector<AttitudeSample<A, B, S>>& samples,
-                 const Quantity<si::time, S>& longest_gap, NaturalEnds) {
-    set(samples, longest_gap.value(), nullptr, nullptr);
-  }
+  RotationSpline(const std::vector<AttitudeSample<A, B, I>>& samples,
+                 const Quantity<si::time, S>& longest_gap, NaturalEnds)
+      : RotationSpline(samples, longest_gap.value(), nullptr, nullptr) {}
   /// With the rates w_ab^b at the first and at the last sample.
-  RotationSpline(const std::vector<AttitudeSample<A, B, S>>& samples,
+  RotationSpline(const std::vector<AttitudeSample<A, B, I>>& samples,
                  const Quantity<si::time, S>& longest_gap, const AngularVelocity<A, B, In<B>, S>& first,
-                 const AngularVelocity<A, B, In<B>, S>& last) {
-    set(samples, longest_gap.value(), &first.coordinates(), &last.coordinates());
-  }
+                 const AngularVelocity<A, B, In<B>, S>& last)
+      : RotationSpline(samples, longest_gap.value(), &first.coordinates(), &last.coordinates()) {}
   template <class Given, class... Ends>
   RotationSpline(  // samples of b relative to a; natural_ends, or w_ab_b at the first and the last
       const std::vector<Given>&, const Quantity<si::time, S>&, const Ends&...) = delete;
 
-  AcceleratingDcm<A, B, S> operator()(const Quantity<si::time, S>& t) const {
-    const Segment& here = segments_[detail::segment_at<A, B>("RotationSpline", segments_, t.value())];
-    const S h = here.end - here.start;
-    const S s = (t.value() - here.start) / h;
+  AcceleratingDcm<A, B, S> operator()(const I& t) const {
+    const auto [i, since] = steps_.at(t);
+    const Segment& here = segments_[i];
+    const S h = steps_.duration(i);
+    const S s = since / h;
     const detail::LogMotion<S> motion{s * (here.linear + s * (here.square + s * here.cube)),
                                       (here.linear + s * (S(2) * here.square + S(3) * s * here.cube)) / h,
                                       (S(2) * here.square + S(6) * s * here.cube) / (h * h)};
@@ -57,40 +60,34 @@ template <Frame A, Frame B, class S = double> class RotationSpline {
   using Square = detail::Square<S>;
 
   struct Segment {
-    S start, end;
     Eigen::Quaternion<S> q0;
     Column linear, square, cube;  // theta(s), s from 0 to 1
   };
 
-  static void refuse(const std::string& why) {
-    throw BadInput(detail::samples_place<A, B>("RotationSpline") + why);
-  }
-
-  void set(const std::vector<AttitudeSample<A, B, S>>& samples, const S& longest_gap, const Column* first,
-           const Column* last) {
+  RotationSpline(const std::vector<AttitudeSample<A, B, I>>& samples, const S& longest_gap,
+                 const Column* first, const Column* last)
+      : steps_(detail::samples_place<A, B>("RotationSpline"), detail::instants_of(samples), longest_gap) {
     using detail::text;
-    detail::require_samples("RotationSpline", samples, 2);
-    detail::require_longest_gap<A, B>("RotationSpline", longest_gap);
     std::vector<S> steps;
     std::vector<Column> turns;
-    for (std::size_t i = 1; i < samples.size(); ++i) {
-      const std::string which = "samples " + text(i - 1) + " and " + text(i) + " are ";
-      steps.push_back(samples[i].time.value() - samples[i - 1].time.value());
+    for (std::size_t i = 0; i < steps_.size(); ++i) {
+      const std::string which = "samples " + text(i) + " and " + text(i + 1) + " are ";
+      steps.push_back(steps_.duration(i));
       if (steps.back() > longest_gap) {
-        refuse(which + text(steps.back()) + " s apart; the longest allowed is " + text(longest_gap) + " s");
+        steps_.refuse(which + text(steps.back()) + " s apart; the longest allowed is " + text(longest_gap) +
+                      " s");
       }
-      turns.push_back(detail::turn_between(samples[i - 1].q_a_from_b, samples[i].q_a_from_b));
+      turns.push_back(detail::turn_between(samples[i].q_a_from_b, samples[i + 1].q_a_from_b));
       const S angle = turns.back().norm();
       if (!(angle < S(std::numbers::pi - nearly_half_a_turn))) {
-        refuse(which + "half a turn apart, " + text(angle) + " rad: there are two ways between them");
+        steps_.refuse(which + "half a turn apart, " + text(angle) + " rad: there are two ways between them");
       }
     }
     const std::vector<Column> rates = rates_at_samples(steps, turns, first, last);
     for (std::size_t i = 0; i < turns.size(); ++i) {
       const Column at_start = steps[i] * rates[i];
       const Column at_end = steps[i] * (detail::inverse_log_jacobian(turns[i]) * rates[i + 1]);
-      segments_.push_back({samples[i].time.value(), samples[i + 1].time.value(),
-                           samples[i].q_a_from_b.eigen(), at_start,
+      segments_.push_back({samples[i].q_a_from_b.eigen(), at_start,
                            S(3) * turns[i] - S(2) * at_start - at_end, at_start + at_end - S(2) * turns[i]});
     }
   }
@@ -99,8 +96,8 @@ template <Frame A, Frame B, class S = double> class RotationSpline {
   ///     2/h J_(i-1) w_(i-1) + (4/h + 4/k) w_i + 2/k J_i^-1 w_(i+1) = 6/h^2 turn_(i-1) + 6/k^2 turn_i - J'
   ///     theta'
   /// The last term is of the order of h^2 w^2 of the others: it is taken from the round before.
-  static std::vector<Column> rates_at_samples(const std::vector<S>& steps, const std::vector<Column>& turns,
-                                              const Column* first, const Column* last) {
+  std::vector<Column> rates_at_samples(const std::vector<S>& steps, const std::vector<Column>& turns,
+                                       const Column* first, const Column* last) const {
     const std::size_t n = turns.size();  // samples 0 ... n
     std::vector<Square> before(n + 1, Square::Zero()), pivot(n + 1, Square::Identity()), after = before;
     std::vector<Column> given(n + 1, Column::Zero()), solved = given, rates = given;
@@ -150,16 +147,16 @@ template <Frame A, Frame B, class S = double> class RotationSpline {
       rates = solved;
       if (change <= enough * largest) return rates;
     }
-    refuse("the rates at the samples do not settle, they still change by " + detail::text(change) +
-           " rad/s: the samples are too far apart");
-    return rates;
+    steps_.refuse("the rates at the samples do not settle, they still change by " + detail::text(change) +
+                  " rad/s: the samples are too far apart");
   }
 
+  detail::SampleSteps<I> steps_;
   std::vector<Segment> segments_;
 };
 
-template <class A, class B, class S, class... Ends>
-RotationSpline(const std::vector<AttitudeSample<A, B, S>>&, const Quantity<si::time, S>&, const Ends&...)
-    -> RotationSpline<A, B, S>;
+template <class A, class B, class I, class S, class... Ends>
+RotationSpline(const std::vector<AttitudeSample<A, B, I>>&, const Quantity<si::time, S>&, const Ends&...)
+    -> RotationSpline<A, B, I>;
 
 }  // namespace vectrix

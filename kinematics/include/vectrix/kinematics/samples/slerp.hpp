@@ -3,59 +3,87 @@
 #include <vectrix/kinematics/attitude/exp.hpp>
 #include <vectrix/kinematics/attitude/log.hpp>
 #include <vectrix/kinematics/rates/moving_dcm.hpp>
+#include <vectrix/kinematics/samples/instant.hpp>
 
 namespace vectrix {
+namespace detail {
+
+/// The turn from one sample to the next in the axes of b, by the shortest way.
+template <class A, class B, class S>
+Column<S> turn_between(const Quaternion<A, B, S>& from, const Quaternion<A, B, S>& until) {
+  return log(Quaternion<A, B, S>{trusted, from.eigen().conjugate() * until.eigen()}).coordinates();
+}
+
+/// The numbers of a Slerp: q0 exp(s theta) for s from 0 to 1, with one sine and one cosine an instant.
+template <class S> class ConstantTurn {
+ public:
+  ConstantTurn(const Eigen::Quaternion<S>& q0, const Column<S>& theta)
+      : q0_(q0.coeffs()),
+        q0_theta_((q0 * Eigen::Quaternion<S>(S(0), theta.x(), theta.y(), theta.z())).coeffs()),
+        square_(theta.squaredNorm()) {}
+
+  Eigen::Quaternion<S> at(const S& s) const {
+    const HalfTurn<S> half = half_turn(S(s * s * square_));
+    return Eigen::Quaternion<S>(Eigen::Matrix<S, 4, 1>(half.scalar * q0_ + half.factor * s * q0_theta_));
+  }
+
+ private:
+  Eigen::Matrix<S, 4, 1> q0_, q0_theta_;
+  S square_;
+};
+
+}  // namespace detail
 
 /// The turn at constant rate from one attitude to another, by the shortest way (Shoemake 1985):
 ///     q_b^a(t) = q_b^a(t0) exp(s theta),  theta = log(q_b^a(t0)^-1 q_b^a(t1)),  s = (t - t0)/(t1 - t0)
 /// w_ab^b = theta / (t1 - t0) throughout. The sign of a quaternion does not matter. Of the two ways between
 /// attitudes exactly half a turn apart, the axis log() chooses.
 /// Throws BadInput when t0 < t1 does not hold, or when asked outside [t0, t1].
-template <Frame A, Frame B, class S = double> class Slerp {
+template <Frame A, Frame B, Instant I = Quantity<si::time>> class Slerp {
+  using S = InstantScalar<I>;
+
  public:
-  Slerp(const Quantity<si::time, S>& t0, const Quaternion<A, B, S>& q0_a_from_b,
-        const Quantity<si::time, S>& t1, const Quaternion<A, B, S>& q1_a_from_b)
-      : start_(t0.value()),
-        duration_(t1.value() - t0.value()),
-        q0_(q0_a_from_b),
-        theta_(
-            log(Quaternion<A, B, S>{detail::trusted, q0_a_from_b.eigen().conjugate() * q1_a_from_b.eigen()})
-                .coordinates()) {
-    if (!detail::all(duration_ > S(0)) || !detail::all(duration_ - duration_ == S(0))) {
-      throw BadInput("Slerp of " + frame_name<B>() + " relative to " + frame_name<A>() + ": the times " +
-                     detail::text(start_) + " s and " + detail::text(t1.value()) + " s do not increase");
-    }
-  }
+  Slerp(const I& t0, const Quaternion<A, B, S>& q0_a_from_b, const I& t1,
+        const Quaternion<A, B, S>& q1_a_from_b)
+      : Slerp(t0, q0_a_from_b, t1, detail::turn_between(q0_a_from_b, q1_a_from_b)) {}
 
   template <class FirstTo, class FirstFrom, class LastTo, class LastFrom>
   Slerp(  // from one rotation q0_a_from_b to another of the same two frames
-      const Quantity<si::time, S>&, const Quaternion<FirstTo, FirstFrom, S>&, const Quantity<si::time, S>&,
+      const I&, const Quaternion<FirstTo, FirstFrom, S>&, const I&,
       const Quaternion<LastTo, LastFrom, S>&) = delete;
 
-  MovingDcm<A, B, S> operator()(const Quantity<si::time, S>& t) const {
-    const S s = (t.value() - start_) / duration_;
+  MovingDcm<A, B, S> operator()(const I& t) const {
+    const S s = (t - start_).value() / duration_;
     if (!detail::all(s >= S(0)) || !detail::all(s <= S(1))) {
-      throw BadInput("Slerp of " + frame_name<B>() + " relative to " + frame_name<A>() + ": time " +
-                     detail::text(t.value()) + " s is outside [" + detail::text(start_) + ", " +
-                     detail::text(start_ + duration_) + "] s");
+      throw BadInput(place() + "the time " + detail::instant_text(t) + " is outside [" +
+                     detail::instant_text(start_) + ", " + detail::instant_text(end_) + "]");
     }
-    // b at t0 and b at t have one type: the increment is taken as raw numbers.
-    const Quaternion<A, B, S> increment =
-        exp_quaternion(RotationVector<A, B, S>{detail::trusted, s * theta_});
-    return {dcm(Quaternion<A, B, S>{detail::trusted, q0_.eigen() * increment.eigen()}),
-            vectrix::angular_velocity(of<B>, relative_to<A>,
-                                      vector<si::angular_velocity>(in<B>, theta_ / duration_))};
+    return {dcm(Quaternion<A, B, S>{detail::trusted, turn_.at(s)}), rate_};
   }
 
  private:
-  S start_;
+  Slerp(const I& t0, const Quaternion<A, B, S>& q0, const I& t1, const detail::Column<S>& theta)
+      : start_(t0),
+        end_(t1),
+        duration_((t1 - t0).value()),
+        turn_(q0.eigen(), theta),
+        rate_(detail::trusted, theta / duration_) {
+    if (!detail::all(duration_ > S(0)) || !detail::all(duration_ - duration_ == S(0))) {
+      throw BadInput(place() + "the times " + detail::instant_text(t0) + " and " + detail::instant_text(t1) +
+                     " do not increase");
+    }
+  }
+  static std::string place() {
+    return "Slerp of " + frame_name<B>() + " relative to " + frame_name<A>() + ": ";
+  }
+
+  I start_, end_;
   S duration_;
-  Quaternion<A, B, S> q0_;
-  detail::Column<S> theta_;
+  detail::ConstantTurn<S> turn_;
+  AngularVelocity<A, B, In<B>, S> rate_;
 };
 
-template <class A, class B, class S, class Last>
-Slerp(const Quantity<si::time, S>&, const Quaternion<A, B, S>&, const Quantity<si::time, S>&, const Last&)
-    -> Slerp<A, B, S>;
+template <class I, class A, class B, class S, class Last>
+Slerp(const I&, const Quaternion<A, B, S>&, const I&, const Last&) -> Slerp<A, B, I>;
 
 }  // namespace vectrix

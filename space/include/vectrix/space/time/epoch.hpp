@@ -1,6 +1,7 @@
 #pragma once
 
 #include <compare>
+#include <iosfwd>
 #include <string>
 #include <string_view>
 
@@ -58,5 +59,8 @@ VECTRIX_EXPORT Quantity<si::time> operator-(const Epoch& end, const Epoch& start
 /// Throws BadInput when the duration is not finite.
 VECTRIX_EXPORT Epoch operator+(const Epoch& epoch, const Quantity<si::time>& duration);
 VECTRIX_EXPORT Epoch operator-(const Epoch& epoch, const Quantity<si::time>& duration);
+
+/// In UTC, "2022-04-14T10:22:11.874999 UTC"; before 1960 in TT.
+VECTRIX_EXPORT std::ostream& operator<<(std::ostream& out, const Epoch& epoch);
 
 }  // namespace vectrix
