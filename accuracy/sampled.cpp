@@ -43,7 +43,7 @@ template <class S> Fifteen<S> splined(const std::vector<Eigen::Vector4d>& q, dou
                                                            natural_ends);
   const auto motion = spline(Quantity<si::time, S>::from_value(S(t)));
   Fifteen<S> numbers;
-  numbers << rotation_of(motion).matrix(), motion.moving.angular_velocity.coordinates(),
+  numbers << rotation_of(motion).matrix(), motion.angular_velocity.coordinates(),
       motion.angular_acceleration.coordinates();
   return numbers;
 }

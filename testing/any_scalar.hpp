@@ -166,7 +166,7 @@ template <class S> std::vector<S> turns(const Given<S>& given) {
   const auto q0 = unit<Gcrf, Body>(given.q[0]);
   const auto q1 = q0 * unit<Body, Gcrf>(given.q[1]) * inverse(unit<Body, Gcrf>(given.q[2]));
   told.add(log(q1));
-  const Slerp<Gcrf, Body, S> slerp(instant_of(S(-1)), q0, instant_of(S(3)), unit<Gcrf, Body>(given.q[1]));
+  const Slerp slerp(instant_of(S(-1)), q0, instant_of(S(3)), unit<Gcrf, Body>(given.q[1]));
   const auto here = slerp(instant_of(given.t));
   told.add(here.rotation);
   told.add(here.angular_velocity);
@@ -204,8 +204,8 @@ template <class S> std::vector<S> rates(const Given<S>& given) {
   const auto bd = accelerating_dcm(dcm(unit<Body, Camera>(given.q[1])), rate_of<Body, Camera>(given.v[3]),
                                    acceleration_of<Body, Camera>(given.v[4]));
   const auto ad = ab * inverse(inverse(bd));
-  told.add(ad.moving.rotation);
-  told.add(ad.moving.angular_velocity);
+  told.add(ad.rotation);
+  told.add(ad.angular_velocity);
   told.add(ad.angular_acceleration);
   return told.numbers;
 }
@@ -230,7 +230,7 @@ template <class S> std::vector<S> graph_answers(const Given<S>& given) {
   using Time = Quantity<si::time, S>;
   const auto trusted = [&](const Time& t) {
     const auto X = travel<Body, Itrf>(given, 3, t);
-    return Transform{trust_dcm(to<Body>, from<Itrf>, [&] { return X.turning.moving.rotation.matrix(); }),
+    return Transform{trust_dcm(to<Body>, from<Itrf>, [&] { return X.turning.rotation.matrix(); }),
                      X.translation};
   };
   const auto graph =

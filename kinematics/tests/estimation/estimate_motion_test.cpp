@@ -52,8 +52,8 @@ TEST(EstimateMotion, OfExactSamplesIsExact) {
   const Truth truth;
   Noise noise(1);
   const auto found = estimate_motion(truth.samples(noise, 0.0), seconds(0), seconds(0.85), rad(1e-3));
-  EXPECT_LE(distance(found.motion.moving.rotation.matrix(), truth.q0.toRotationMatrix()), fitted);
-  EXPECT_LE(distance(found.motion.moving.angular_velocity.coordinates(), truth.w), fitted);
+  EXPECT_LE(distance(found.motion.rotation.matrix(), truth.q0.toRotationMatrix()), fitted);
+  EXPECT_LE(distance(found.motion.angular_velocity.coordinates(), truth.w), fitted);
   EXPECT_LE(distance(found.motion.angular_acceleration.coordinates(), truth.alpha), 10 * fitted);
   EXPECT_LE(found.loss, fitted);
   EXPECT_EQ(found.freedom, 3U * (15 - 4));
@@ -65,8 +65,8 @@ TEST(EstimateMotion, OfAConstantRate) {
   Samples list;
   for (int i = 0; i < 12; ++i) list.push_back(sample(10 + 0.5 * i, turn(w * (0.5 * i))));
   const auto found = estimate_motion<2>(list, seconds(11.8), seconds(1.6), rad(1e-3)).motion;
-  EXPECT_LE(distance(found.moving.rotation.matrix(), turn(1.8 * w).toRotationMatrix()), fitted);
-  EXPECT_LE(distance(found.moving.angular_velocity.coordinates(), w), fitted);
+  EXPECT_LE(distance(found.rotation.matrix(), turn(1.8 * w).toRotationMatrix()), fitted);
+  EXPECT_LE(distance(found.angular_velocity.coordinates(), w), fitted);
   EXPECT_LE(found.angular_acceleration.coordinates().norm(), fitted);
 }
 
@@ -91,10 +91,10 @@ TEST(EstimateMotion, TheCovariancesAreThoseOfItsErrors) {
   ChiSquare attitudes(3), rates(3), accelerations(3), losses(3 * (15 - 4));
   for (int i = 0; i < trials; ++i) {
     const auto found = estimate_motion(truth.samples(noise, sigma), seconds(0), seconds(0.85), rad(sigma));
-    const Quaternion<Gcrf, Body> q = quaternion(found.motion.moving.rotation);
+    const Quaternion<Gcrf, Body> q = quaternion(found.motion.rotation);
     const Vector3d e = detail::turn_between(q, sample(0, truth.q0).q_a_from_b);
     attitudes.add(square(found.attitude_covariance, vector<si::angle>(in<Body>, e)));
-    rates.add(square(found.rate_covariance, found.motion.moving.angular_velocity.vector() -
+    rates.add(square(found.rate_covariance, found.motion.angular_velocity.vector() -
                                                 vector<si::angular_velocity>(in<Body>, truth.w)));
     accelerations.add(
         square(found.acceleration_covariance, found.motion.angular_acceleration.vector() -
@@ -123,9 +123,9 @@ TEST(EstimateMotion, AChangeOfEitherFrameTurnsTheEstimate) {
     return estimate_motion(samples, seconds(0.1), seconds(0.75), rad(1e-3));
   };
   const auto plain = at(list), a = at(of_a), b = at(of_b);
-  const auto w = [](const auto& found) { return found.motion.moving.angular_velocity.coordinates(); };
+  const auto w = [](const auto& found) { return found.motion.angular_velocity.coordinates(); };
   EXPECT_LE(distance(w(a), w(plain)), fitted);
-  EXPECT_LE(distance(a.motion.moving.rotation.matrix(), P * plain.motion.moving.rotation.matrix()), fitted);
+  EXPECT_LE(distance(a.motion.rotation.matrix(), P * plain.motion.rotation.matrix()), fitted);
   EXPECT_LE(distance(w(b), P.transpose() * w(plain)), fitted);
   EXPECT_LE(distance(b.rate_covariance.matrix(), P.transpose() * plain.rate_covariance.matrix() * P),
             fitted * plain.rate_covariance.matrix().norm());

@@ -58,8 +58,8 @@ double distance(const vectrix::AcceleratingTransform<A, B>& left,
                 const vectrix::AcceleratingTransform<A, B>& right) {
   const auto& l = left.turning;
   const auto& r = right.turning;
-  return std::max({distance(l.moving.rotation.matrix(), r.moving.rotation.matrix()),
-                   distance(l.moving.angular_velocity.coordinates(), r.moving.angular_velocity.coordinates()),
+  return std::max({distance(l.rotation.matrix(), r.rotation.matrix()),
+                   distance(l.angular_velocity.coordinates(), r.angular_velocity.coordinates()),
                    distance(l.angular_acceleration.coordinates(), r.angular_acceleration.coordinates()),
                    distance(left.translation.coordinates(), right.translation.coordinates()),
                    distance(left.velocity.coordinates(), right.velocity.coordinates()),

@@ -38,13 +38,13 @@ AngularVelocity<Gcrf, Body, In<Body>> rate(const Vector3d& w) {
   return angular_velocity(of<Body>, relative_to<Gcrf>, vector<si::angular_velocity>(in<Body>, w));
 }
 Vector3d w_of(const AcceleratingDcm<Gcrf, Body>& value) {
-  return value.moving.angular_velocity.coordinates();
+  return value.angular_velocity.coordinates();
 }
 Vector3d alpha_of(const AcceleratingDcm<Gcrf, Body>& value) {
   return value.angular_acceleration.coordinates();
 }
 Matrix3d R_of(const AcceleratingDcm<Gcrf, Body>& value) {
-  return value.moving.rotation.matrix();
+  return value.rotation.matrix();
 }
 
 /// Steps of 0.5 s to 1.5 s, each a turn of up to 1.5 rad.
@@ -105,8 +105,8 @@ RC_GTEST_PROP(RotationSpline, ItsRatesAreDerivatives, ()) {
   const double t = inside(list);
   const auto at = differentiable(time(Dual(t, 1, 0)));
   const auto rate_of = [](const Dual& x) { return x.derivatives()(0); };
-  const Matrix3d Rdot = at.moving.rotation.matrix().unaryExpr(rate_of);
-  const Vector3d wdot = at.moving.angular_velocity.coordinates().unaryExpr(rate_of);
+  const Matrix3d Rdot = at.rotation.matrix().unaryExpr(rate_of);
+  const Vector3d wdot = at.angular_velocity.coordinates().unaryExpr(rate_of);
   const auto here = Spline(list, longest_gap, natural_ends)(seconds(t));
   RC_ASSERT(distance(R_of(here) * hat(w_of(here)), Rdot) <= rates_solved);
   RC_ASSERT(distance(alpha_of(here), wdot) <= accelerations_solved);

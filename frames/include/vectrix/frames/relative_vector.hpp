@@ -24,6 +24,10 @@ template <class C, class U, class S> class RelativeVector {
   const Column<S>& coordinates() const& { return vector_.coordinates(); }
   Column<S> coordinates() && { return vector_.coordinates(); }
 
+  Quantity<U, S> x() const { return vector_.x(); }
+  Quantity<U, S> y() const { return vector_.y(); }
+  Quantity<U, S> z() const { return vector_.z(); }
+
  private:
   Vector<C, U, S> vector_;
 };

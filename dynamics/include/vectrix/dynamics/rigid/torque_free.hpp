@@ -31,7 +31,7 @@ template <InertialFrame I, Frame B> class TorqueFree {
   AcceleratingDcm<I, B> operator()(const Quantity<si::time>& t) const {
     const detail::RotationNumbers now = numbers(t);
     const AngularVelocity<I, B, In<B>> w_ib_b = rate(now);
-    return {{dcm(attitude(now)), w_ib_b}, euler(inertia_, w_ib_b, zero<si::torque>(in<B>))};
+    return {dcm(attitude(now)), w_ib_b, euler(inertia_, w_ib_b, zero<si::torque>(in<B>))};
   }
 
   Regime regime() const { return rotation_.regime(); }

@@ -79,7 +79,7 @@ template <class Topology, class Values> class PlaceWalk : public GraphWalk<Topol
             [](const auto& value) -> decltype(auto) { return accelerating_part(value); });
         return transport(observed_from<A>, a_pq_m, apart(mp.velocity, mq.velocity),
                          apart(mp.translation, mq.translation), angular_acceleration_of(am),
-                         angular_velocity_of(moving_part(am)));
+                         angular_velocity_of(am));
       }
     });
   }

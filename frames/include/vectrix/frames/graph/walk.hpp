@@ -135,8 +135,8 @@ template <class Topology, class Values> class GraphWalk {
       } else {
         const auto am = product<A, B, parting>(whole);
         const auto bm = product<B, A, to_b.length - parting>(whole);
-        return chain(angular_acceleration_of(am), -angular_acceleration_of(bm),
-                     angular_velocity_of(moving_part(am)), -angular_velocity_of(moving_part(bm)));
+        return chain(angular_acceleration_of(am), -angular_acceleration_of(bm), angular_velocity_of(am),
+                     -angular_velocity_of(bm));
       }
     });
   }
@@ -164,9 +164,9 @@ template <class Topology, class Values> class GraphWalk {
     const auto& here = value<path.edge[step]>();
     const auto next = [&] {
       if constexpr (path.reversed[step]) {
-        return rate_against(moving_part(here), before...);
+        return rate_against(rotation_of(here), angular_velocity_of(here), before...);
       } else {
-        return rate_along(moving_part(here), before...);
+        return rate_along(rotation_of(here), angular_velocity_of(here), before...);
       }
     };
     if constexpr (step + 1 == end) {
@@ -189,9 +189,9 @@ template <class Topology, class Values> class GraphWalk {
   [[gnu::always_inline]] auto rate_back_over(const Rate&... beyond) const {
     const auto& here = value<edge>();
     if constexpr (reversed) {
-      return rate_back_against(moving_part(here), beyond...);
+      return rate_back_against(rotation_of(here), angular_velocity_of(here), beyond...);
     } else {
-      return rate_back_along(moving_part(here), beyond...);
+      return rate_back_along(rotation_of(here), angular_velocity_of(here), beyond...);
     }
   }
 

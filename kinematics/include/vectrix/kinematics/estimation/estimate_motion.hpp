@@ -176,8 +176,8 @@ MotionEstimate<A, B, S> estimate_motion(const std::vector<AttitudeSample<A, B, I
                     half_rate * P00 * half_rate.transpose();
   const Square Palpha = P22 + bent * P20.transpose() + P20 * bent.transpose() + bent * P00 * bent.transpose();
   return {
-      {{dcm(moved(q0, fine.coefficient(0))),
-        AngularVelocity<A, B, In<B>, S>{detail::trusted, motion.angular_velocity()}},
+      {dcm(moved(q0, fine.coefficient(0))),
+       AngularVelocity<A, B, In<B>, S>{detail::trusted, motion.angular_velocity()},
        AngularAcceleration<A, B, In<B>, S>{detail::trusted, motion.angular_acceleration()}},
       Covariance<B, si::angle, S>{detail::trusted, detail::symmetric<S>(variance * P00)},
       Covariance<B, si::angular_velocity, S>{detail::trusted, detail::symmetric<S>(variance * Pw)},

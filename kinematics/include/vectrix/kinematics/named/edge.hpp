@@ -90,16 +90,10 @@ inline const NamedDcm& rotation_of(const NamedMovingDcm& value) {
 inline const NamedDcm& rotation_of(const NamedAcceleratingDcm& value) {
   return value.rotation();
 }
-inline const NamedMovingDcm& moving_part(const NamedMovingDcm& value) {
-  return value;
-}
-inline const NamedMovingDcm& moving_part(const NamedAcceleratingDcm& value) {
-  return value.moving();
-}
-inline const NamedAcceleratingDcm& accelerating_part(const NamedAcceleratingDcm& value) {
-  return value;
-}
 inline const NamedAngularVelocity& angular_velocity_of(const NamedMovingDcm& value) {
+  return value.angular_velocity();
+}
+inline const NamedAngularVelocity& angular_velocity_of(const NamedAcceleratingDcm& value) {
   return value.angular_velocity();
 }
 inline const NamedAngularAcceleration& angular_acceleration_of(const NamedAcceleratingDcm& value) {
@@ -109,10 +103,9 @@ inline const NamedAngularAcceleration& angular_acceleration_of(const NamedAccele
 template <class Value> EdgeMotion motion_of(const Value& value) {
   EdgeMotion motion;
   motion.R = rotation_of(value).matrix();
-  if constexpr (level_of<Value> >= Level::rate)
-    motion.w = angular_velocity_of(moving_part(value)).coordinates();
+  if constexpr (level_of<Value> >= Level::rate) motion.w = angular_velocity_of(value).coordinates();
   if constexpr (level_of<Value> >= Level::acceleration)
-    motion.alpha = angular_acceleration_of(accelerating_part(value)).coordinates();
+    motion.alpha = angular_acceleration_of(value).coordinates();
   return motion;
 }
 

@@ -29,7 +29,8 @@ template <class V> struct AnswerOfGraph {
     if constexpr (LevelOf<V>::level == Level::rate) {
       return moving;
     } else {
-      return {moving, now.angular_acceleration(of<B>, relative_to<A>, in<B>)};
+      return {moving.rotation, moving.angular_velocity,
+              now.angular_acceleration(of<B>, relative_to<A>, in<B>)};
     }
   }
 };

@@ -29,8 +29,6 @@ class NamedAcceleratingDcm {
                        const NamedAngularAcceleration& alpha_ab_b)
       : moving_(moving), acceleration_(alpha_ab_b) {}
 
-  const NamedMovingDcm& moving() const& { return moving_; }
-  NamedMovingDcm moving() && { return moving_; }
   const NamedDcm& rotation() const& { return moving_.rotation(); }
   NamedDcm rotation() && { return moving_.rotation(); }
   const NamedAngularVelocity& angular_velocity() const& { return moving_.angular_velocity(); }
@@ -78,7 +76,7 @@ inline std::ostream& print_framed(std::ostream& out, const NamedMovingDcm& value
   return out << value.rotation() << "; " << value.angular_velocity();
 }
 inline std::ostream& print_framed(std::ostream& out, const NamedAcceleratingDcm& value) {
-  return out << value.moving() << "; " << value.angular_acceleration();
+  return out << value.rotation() << "; " << value.angular_velocity() << "; " << value.angular_acceleration();
 }
 
 }  // namespace vectrix

@@ -48,12 +48,12 @@ const Dcm<A, B, S>& rotation_of(const AcceleratingTransform<A, B, S>& value) {
   return rotation_of(value.turning);
 }
 template <class A, class B, class S>
-const MovingDcm<A, B, S>& moving_part(const MovingTransform<A, B, S>& value) {
-  return value.turning;
+const AngularVelocity<A, B, In<B>, S>& angular_velocity_of(const MovingTransform<A, B, S>& value) {
+  return value.turning.angular_velocity;
 }
 template <class A, class B, class S>
-const MovingDcm<A, B, S>& moving_part(const AcceleratingTransform<A, B, S>& value) {
-  return value.turning.moving;
+const AngularVelocity<A, B, In<B>, S>& angular_velocity_of(const AcceleratingTransform<A, B, S>& value) {
+  return value.turning.angular_velocity;
 }
 template <class A, class B, class S>
 const AcceleratingDcm<A, B, S>& accelerating_part(const AcceleratingTransform<A, B, S>& value) {
@@ -74,7 +74,7 @@ const MovingTransform<A, B, S>& moving_transform_of(const MovingTransform<A, B, 
 }
 template <class A, class B, class S>
 MovingTransform<A, B, S> moving_transform_of(const AcceleratingTransform<A, B, S>& value) {
-  return {value.turning.moving, value.translation, value.velocity};
+  return {moving_dcm(value.turning), value.translation, value.velocity};
 }
 
 template <class A, class B, class D, class S>
@@ -88,7 +88,7 @@ template <class A, class B, class D, class S>
 AcceleratingTransform<A, D, S> product(const AcceleratingTransform<A, B, S>& ab,
                                        const AcceleratingTransform<B, D, S>& bd) {
   const auto& R_a_from_b = rotation_of(ab);
-  const auto& w_ab_b = ab.turning.moving.angular_velocity;
+  const auto& w_ab_b = ab.turning.angular_velocity;
   const auto v_bd_a_b = transport(observed_from<A>, bd.velocity, bd.translation, w_ab_b);
   const auto a_bd_a_b = transport(observed_from<A>, bd.acceleration, bd.velocity, bd.translation,
                                   ab.turning.angular_acceleration, w_ab_b);
@@ -107,7 +107,7 @@ AcceleratingTransform<B, A, S> inverse(const AcceleratingTransform<A, B, S>& ab)
   const auto R_b_from_a = inverse(rotation_of(ab));
   const auto r_ba_b = R_b_from_a * -ab.translation;
   const auto v_ba_a_b = R_b_from_a * -ab.velocity;
-  const auto w_ba_b = -ab.turning.moving.angular_velocity;
+  const auto w_ba_b = -ab.turning.angular_velocity;
   return {inverse(ab.turning), r_ba_b, transport(observed_from<B>, v_ba_a_b, r_ba_b, w_ba_b),
           transport(observed_from<B>, R_b_from_a * -ab.acceleration, v_ba_a_b, r_ba_b,
                     -ab.turning.angular_acceleration, w_ba_b)};

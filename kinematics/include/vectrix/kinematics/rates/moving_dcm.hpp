@@ -23,11 +23,12 @@ template <class A, class B, class S> inline constexpr bool detail::is_framed<Mov
 /// third level.
 ///     alpha_ad^d = R_b^d alpha_ab^b + alpha_bd^d + (R_b^d w_ab^b) x w_bd^d
 template <Frame A, Frame B, class S = double> struct AcceleratingDcm {
-  MovingDcm<A, B, S> moving;
+  Dcm<A, B, S> rotation;
+  AngularVelocity<A, B, In<B>, S> angular_velocity;
   AngularAcceleration<A, B, In<B>, S> angular_acceleration;
 };
-template <class A, class B, class S, class Change>
-AcceleratingDcm(const MovingDcm<A, B, S>&, const Change&) -> AcceleratingDcm<A, B, S>;
+template <class A, class B, class S, class Rate, class Change>
+AcceleratingDcm(const Dcm<A, B, S>&, const Rate&, const Change&) -> AcceleratingDcm<A, B, S>;
 
 template <class A, class B, class S> inline constexpr bool detail::is_framed<AcceleratingDcm<A, B, S>> = true;
 
@@ -41,6 +42,10 @@ template <class A, class B, class S>
 MovingDcm<A, B, S> moving_dcm(const Dcm<A, B, S>& R_a_from_b, const AngularVelocity<A, B, In<A>, S>& w_ab_a) {
   return {R_a_from_b, inverse(R_a_from_b) * w_ab_a};
 }
+/// The motion without its acceleration.
+template <class A, class B, class S> MovingDcm<A, B, S> moving_dcm(const AcceleratingDcm<A, B, S>& ab) {
+  return {ab.rotation, ab.angular_velocity};
+}
 template <class DcmTo, class DcmFrom, class RateRelativeTo, class RateOf, class RateIn, class S>
   requires(!(std::same_as<DcmTo, RateRelativeTo> && std::same_as<DcmFrom, RateOf> &&
              (std::same_as<RateIn, RateOf> || std::same_as<RateIn, RateRelativeTo>)))
@@ -53,7 +58,7 @@ template <class A, class B, class S>
 AcceleratingDcm<A, B, S> accelerating_dcm(const Dcm<A, B, S>& R_a_from_b,
                                           const AngularVelocity<A, B, In<B>, S>& w_ab_b,
                                           const AngularAcceleration<A, B, In<B>, S>& alpha_ab_b) {
-  return AcceleratingDcm<A, B, S>{moving_dcm(R_a_from_b, w_ab_b), alpha_ab_b};
+  return AcceleratingDcm<A, B, S>{R_a_from_b, w_ab_b, alpha_ab_b};
 }
 
 template <class A, class B, class D, class S>
@@ -63,11 +68,10 @@ MovingDcm<A, D, S> product(const MovingDcm<A, B, S>& ab, const MovingDcm<B, D, S
 }
 template <class A, class B, class D, class S>
 AcceleratingDcm<A, D, S> product(const AcceleratingDcm<A, B, S>& ab, const AcceleratingDcm<B, D, S>& bd) {
-  const auto R_d_from_b = inverse(bd.moving.rotation);
-  const auto w_ab_d = R_d_from_b * ab.moving.angular_velocity;
-  return {{detail::composed(ab.moving.rotation, bd.moving.rotation), w_ab_d + bd.moving.angular_velocity},
-          chain(R_d_from_b * ab.angular_acceleration, bd.angular_acceleration, w_ab_d,
-                bd.moving.angular_velocity)};
+  const auto R_d_from_b = inverse(bd.rotation);
+  const auto w_ab_d = R_d_from_b * ab.angular_velocity;
+  return {detail::composed(ab.rotation, bd.rotation), w_ab_d + bd.angular_velocity,
+          chain(R_d_from_b * ab.angular_acceleration, bd.angular_acceleration, w_ab_d, bd.angular_velocity)};
 }
 
 // w_ba^a = -R_b^a w_ab^b, and so alpha
@@ -75,51 +79,59 @@ template <class A, class B, class S> MovingDcm<B, A, S> inverse(const MovingDcm<
   return {inverse(ab.rotation), -(ab.rotation * ab.angular_velocity)};
 }
 template <class A, class B, class S> AcceleratingDcm<B, A, S> inverse(const AcceleratingDcm<A, B, S>& ab) {
-  return {inverse(ab.moving), -(ab.moving.rotation * ab.angular_acceleration)};
+  return {inverse(ab.rotation), -(ab.rotation * ab.angular_velocity),
+          -(ab.rotation * ab.angular_acceleration)};
 }
 
-// Steps of a frame graph's walk between a and b: along an edge that says how b moves relative to a, or
-// against one that says how a moves relative to b.
+// Steps of a frame graph's walk between a and b: along an edge that says how b moves relative to a, R_b^a and
+// w_ab^b, or against one that says how a moves relative to b.
 //
 // From x over a to b:    w_xb^b = R_a^b w_xa^a + w_ab^b      w_xb^b = R_a^b (w_xa^a - w_ba^a)
 template <class A, class B, class S>
-AngularVelocity<A, B, In<B>, S> rate_along(const MovingDcm<A, B, S>& ab) {
-  return ab.angular_velocity;
+AngularVelocity<A, B, In<B>, S> rate_along(const Dcm<A, B, S>&,
+                                           const AngularVelocity<A, B, In<B>, S>& w_ab_b) {
+  return w_ab_b;
 }
 template <class X, class A, class B, class S>
-AngularVelocity<X, B, In<B>, S> rate_along(const MovingDcm<A, B, S>& ab,
+AngularVelocity<X, B, In<B>, S> rate_along(const Dcm<A, B, S>& R_a_from_b,
+                                           const AngularVelocity<A, B, In<B>, S>& w_ab_b,
                                            const AngularVelocity<X, A, In<A>, S>& w_xa_a) {
-  return inverse(ab.rotation) * w_xa_a + ab.angular_velocity;
+  return inverse(R_a_from_b) * w_xa_a + w_ab_b;
 }
 template <class A, class B, class S>
-AngularVelocity<A, B, In<B>, S> rate_against(const MovingDcm<B, A, S>& ba) {
-  return ba.rotation * -ba.angular_velocity;
+AngularVelocity<A, B, In<B>, S> rate_against(const Dcm<B, A, S>& R_b_from_a,
+                                             const AngularVelocity<B, A, In<A>, S>& w_ba_a) {
+  return R_b_from_a * -w_ba_a;
 }
 template <class X, class A, class B, class S>
-AngularVelocity<X, B, In<B>, S> rate_against(const MovingDcm<B, A, S>& ba,
+AngularVelocity<X, B, In<B>, S> rate_against(const Dcm<B, A, S>& R_b_from_a,
+                                             const AngularVelocity<B, A, In<A>, S>& w_ba_a,
                                              const AngularVelocity<X, A, In<A>, S>& w_xa_a) {
-  return AngularVelocity<X, B, In<B>, S>{detail::trusted,
-                                         ba.rotation * (w_xa_a.vector() - ba.angular_velocity.vector())};
+  return AngularVelocity<X, B, In<B>, S>{detail::trusted, R_b_from_a * (w_xa_a.vector() - w_ba_a.vector())};
 }
 // From y over b back to a:    w_ay^a = R_b^a (w_ab^b + w_by^b)    w_ay^a = R_b^a w_by^b - w_ba^a
 template <class A, class B, class S>
-AngularVelocity<A, B, In<A>, S> rate_back_along(const MovingDcm<A, B, S>& ab) {
-  return ab.rotation * ab.angular_velocity;
+AngularVelocity<A, B, In<A>, S> rate_back_along(const Dcm<A, B, S>& R_a_from_b,
+                                                const AngularVelocity<A, B, In<B>, S>& w_ab_b) {
+  return R_a_from_b * w_ab_b;
 }
 template <class A, class B, class Y, class S>
-AngularVelocity<A, Y, In<A>, S> rate_back_along(const MovingDcm<A, B, S>& ab,
+AngularVelocity<A, Y, In<A>, S> rate_back_along(const Dcm<A, B, S>& R_a_from_b,
+                                                const AngularVelocity<A, B, In<B>, S>& w_ab_b,
                                                 const AngularVelocity<B, Y, In<B>, S>& w_by_b) {
-  return ab.rotation * (ab.angular_velocity + w_by_b);
+  return R_a_from_b * (w_ab_b + w_by_b);
 }
 template <class A, class B, class S>
-AngularVelocity<A, B, In<A>, S> rate_back_against(const MovingDcm<B, A, S>& ba) {
-  return -ba.angular_velocity;
+AngularVelocity<A, B, In<A>, S> rate_back_against(const Dcm<B, A, S>&,
+                                                  const AngularVelocity<B, A, In<A>, S>& w_ba_a) {
+  return -w_ba_a;
 }
 template <class A, class B, class Y, class S>
-AngularVelocity<A, Y, In<A>, S> rate_back_against(const MovingDcm<B, A, S>& ba,
+AngularVelocity<A, Y, In<A>, S> rate_back_against(const Dcm<B, A, S>& R_b_from_a,
+                                                  const AngularVelocity<B, A, In<A>, S>& w_ba_a,
                                                   const AngularVelocity<B, Y, In<B>, S>& w_by_b) {
-  return AngularVelocity<A, Y, In<A>, S>{
-      detail::trusted, inverse(ba.rotation) * w_by_b.vector() - ba.angular_velocity.vector()};
+  return AngularVelocity<A, Y, In<A>, S>{detail::trusted,
+                                         inverse(R_b_from_a) * w_by_b.vector() - w_ba_a.vector()};
 }
 
 // What a frame graph asks of the values on its edges.
@@ -131,14 +143,7 @@ template <class A, class B, class S> const Dcm<A, B, S>& rotation_of(const Movin
   return value.rotation;
 }
 template <class A, class B, class S> const Dcm<A, B, S>& rotation_of(const AcceleratingDcm<A, B, S>& value) {
-  return value.moving.rotation;
-}
-template <class A, class B, class S> const MovingDcm<A, B, S>& moving_part(const MovingDcm<A, B, S>& value) {
-  return value;
-}
-template <class A, class B, class S>
-const MovingDcm<A, B, S>& moving_part(const AcceleratingDcm<A, B, S>& value) {
-  return value.moving;
+  return value.rotation;
 }
 template <class A, class B, class S>
 const AcceleratingDcm<A, B, S>& accelerating_part(const AcceleratingDcm<A, B, S>& value) {
@@ -146,6 +151,10 @@ const AcceleratingDcm<A, B, S>& accelerating_part(const AcceleratingDcm<A, B, S>
 }
 template <class A, class B, class S>
 const AngularVelocity<A, B, In<B>, S>& angular_velocity_of(const MovingDcm<A, B, S>& value) {
+  return value.angular_velocity;
+}
+template <class A, class B, class S>
+const AngularVelocity<A, B, In<B>, S>& angular_velocity_of(const AcceleratingDcm<A, B, S>& value) {
   return value.angular_velocity;
 }
 template <class A, class B, class S>
@@ -159,7 +168,7 @@ std::ostream& print_framed(std::ostream& out, const MovingDcm<A, B, S>& value) {
 }
 template <class A, class B, class S>
 std::ostream& print_framed(std::ostream& out, const AcceleratingDcm<A, B, S>& value) {
-  return out << value.moving << "; " << value.angular_acceleration;
+  return out << value.rotation << "; " << value.angular_velocity << "; " << value.angular_acceleration;
 }
 
 }  // namespace vectrix

@@ -18,7 +18,7 @@ template <class I> using DurationOf = decltype(std::declval<const I&>() - std::d
 /// difference of two is a duration.
 template <class I>
 concept Instant = requires(const I& a, const I& b) {
-  { a < b } -> std::convertible_to<bool>;
+  a < b;
   requires std::same_as<typename detail::UnitOf<detail::DurationOf<I>>::type, si::time>;
 };
 

@@ -50,8 +50,8 @@ template <Frame A, Frame B, Instant I = Quantity<si::time>> class RotationSpline
                                       (here.linear + s * (S(2) * here.square + S(3) * s * here.cube)) / h,
                                       (S(2) * here.square + S(6) * s * here.cube) / (h * h)};
     const Quaternion<A, B, S> turn = exp_quaternion(RotationVector<A, B, S>{detail::trusted, motion.theta});
-    return {{dcm(Quaternion<A, B, S>{detail::trusted, here.q0 * turn.eigen()}),
-             AngularVelocity<A, B, In<B>, S>{detail::trusted, motion.angular_velocity()}},
+    return {dcm(Quaternion<A, B, S>{detail::trusted, here.q0 * turn.eigen()}),
+            AngularVelocity<A, B, In<B>, S>{detail::trusted, motion.angular_velocity()},
             AngularAcceleration<A, B, In<B>, S>{detail::trusted, motion.angular_acceleration()}};
   }
 
