@@ -1,5 +1,5 @@
 /// Look-ups in a graph of frames known at run time, over a path of six edges, beside tf2 in one run. Prints a
-/// section of docs/performance.md. Fails when the two libraries disagree.
+/// section of docs/evidence/performance.md. Fails when the two libraries disagree.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>

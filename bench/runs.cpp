@@ -1,5 +1,5 @@
 /// Whole runs of a torque-free body: against Simbody at equal accuracy, and the library's methods among
-/// themselves. Prints sections of docs/performance.md.
+/// themselves. Prints sections of docs/evidence/performance.md.
 #include <algorithm>
 #include <boost/math/special_functions/jacobi_elliptic.hpp>
 #include <chrono>
