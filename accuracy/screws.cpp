@@ -130,7 +130,7 @@ void rate_rows(Table& table) {
 
 void axis_rows(Table& table) {
   table.row(
-      "screw_along(axis)", "any", "|theta|, and |place| |theta| + |advance|",
+      "screw_along(axis)", "any", "|theta|, and |position| |theta| + |advance|",
       roundings(6, "products and sums 3, doubled"), [](Draw& draw) {
         const Eigen::Vector3d n = draw.direction(), place = draw.vector(1e-3, 1e3);
         const double angle = draw.uniform(-6.0, 6.0), advance = draw.uniform(-100.0, 100.0);
