@@ -110,7 +110,7 @@ double distance_from_lock(const Sequence& sequence, const Eigen::Matrix3d& R) {
 void from_angles(Table& table) {
   table.row(
       "dcm(angles)", "any angles, -6.28 to 6.28 rad; 24 sequences in turn", "1",
-      roundings(24, "sines and cosines 2 for each of three turns; two products of 3 on each of nine entries"),
+      roundings(24, "sines and cosines 2 for each of three turns; two products, 3 on each of nine entries"),
       [](Draw& draw) {
         const Sequence& sequence = sequence_of(draw);
         const Eigen::Vector3d t = any_angles(draw);
@@ -126,12 +126,12 @@ void from_angles(Table& table) {
 }
 
 void to_angles(Table& table) {
-  const Bound backward = roundings(
-      49,
-      "entries of R off by one rounding, taken from different places, 9; root and division 5, arc tangents 5 "
-      "each, the first angle with the third turn undone 8");
+  const Bound backward =
+      roundings(49,
+                "entries of R, each wrong by one rounding, used in several ways, 9; root and division 5, arc "
+                "tangents 5 each; the first angle, after the third turn is removed, 8");
   const Bound forward = roundings(
-      70, "the backward 49, times the square root of 2 by which the axes that are not normal stretch it");
+      70, "the backward 49, times the square root of 2, because the axes are not normal to each other");
   table.row("euler_angles(R)", "0.5 rad and more from gimbal lock; 24 sequences in turn",
             "1 / sine of the distance", forward, [](Draw& draw) {
               const Sequence& sequence = sequence_of(draw);
@@ -165,7 +165,7 @@ void to_angles(Table& table) {
   near_row("3e-15 to 1e-3 rad from gimbal lock; 24 sequences in turn", 3e-15, 1e-3, backward);
   near_row("1e-17 to 3e-15 rad from gimbal lock; 24 sequences in turn", 1e-17, 3e-15,
            {backward.ulps + 16,
-            "the same, and twice the 8 ulp from the lock within which the third angle is zero by choice"});
+            "the same, and twice 8 ulp: within 8 ulp of the lock the third angle is set to zero"});
   table.row("euler_angles(R), backward", "at gimbal lock, to rounding; 24 sequences in turn", "1", backward,
             [](Draw& draw) {
               const Sequence& sequence = sequence_of(draw);
@@ -194,8 +194,8 @@ void to_angles(Table& table) {
 void euler_rows(Table& table) {
   table.section(
       "Euler angles",
-      "References: the product of the three turns; of the angles found, the small turn that is left to "
-      "the rotation given, taken to the angles by the three axes.");
+      "References: the product of the three turns. For the angles found: the small turn that is left "
+      "between their rotation and the rotation given, converted to angles by the three axes.");
   from_angles(table);
   to_angles(table);
 }

@@ -70,9 +70,9 @@ void rows(Table& table, const std::string& domain, double from, double to, doubl
 void euler_rate_rows(Table& table) {
   table.section(
       "Rates of Euler angles, both ways",
-      "As above, of the 24 sequences, expressed in a and in b, in turn. The rates of the angles are divided "
-      "by the sine s of "
-      "the distance from gimbal lock, itself known to rounding: their scale is what goes in, over s^2.");
+      "As above, for the 24 sequences in turn, expressed in a and in b. The rates of the angles are "
+      "divided by the sine s of the distance from gimbal lock, and s itself is known only to rounding. So "
+      "their scale is the size of the input, divided by s^2.");
   rows(table, "0.3 to 1.5 rad from gimbal lock", 0.3, 1.5, 2.0);
   rows(table, "1e-6 to 0.3 rad from gimbal lock", 1e-6, 0.3, 2.0);
 }

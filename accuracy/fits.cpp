@@ -85,7 +85,7 @@ void mean_rows(Table& table) {
       "mean_rotation", "2 to 5 rotations within 1 rad of another, weights 0.1 to 10", "1",
       roundings(
           90,
-          "weights 2 and sums 6 of a profile of agreement above 1/2, felt twice; its singular vectors 60"),
+          "weights 2 and sums 6 of a profile of agreement above 1/2, counted twice; its singular vectors 60"),
       [](Draw& draw) {
         const Eigen::Matrix3d R = any_dcm(draw);
         std::vector<WeightedRotation<B, A>> rotations;
@@ -110,8 +110,8 @@ void mean_rows(Table& table) {
 void fit_rows(Table& table) {
   table.section(
       "Attitudes from observations",
-      "References: the two triads by cross products; Newton's iteration for the best rotation, where the "
-      "library has singular values. The scale says how a rounding of what is observed turns the answer.");
+      "References: the two triads by cross products; for the best rotation Newton's iteration (the library "
+      "uses singular values). The scale says how far a rounding of the observations turns the answer.");
   triad_rows(table);
   wahba_rows(table);
   mean_rows(table);

@@ -139,8 +139,8 @@ void nearest_rows(Table& table) {
 void frame_rows(Table& table) {
   table.section(
       "Frames",
-      "Rounding alone, but for `nearest_dcm`: the polar factor by Newton's iteration, where the library "
-      "has singular values.");
+      "Rounding alone, except for `nearest_dcm`: the polar factor by Newton's iteration (the library uses "
+      "singular values).");
   turned_row<0>(table, "turned_x");
   turned_row<1>(table, "turned_y");
   turned_row<2>(table, "turned_z");

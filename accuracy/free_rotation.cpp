@@ -76,11 +76,12 @@ Errors errors(Draw& draw, double third_moment) {
 void free_rotation_rows(Table& table) {
   table.section(
       "Motion without torque",
-      "Reference: Taylor's series of order 30 of Euler's equations and of the quaternion, an eighth of "
-      "a radian a step. The closed form stands on elliptic integrals, whose errors are part of these.");
+      "Reference: Taylor series of order 30 of Euler's equations and of the quaternion, with steps of an "
+      "eighth of a radian. The closed form uses elliptic integrals, and their errors are included.");
   const Bound bound{100,
-                    "some 20 operations to the constants of the motion, the moments' differences, up to "
-                    "20 times smaller than they, divided by: their roundings turn it away as it turns"};
+                    "about 20 operations for the constants of the motion; they divide by differences of "
+                    "moments, up to 20 times smaller than the moments; the error grows with the angle "
+                    "turned"};
   for (const double third : {1.6, 1.95}) {
     const std::string domain = "moments 1 to " + std::to_string(third).substr(0, 4) +
                                ", at least 0.05 apart; rates to 2 rad/s, times to 20 s";

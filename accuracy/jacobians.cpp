@@ -72,9 +72,9 @@ template <bool left> void inverse_rows(Table& table) {
 void jacobian_rows(Table& table) {
   table.section(
       "Jacobians of the rotation vector",
-      "References: the power series of [theta]x, summed for a small part of theta and doubled; its "
-      "inverse. Near a full turn the inverse is ill-conditioned: the scale says how a rounding of theta "
-      "grows.");
+      "References: the power series of [theta]x, summed for a small part of theta and then doubled "
+      "repeatedly; the inverse of the result. Near a full turn the inverse is ill-conditioned: the scale "
+      "says how a rounding of theta grows.");
   forward_rows(table);
   inverse_rows<true>(table);
   inverse_rows<false>(table);

@@ -134,27 +134,27 @@ void twist_rows(Table& table) {
                rate.velocity_rate().coordinates();  // both directions: a again, and vdot
       },
       [](double, double v, double a, double w, double) { return 2 * (a + w * v); });
-  table.row(
-      "X_c_from_b * V_ab, and adjoint(X) V", "|r| 1e-3 to 1e3, rates 1e-3 to 10", "|w| + |v| + |r| |w|",
-      roundings(
-          24, "two products with a matrix 6, one felt again in a cross product 4; sum 1, to six components"),
-      [](Draw& draw) {
-        const Eigen::Matrix3d R = any_dcm(draw);
-        const Eigen::Vector3d r = draw.vector(1e-3, 1e3);
-        Six<double> V;
-        V << draw.vector(1e-3, 1e1), draw.vector(1e-3, 1e1);
-        const auto X =
-            Transform{R_of<C, A>(R), displacement(of<A>, relative_to<C>, vector<si::length>(in<C>, r))};
-        const Six<double> typed = (X * twist_of_numbers<B, D, A>(V)).coordinates();
-        const Six<double> bare = adjoint(X) * V;
-        Six<Wide> exact;
-        exact.head<3>() = widened(R) * widened(V).head<3>();
-        exact.tail<3>() = widened(R) * widened(V).tail<3>() + widened(r).cross(exact.head<3>());
-        const Wide scale = static_cast<Wide>(V.head<3>().norm() * (1 + r.norm()) + V.tail<3>().norm());
-        const Found one = compare(typed, exact, scale, "|r|", r.norm());
-        const Found other = compare(bare, exact, scale, "|r|", r.norm());
-        return one.ulps > other.ulps ? one : other;
-      });
+  table.row("X_c_from_b * V_ab, and adjoint(X) V", "|r| 1e-3 to 1e3, rates 1e-3 to 10", "|w| + |v| + |r| |w|",
+            roundings(24,
+                      "two products with a matrix 6, one counted again in a cross product 4; sum 1, to six "
+                      "components"),
+            [](Draw& draw) {
+              const Eigen::Matrix3d R = any_dcm(draw);
+              const Eigen::Vector3d r = draw.vector(1e-3, 1e3);
+              Six<double> V;
+              V << draw.vector(1e-3, 1e1), draw.vector(1e-3, 1e1);
+              const auto X =
+                  Transform{R_of<C, A>(R), displacement(of<A>, relative_to<C>, vector<si::length>(in<C>, r))};
+              const Six<double> typed = (X * twist_of_numbers<B, D, A>(V)).coordinates();
+              const Six<double> bare = adjoint(X) * V;
+              Six<Wide> exact;
+              exact.head<3>() = widened(R) * widened(V).head<3>();
+              exact.tail<3>() = widened(R) * widened(V).tail<3>() + widened(r).cross(exact.head<3>());
+              const Wide scale = static_cast<Wide>(V.head<3>().norm() * (1 + r.norm()) + V.tail<3>().norm());
+              const Found one = compare(typed, exact, scale, "|r|", r.norm());
+              const Found other = compare(bare, exact, scale, "|r|", r.norm());
+              return one.ulps > other.ulps ? one : other;
+            });
   table.row(
       "moved(X, V_ab, t), translation", "|theta| to 6 rad, |r|, |v| t 1e-3 to 1e3", "|r| + |v| t",
       roundings(44, "the screw 2, exp 24, the product with R 8; as a turn of up to 6 rad the screw again 6"),
@@ -203,7 +203,7 @@ void rate_rows(Table& table) {
                        w.norm());
       });
   table.row("angular_velocity(R, Rdot, in<B>)", "any; |w| 1e-3 to 10", "|w|",
-            roundings(14, "a product of matrices 11, half a difference 2; R is off the rotations by 1"),
+            roundings(14, "a product of matrices 11, half a difference 2; R is 1 away from the rotations"),
             [](Draw& draw) {
               const Eigen::Matrix3d R = any_dcm(draw);
               const Eigen::Vector3d w = draw.vector(1e-3, 1e1);
@@ -221,8 +221,8 @@ void rate_rows(Table& table) {
 
 void law_rows(Table& table) {
   table.section("Rates, accelerations and twists",
-                "Rounding alone, but for `moved`: the power series. The scale is the sum of the sizes of the "
-                "terms, since they may cancel.");
+                "Rounding alone, except for `moved`: the power series. The scale is the sum of the sizes "
+                "of the terms, because they may cancel.");
   point_rows(table);
   twist_rows(table);
   rate_rows(table);

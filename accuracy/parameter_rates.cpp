@@ -44,12 +44,10 @@ void three_rows(Table& table, const char* name, const char* domain, double from,
 
 void parameter_rate_rows(Table& table) {
   table.section("Rates of parameters, both ways",
-                "Rounding alone; the rate expressed in a and in b in turn, the worse. w and alpha of 0.1 to "
-                "10 are turned "
-                "into the derivatives of the parameters, x' and x'', and back. The scale is the size of what "
-                "goes in: |w|, "
-                "|alpha| + |w| (|w| + |x'|), |x'| or |x''| + |x'|^2. The gain is the most that the map makes "
-                "of it in the "
+                "Rounding alone. The rate is expressed in a and in b, and the worse of the two counts. w "
+                "and alpha of 0.1 to 10 are converted to the derivatives of the parameters, x' and x'', "
+                "and back. The scale is the size of the input: |w|, |alpha| + |w| (|w| + |x'|), |x'| or "
+                "|x''| + |x'|^2. The gain is the largest factor by which the map makes it grow in the "
                 "domain.");
   three_rows<RotationVectors>(table, "rotation vector", "|theta| 1e-8 to 4 rad", 1e-8, 4.0, 4.0, 30);
   three_rows<Rodrigues>(table, "modified Rodrigues", "|sigma| 1e-8 to 1", 1e-8, 1.0, 4.0, 12);

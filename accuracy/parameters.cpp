@@ -56,7 +56,7 @@ void axis_angle_rows(Table& table) {
             });
   table.row(
       "dcm(angle and axis)", "any axis; 0 to 6.28 rad", "1",
-      roundings(30, "the quaternion's 6 and the length of the given axis 2, felt 2 to 4 times; dcm(q) 12"),
+      roundings(30, "the quaternion's 6 and the length of the given axis 2, counted 2 to 4 times; dcm(q) 12"),
       [](Draw& draw) {
         const double angle = draw.uniform(0.0, 6.28);
         const Eigen::Vector3d axis = draw.direction();
@@ -76,7 +76,7 @@ void gibbs_rows(Table& table) {
     table.row("gibbs_vector(q)", kind.name, "|g|", roundings(2, "a division, of three components"),
               [&](Draw& draw) { return from_quaternion(rounded_quaternion(kind.draw(draw))); });
     table.row("gibbs_vector(R), backward", kind.name, "1",
-              roundings(20, "quaternion(R) 10, felt twice by the angle"), [&](Draw& draw) {
+              roundings(20, "quaternion(R) 10, counted twice in the angle"), [&](Draw& draw) {
                 const Eigen::Matrix3d R = rounded_dcm(kind.draw(draw));
                 const WideColumn g = widened(gibbs_vector(R_of<A, B>(R)).coordinates());
                 const WideQuaternion found(1, g.x(), g.y(), g.z());
@@ -114,7 +114,7 @@ void rodrigues_rows(Table& table) {
         kind.count);
   }
   table.row("quaternion(sigma)", "|sigma| from 1e-300 to 1e12", "1",
-            roundings(14, "|sigma|^2 3, felt twice, sum, quotient, products 2, of four components"),
+            roundings(14, "|sigma|^2 3, counted twice, sum, quotient, products 2, of four components"),
             [](Draw& draw) {
               const Eigen::Vector3d sigma = draw.vector(1e-300, 1e12);
               const Wide square = widened(sigma).squaredNorm();
@@ -124,15 +124,15 @@ void rodrigues_rows(Table& table) {
               return compare(quaternion(rodrigues_from(sigma)).eigen().coeffs(), exact, 1, "|sigma|",
                              sigma.norm());
             });
-  const Bound shadow_bound = roundings(14, "norm 4, felt twice, two divisions, of three components");
+  const Bound shadow_bound = roundings(14, "norm 4, counted twice, two divisions, of three components");
   table.row("sigma.shadow()", "|sigma| from 1e-12 to 1e12", "|shadow|", shadow_bound, [](Draw& draw) {
     const Eigen::Vector3d sigma = draw.vector(1e-12, 1e12);
     const WideColumn exact = -widened(sigma) / widened(sigma).squaredNorm();
     return compare(rodrigues_from(sigma).shadow().coordinates(), exact, exact.norm(), "|sigma|",
                    sigma.norm());
   });
-  table.row("switch_to_shadow(sigma)", "|sigma| from 1e-3 to 1e3, within 1e-15 of 1 either set", "|result|",
-            shadow_bound, [](Draw& draw) {
+  table.row("switch_to_shadow(sigma)", "|sigma| from 1e-3 to 1e3; within 1e-15 of 1, either of the two sets",
+            "|result|", shadow_bound, [](Draw& draw) {
               const Eigen::Vector3d sigma = draw.vector(1e-3, 1e3);
               const Wide square = widened(sigma).squaredNorm();
               const Eigen::Vector3d found = switch_to_shadow(rodrigues_from(sigma)).parameters.coordinates();
@@ -150,7 +150,7 @@ void rodrigues_rows(Table& table) {
 
 void parameter_rows(Table& table) {
   table.section("Angle and axis, Gibbs vector, modified Rodrigues parameters",
-                "References: the definitions, and for the DCM the power series. Of q, what q/|q| has.");
+                "References: the definitions, and for the DCM the power series. For q: the result of q/|q|.");
   axis_angle_rows(table);
   gibbs_rows(table);
   rodrigues_rows(table);

@@ -7,7 +7,7 @@ namespace {
 
 const Bound product_bound = roundings(
     8,
-    "four products and three sums to a component, on components of a unit quaternion, 2 components' worth");
+    "four products and three sums to a component, on the components of a unit quaternion, which count as 2");
 
 void conversion_rows(Table& table) {
   for (const Turns& kind : turns()) {
@@ -25,7 +25,8 @@ void conversion_rows(Table& table) {
     table.row(
         "dcm(q)", kind.name, "1",
         roundings(16,
-                  "products and sums 3 to an entry, nine entries together 9; the length of q felt 4 times"),
+                  "products and sums 3 to an entry, nine entries together 9; the length of q counted 4 "
+                  "times"),
         [&](Draw& draw) {
           const Eigen::Vector4d q = rounded_quaternion(kind.draw(draw));
           return compare(dcm(q_of<A, B>(q)).matrix(), rotation_of(wide_quaternion(q)), 1, "q_w",
@@ -94,7 +95,7 @@ void quaternion_rows(Table& table) {
   table.section(
       "Quaternions",
       "References: the quaternion of the rotation nearest to R; the rotation of q/|q|, whatever the "
-      "rounding of the given q; the same products, wider; Shoemake's formula of sines.");
+      "rounding of the given q; the same products in wider arithmetic; Shoemake's formula with sines.");
   conversion_rows(table);
   product_rows(table);
   slerp_rows(table);

@@ -74,7 +74,7 @@ void four_rate_rows(Table& table, const std::string& name, const std::string& do
   const auto row = [&](const std::string& map, Wide RateErrors::*which, int count) {
     Bound bound = roundings(count, "of the terms, times the gain " + std::to_string(static_cast<int>(gain)));
     bound.ulps *= gain;
-    table.row(name + ": " + map, domain, "what goes in", bound, [&](Draw& draw) {
+    table.row(name + ": " + map, domain, "size of the input", bound, [&](Draw& draw) {
       const auto x = draw_x(draw);
       const Eigen::Vector3d w = draw.vector(0.1, 10.0), alpha = draw.vector(0.1, 10.0);
       const RateErrors e = errors(draw, x, w, alpha);

@@ -7,11 +7,11 @@ namespace {
 
 const Bound exp_bound =
     roundings(12, "|theta|^2 5, its root, half, sine or cosine 2, quotient, product, the given half");
-const Bound dcm_bound = roundings(24, "the quaternion's 12, felt twice");
+const Bound dcm_bound = roundings(24, "the quaternion's 12, counted twice");
 const Bound log_bound =
     roundings(17, "|v|^2 5, root, arc tangent 5, its quotient by |v| 2, products 2, rest 2");
 const Bound log_dcm_bound =
-    roundings(25, "log's 17; before it q, as an angle twice its own: sums of entries 3, scaling 1");
+    roundings(25, "log's 17; before it those of q, counted twice in the angle: sums of entries 3, scaling 1");
 
 void exp_rows(Table& table) {
   for (const Turns& kind : turns()) {

@@ -73,18 +73,18 @@ void sampled_rows(Table& table) {
   step_row<4>(
       table, "munthe_kaas_step<4>",
       roundings(95,
-                "exp 24 and the product 11 of the step, and half that again in each of three stages; the "
+                "exp 24 and the product 11 of the step, and half of that in each of three stages; the "
                 "rates 5 each"));
   step_row<5>(
       table, "munthe_kaas_step<5>",
       roundings(330,
-                "exp 24 and the product 11 of the step; in each of six stages the same, weighed in all by "
-                "up to 8, half a radian at most"));
+                "exp 24 and the product 11 of the step; in each of six stages the same, with weights of up "
+                "to 8 in all, for at most half a radian"));
   step_row<0>(table, "commutator_free_step",
-              roundings(120, "two exp 24 and two products 11; half that again in each of three stages"));
+              roundings(120, "two exp 24 and two products 11; half of that in each of three stages"));
   const Bound bound = {64 + 60,
-                       "the rates at the samples stand when they change by less than 64 ulp; slerp's 60 "
-                       "roundings twice"};
+                       "the iteration for the rates at the samples stops when they change by less than 64 "
+                       "ulp; slerp's 60 roundings twice"};
   spline_row<0, 3>(table, "RotationSpline, rotation", "1", 1.0, bound);
   spline_row<3, 1>(table, "RotationSpline, rate", "1 rad/s", 1.0, bound);
   spline_row<4, 1>(table, "RotationSpline, acceleration", "6 rad/s^2: 6 turns of a radian, over h^2", 6.0,

@@ -42,7 +42,9 @@ void exp_rows(Table& table, const Turns& kind) {
 void log_rows(Table& table, const Turns& kind) {
   table.row(
       "log(X), rho", kind.name, "|r|",
-      roundings(65, "those of the inverse Jacobian 40; theta's 25 from log(R), by which rho turns"),
+      roundings(65,
+                "those of the inverse Jacobian 40; those of theta 25, from log(R), because theta turns "
+                "rho"),
       [&](Draw& draw) {
         const Eigen::Matrix3d R = rounded_dcm(kind.draw(draw));
         const Eigen::Vector3d r = draw.vector(1e-3, 1e3);
@@ -71,16 +73,17 @@ void six_by_six_rows(Table& table) {
        {Domain{"tiny, 1e-300 to 1e-8 rad", 1e-300, 1e-8}, Domain{"1e-8 to 1e-2 rad", 1e-8, 1e-2},
         Domain{"1e-2 to 6 rad, across half a turn and the seam at 3 rad", 1e-2, 6.0},
         Domain{"long, 6 to 100 rad", 6.0, 100.0}}) {
-    table.row(
-        "left_jacobian(xi)", domain.name, domain.to > 6.0 ? "|J| |theta|, a rounding of the phase" : "|J|",
-        roundings(60, "24 for J, twice; in Q cross products of cross products 9, and c_4, c_5 3"),
-        [&](Draw& draw) {
-          const Eigen::Vector3d theta = draw.vector(domain.from, domain.to), rho = draw.vector(1e-3, 1e3);
-          const WideMatrix<6> exact = jacobian_series(wide_ad(theta, rho));
-          return compare(left_jacobian(xi_of(theta, rho)), exact,
-                         exact.norm() * (domain.to > 6.0 ? widened(theta).norm() : Wide(1)), "angle",
-                         theta.norm());
-        });
+    table.row("left_jacobian(xi)", domain.name,
+              domain.to > 6.0 ? "|J| |theta|, for a rounding of the phase" : "|J|",
+              roundings(60, "24 for J, twice; in Q cross products of cross products 9, and c_4, c_5 3"),
+              [&](Draw& draw) {
+                const Eigen::Vector3d theta = draw.vector(domain.from, domain.to),
+                                      rho = draw.vector(1e-3, 1e3);
+                const WideMatrix<6> exact = jacobian_series(wide_ad(theta, rho));
+                return compare(left_jacobian(xi_of(theta, rho)), exact,
+                               exact.norm() * (domain.to > 6.0 ? widened(theta).norm() : Wide(1)), "angle",
+                               theta.norm());
+              });
   }
   const Bound bound =
       roundings(200, "J^-1 Q J^-1: 40 twice, 60 and products 12, the inverses up to 1.6 each");
@@ -127,7 +130,7 @@ void rate_rows(Table& table) {
 
 void axis_rows(Table& table) {
   table.row(
-      "screw_along(axis)", "any", "|theta|, and |place| |theta| + |advance|",
+      "screw_along(axis)", "any", "|theta|, and |position| |theta| + |advance|",
       roundings(6, "products and sums 3, doubled"), [](Draw& draw) {
         const Eigen::Vector3d n = draw.direction(), place = draw.vector(1e-3, 1e3);
         const double angle = draw.uniform(-6.0, 6.0), advance = draw.uniform(-100.0, 100.0);
@@ -142,7 +145,7 @@ void axis_rows(Table& table) {
                                     widened(place).norm() * theta.norm() + std::abs(advance), "angle", angle);
         return one.ulps > other.ulps ? one : other;
       });
-  table.row("screw_axis(xi), place and advance", "1e-8 to 6 rad", "|rho| / |theta|, |rho|",
+  table.row("screw_axis(xi), position and advance", "1e-8 to 6 rad", "|rho| / |theta|, |rho|",
             roundings(16, "norm 5, two divisions, a product of vectors 4 on three components"),
             [](Draw& draw) {
               const Eigen::Vector3d theta = draw.vector(1e-8, 6.0), rho = draw.vector(1e-3, 1e3);
@@ -163,8 +166,9 @@ void axis_rows(Table& table) {
 void screw_rows(Table& table) {
   table.section(
       "Screws: exponential, logarithm and Jacobians of rigid motions",
-      "|rho| and |r| from 1 mm to 1 km. References: the power series of the four by four matrix and of "
-      "the six by six ad(xi), their inverses by pivots. The rotations are those of exp and log above.");
+      "The lengths |rho| and |r| are from 1 mm to 1 km. References: the power series of the 4 by 4 matrix "
+      "and of the 6 by 6 ad(xi), and their inverses by elimination with pivots. For the rotations see exp "
+      "and log above.");
   for (const Turns& kind : turns()) {
     exp_rows(table, kind);
     log_rows(table, kind);

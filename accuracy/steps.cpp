@@ -105,9 +105,9 @@ void attitude_rows(Table& table) {
 void step_rows(Table& table) {
   table.section(
       "Increments and steps",
-      "Rounding alone: what the rules leave out is a matter of order, not of rounding. References of "
-      "the exponential step: the power series.");
-  magnus_row<2>(table, roundings(20, "the time 2, the polynomial 4, felt in full; three components"));
+      "Rounding alone: the truncation error of the rules is a question of their order, not of rounding. "
+      "Reference for the exponential step: the power series.");
+  magnus_row<2>(table, roundings(20, "the time 2, the polynomial 4, counted in full; three components"));
   magnus_row<4>(table,
                 roundings(40, "the polynomial 6 at two times; cross product 4, coefficients 4, sums 2"));
   magnus_row<6>(

@@ -39,7 +39,7 @@ const std::vector<Turns>& turns() {
        0},
       {"half a turn, to rounding",
        [](Draw& draw) -> Eigen::Vector3d { return std::numbers::pi * draw.direction(); }, 0},
-      {"special: none, 45, 90, 120, 180 degrees, the seams, about axes and diagonals",
+      {"special: no turn, 45, 90, 120, 180 degrees, the seams, about axes and diagonals",
        [](Draw& draw) { return special_turns()[draw.index]; }, special_turns().size()},
   };
   return kinds;

@@ -1,5 +1,5 @@
 /// Look-ups in a graph of frames known at run time, over a path of six edges, beside tf2 in one run. Prints a
-/// section of docs/performance.md. Fails when the two libraries disagree.
+/// section of docs/evidence/performance.md. Fails when the two libraries disagree.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -173,10 +173,11 @@ int run() {
   measure(rows);
   std::printf(
       "## Look-ups in the run-time graph\n\n"
-      "A path of six edges, g++, x86-64, at random times, medians of interleaved rounds. Interpolated: %zu "
-      "samples on each edge, %.1f rad from one to the next; tf2 searches its samples one after the other, "
-      "and few are in its favour. tf2 also looks up positions, and takes frames by name only. The product "
-      "of fixed edges is kept with the path.\n\n"
+      "A path of six edges, g++, x86-64, at random times, medians of "
+      "interleaved rounds. Interpolated: %zu samples on each edge, %.1f rad from one to the next. tf2 "
+      "searches its samples one after the other, so that few samples are an advantage for it. tf2 also "
+      "looks up positions, and takes frames by name only. The product of fixed edges is stored with the "
+      "path.\n\n"
       "| edges | look-up | ns |\n| --- | --- | --- |\n",
       samples, turn);
   for (const Row& row : rows)

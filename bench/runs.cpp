@@ -1,5 +1,5 @@
 /// Whole runs of a torque-free body: against Simbody at equal accuracy, and the library's methods among
-/// themselves. Prints sections of docs/performance.md.
+/// themselves. Prints sections of docs/evidence/performance.md.
 #include <algorithm>
 #include <boost/math/special_functions/jacobi_elliptic.hpp>
 #include <chrono>
@@ -208,7 +208,8 @@ void work_precision(const Attitudes& exact) {
     }
   }
   std::printf(
-      "\nFastest to 1e-6, 1e-9 and 1e-12 rad: %s; %s; %s. The default is arkode_fehlberg_8, quaternion.\n",
+      "\nThe fastest to 1e-6, 1e-9 and 1e-12 rad: %s; %s; %s. The default is arkode_fehlberg_8, "
+      "quaternion.\n",
       fastest[0].second.c_str(), fastest[1].second.c_str(), fastest[2].second.c_str());
 }
 
@@ -281,16 +282,15 @@ int main() {
   closed_form();
   std::printf(
       "\n## A whole run at equal accuracy\n\n"
-      "The same body for 100 s, about 110 rad. The error is the largest angle at 20, 40, 60, 80 and 100 s "
-      "from "
-      "a Runge-Kutta run in long double, which changes by %.0e rad when its step is doubled. For each "
-      "engine: "
-      "the cheapest run, of tolerances half a decade apart, that meets the error.\n\n",
+      "The same body for 100 s, about 110 rad. The error is the "
+      "largest angle from a reference at 20, 40, 60, 80 and 100 s. The reference is a Runge-Kutta run in "
+      "long double, which changes by %.0e rad when its step is doubled. Each row is the cheapest run of an "
+      "engine that reaches the error; the tolerances tried are half a decade apart.\n\n",
       doubt);
   against_simbody(exact);
   std::printf(
       "\n## Work and precision of the methods\n\n"
-      "The same run: evaluations of the right-hand side, and time, of the cheapest run that meets the error; "
-      "at most 200 000 steps.\n\n");
+      "The same run: the number of evaluations of the right-hand "
+      "side and the time of the cheapest run that reaches the error, with at most 200 000 steps.\n\n");
   work_precision(exact);
 }

@@ -5,6 +5,8 @@ set(DOXYGEN_PROJECT_NAME Vectrix)
 set(DOXYGEN_USE_MDFILE_AS_MAINPAGE ${PROJECT_SOURCE_DIR}/README.md)
 set(DOXYGEN_STRIP_FROM_PATH ${PROJECT_SOURCE_DIR})
 set(DOXYGEN_IMAGE_PATH ${PROJECT_SOURCE_DIR}/docs)
+# Doxygen 1.9.4 cannot resolve ../pictures/<file> or <page>.md#<section>: give it pictures/<file> and <page>.md.
+set(DOXYGEN_FILTER_PATTERNS "*.md=sed -e s,[.][.]/pictures/,pictures/, -e s,[.]md#[-a-z0-9]*,.md,g")
 set(DOXYGEN_EXTRACT_ALL YES)
 set(DOXYGEN_QUIET YES)
 set(DOXYGEN_HAVE_DOT NO)

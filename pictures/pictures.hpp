@@ -2,7 +2,7 @@
 
 #include <string>
 
-/// The pictures of docs/theory.md, each an SVG file.
+/// The pictures of docs/explanation/theory.md, each an SVG file.
 namespace pictures {
 
 std::string coning();

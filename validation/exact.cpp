@@ -11,8 +11,8 @@ namespace {
 constexpr double relative_tolerance = 1e-12;
 // What the initial state and the moments, given in double, decide after 50 rad.
 constexpr double closed_form_tolerance = 1e-13;
-constexpr const char* closed_form_reason = "20-digit reference; rounding of the given numbers";
-constexpr const char* reason = "20-digit reference; rounding of the integration";
+constexpr const char* closed_form_reason = "reference of 20 digits; rounding of the given numbers";
+constexpr const char* reason = "reference of 20 digits; rounding of the integration";
 
 Scenario<Inertial, Body> read_scenario(const CsvTable& cases, std::size_t row) {
   const auto number = [&](const char* name) { return cases.number(row, name); };
@@ -65,7 +65,7 @@ void compare(Rows& rows, const std::string& name, const Scenario<Inertial, Body>
   rows.push_back({"Exact", label, "angular momentum, relative change", relative_tolerance, "", "conserved",
                   *kept.angular_momentum});
   rows.push_back({"Exact", label, "orthonormality drift", 10.0 * relative_tolerance, "",
-                  "never projected during the run", kept.orthonormality});
+                  "the attitude is never projected during the run", kept.orthonormality});
 }
 
 // The closed form, at every epoch of the reference; the attitude error itself, not per radian turned.

@@ -15,10 +15,12 @@ using namespace vectrix::validation;
 
 constexpr const char* heading =
     "# Validation\n\n"
-    "Written by `./dev validate`. Each row compares Vectrix, at its tightest tolerances, with a result that "
-    "is not ours.\n"
-    "*Reached* is the largest difference over the whole run. The sources are listed in "
-    "`validation/data/README.md`.\n";
+    "`./dev validate` writes this page. Each row compares a run of Vectrix, at its tightest tolerances, with "
+    "a result that\nis not ours. *Reached* is the largest difference over the whole run. "
+    "`validation/data/README.md` lists the sources.\n\n"
+    "In the last table *reached* is a ratio: the difference with Simbody's accuracy tightened a hundred "
+    "times, "
+    "divided by the\ndifference before. A small ratio shows that the difference comes from Simbody.\n";
 
 struct Arguments {
   std::string data = VECTRIX_VALIDATION_DATA;

@@ -11,7 +11,7 @@ namespace {
 constexpr double attitude_tolerance_rad = 1e-10;
 constexpr double rate_tolerance_rad_s = 1e-14;
 constexpr double position_tolerance_m = 1e-3;
-constexpr const char* reason = "16 printed digits, 8 h of rounding";
+constexpr const char* reason = "16 printed digits; rounding over 8 h";
 
 CsvTable read(const std::string& file) {
   return CsvTable::read(file, {"run", "t_s", "x_m", "y_m", "z_m", "wx_radps", "wy_radps", "wz_radps", "T11",

@@ -64,9 +64,9 @@ void report(Rows& rows, Rows& tightened, const std::string& what, const std::str
                   reason + " and the radius", last.position_m});
   for (std::size_t i = 1; i < runs.size(); ++i) {
     tightened.push_back(
-        {"Simbody tightened: the difference is Simbody's", name,
+        {"Simbody with tighter accuracy: the difference is Simbody's", name,
          watched_name + ", accuracy " + power(accuracies[i]) + " over " + power(accuracies[i - 1]),
-         largest_ratio, "", "a hundred times tighter",
+         largest_ratio, "", "Simbody's accuracy is a hundred times tighter",
          runs[i].difference.*watched / runs[i - 1].difference.*watched});
   }
 }

@@ -1,4 +1,4 @@
-# The bug zoo says what is tested: cmake -D ROOT=<source folder> -D PAGE=<docs/bug_zoo.md> -P check_bug_zoo.cmake
+# The bug zoo says what is tested: cmake -D ROOT=<source folder> -D PAGE=<docs/explanation/bug_zoo.md> -P check_bug_zoo.cmake
 # Every entry (### …) names a test as ctest does, and every test it names exists:
 #     `refused.<layer>.<name>`     <layer>/tests/refused/<name>.cpp
 #     `<layer>.BugZoo.<name>`      TEST(BugZoo, <name>) in <layer>/tests/bug_zoo_test.cpp

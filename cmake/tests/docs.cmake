@@ -1,7 +1,8 @@
 # What the pages show is true: each of their programs is compiled, links what its headers say, and prints what is printed
 # below it; and the compiler still says what README.md prints. check_docs.cmake sees that no block is passed over.
 include(doc_blocks)
-file(GLOB pages CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/docs/*.md)
+file(GLOB_RECURSE pages CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/docs/*.md)
+list(PREPEND pages ${PROJECT_SOURCE_DIR}/README.md)
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${pages})
 
 # A number may differ by one in the sixth digit, the last that is printed.

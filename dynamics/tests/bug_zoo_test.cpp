@@ -1,4 +1,5 @@
-// What docs/bug_zoo.md tells of rigid bodies: the mistake in plain Eigen, and the law that finds it.
+// What docs/explanation/bug_zoo.md tells of rigid bodies: the mistake in plain Eigen, and the law that finds
+// it.
 #include <Eigen/Eigenvalues>
 #include <vectrix/dynamics.hpp>
 

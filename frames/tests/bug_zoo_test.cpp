@@ -1,4 +1,5 @@
-// What docs/bug_zoo.md tells of frames without motion: the mistake in plain Eigen, and the law that finds it.
+// What docs/explanation/bug_zoo.md tells of frames without motion: the mistake in plain Eigen, and the law
+// that finds it.
 #include <gtest/gtest.h>
 
 #include <vectrix/frames.hpp>

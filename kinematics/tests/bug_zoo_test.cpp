@@ -1,5 +1,5 @@
-// What docs/bug_zoo.md tells of frames that move: the mistake in plain Eigen, and the law that finds it. The
-// oracle is a central difference of rotations and coordinates alone.
+// What docs/explanation/bug_zoo.md tells of frames that move: the mistake in plain Eigen, and the law that
+// finds it. The oracle is a central difference of rotations and coordinates alone.
 #include <gtest/gtest.h>
 
 #include <vectrix/kinematics.hpp>
