@@ -195,8 +195,8 @@ template <class S> std::vector<S> rates(const Given<S>& given) {
   const auto alpha = acceleration_of<Gcrf, Body>(given.v[2]);
   told.add(second_rate(R, w, alpha));
   told.add(second_rate(q, R * w, R * alpha));
-  told.add(second_rate(R, w, alpha).angular_acceleration(R, rate(R, w), in<Gcrf>));
-  told.add(q.angular_acceleration(rate(q, w), second_rate(q, w, alpha), in<Body>));
+  told.add(angular_acceleration(R, rate(R, w), second_rate(R, w, alpha), in<Gcrf>));
+  told.add(angular_acceleration(q, rate(q, w), second_rate(q, w, alpha), in<Body>));
   told.add(angular_velocity(R, rate(R, w), in<Body>));
   told.add(angular_velocity(R, dcm_rate(R, rate(R, w).matrix()), in<Gcrf>));
   told.add(rate(R, w) * vector<si::length>(in<Body>, given.v[1]));

@@ -29,8 +29,8 @@ RC_GTEST_PROP(DcmSecondRate, IsTheDerivativeInBothFramesAndBothWays, ()) {
 
   const auto Rdot = dcm_rate(R, ab.Rdot);
   const auto Rddot = dcm_second_rate(R, Rdot, ab.Rddot);
-  const Second alpha_b = Rddot.angular_acceleration(R, Rdot, in<Body>);
-  const AngularAcceleration<Gcrf, Body, In<Gcrf>> alpha_a = Rddot.angular_acceleration(R, Rdot, in<Gcrf>);
+  const Second alpha_b = angular_acceleration(R, Rdot, Rddot, in<Body>);
+  const AngularAcceleration<Gcrf, Body, In<Gcrf>> alpha_a = angular_acceleration(R, Rdot, Rddot, in<Gcrf>);
   RC_ASSERT(distance(alpha_b.coordinates(), ab.alpha_ab_b().coordinates()) <= tolerance(ab));
   RC_ASSERT(distance(alpha_a.coordinates(), ab.alpha_a()) <= tolerance(ab));
 }
@@ -49,7 +49,7 @@ TEST(DcmSecondRate, ItsDoorTakesOnlyOneOfThatRotationAndRate) {
   EXPECT_TRUE(contains(said(bad), "of R^T times it entry (1, 1) is nan")) << said(bad);
   // A steady turn: all of it is centripetal, and the angular acceleration is nothing.
   const auto steady = second_rate(R, ab.w_ab_b(), unaccelerated(of<Body>, relative_to<Gcrf>, in<Body>));
-  const auto alpha = dcm_second_rate(R, Rdot, steady.matrix()).angular_acceleration(R, Rdot, in<Gcrf>);
+  const auto alpha = angular_acceleration(R, Rdot, dcm_second_rate(R, Rdot, steady.matrix()), in<Gcrf>);
   EXPECT_LE(alpha.coordinates().norm(), tolerance(ab));
 }
 
@@ -73,12 +73,12 @@ RC_GTEST_PROP(QuaternionSecondRate, IsTheDerivativeInBothFramesAndBothWays, ()) 
   const Eigen::Matrix3d Rddot = R.unaryExpr([](const Dual2& x) { return second(x); });
   RC_ASSERT(distance(Rddot, ab.Rddot) <= tolerance(ab));
 
-  const auto w_b = q.angular_velocity(qdot, in<Body>);
-  const auto w_a = q.angular_velocity(qdot, in<Gcrf>);
+  const auto w_b = angular_velocity(q, qdot, in<Body>);
+  const auto w_a = angular_velocity(q, qdot, in<Gcrf>);
   RC_ASSERT(distance(w_b.coordinates(), ab.w_ab_b().coordinates()) <= motion_tolerance);
   RC_ASSERT(distance(w_a.coordinates(), ab.w_a()) <= motion_tolerance);
-  const Second alpha_b = q.angular_acceleration(qdot, body, in<Body>);
-  const auto alpha_a = q.angular_acceleration(qdot, body, in<Gcrf>);
+  const Second alpha_b = angular_acceleration(q, qdot, body, in<Body>);
+  const auto alpha_a = angular_acceleration(q, qdot, body, in<Gcrf>);
   RC_ASSERT(distance(alpha_b.coordinates(), ab.alpha_ab_b().coordinates()) <= tolerance(ab));
   RC_ASSERT(distance(alpha_a.coordinates(), ab.alpha_a()) <= tolerance(ab));
 }

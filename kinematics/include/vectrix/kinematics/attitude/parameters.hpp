@@ -36,34 +36,7 @@ template <class X, class A, class B, class S, int count> class AttitudeParameter
   const numbers& coordinates() const& { return numbers_; }
   numbers coordinates() && { return numbers_; }
 
-  /// The inverse of rate(): w_ab^c from the derivative of x_ab, c being b or a. At the singularity too, any
-  /// finite input is valid.
-  template <class C>
-  InOneOf<C, A, B, AngularVelocity<A, B, In<C>, S>> angular_velocity(const ParameterRate<X>& xdot_ab,
-                                                                     In<C>) const {
-    using Kinematics = KinematicsOf<X, std::same_as<C, B>>;
-    return AngularVelocity<A, B, In<C>, S>{trusted, Kinematics::velocity(own(), xdot_ab.coordinates())};
-  }
-  template <class Rate, class InFrame, class Attitude = X>
-  auto angular_velocity(  // x_ab.angular_velocity(xdot_ab, in<B>) or in<A>; xdot the rate of that x
-      const Rate&, const InFrame&) const -> Refused = delete;
-
-  /// The inverse of second_rate(): alpha_ab^c from both derivatives of x_ab, c being b or a. At the
-  /// singularity too, any finite input is valid.
-  template <class C>
-  InOneOf<C, A, B, AngularAcceleration<A, B, In<C>, S>> angular_acceleration(
-      const ParameterRate<X>& xdot_ab, const SecondParameterRate<X>& xddot_ab, In<C>) const {
-    using Kinematics = KinematicsOf<X, std::same_as<C, B>>;
-    return AngularAcceleration<A, B, In<C>, S>{
-        trusted, Kinematics::acceleration(own(), xdot_ab.coordinates(), xddot_ab.coordinates())};
-  }
-  template <class Rate, class SecondRate, class InFrame, class Attitude = X>
-  auto angular_acceleration(  // x_ab.angular_acceleration(xdot_ab, xddot_ab, in<B>) or in<A>
-      const Rate&, const SecondRate&, const InFrame&) const -> Refused = delete;
-
  private:
-  const X& own() const { return static_cast<const X&>(*this); }
-
   numbers numbers_;
 };
 
@@ -76,6 +49,10 @@ concept Parameters =
 template <class X, class C>
 using RateOf = InOneOf<C, typename X::reference, typename X::turned,
                        AngularVelocity<typename X::reference, typename X::turned, In<C>, typename X::scalar>>;
+template <class X, class C>
+using AccelerationOf =
+    InOneOf<C, typename X::reference, typename X::turned,
+            AngularAcceleration<typename X::reference, typename X::turned, In<C>, typename X::scalar>>;
 template <class X, class Rate, class C>
 using SecondRateOf =
     std::enable_if_t<Parameters<X> && std::same_as<Rate, RateOf<X, C>>, SecondParameterRate<X>>;
@@ -187,6 +164,24 @@ template <detail::Parameters X, class A, class B, class C, class S>
 ParameterRate<X> attitude_rate(const X& x_ab, const AngularVelocity<A, B, In<C>, S>& w_ab_c) {
   using Kinematics = detail::KinematicsOf<X, std::same_as<C, B>>;
   return {detail::trusted, Kinematics::rate(x_ab, w_ab_c.coordinates())};
+}
+
+/// The inverse of rate(): w_ab^c from the derivative of x_ab, c being b or a. At the singularity too, any
+/// finite input is valid.
+template <detail::Parameters X, class C>
+detail::RateOf<X, C> angular_velocity(const X& x_ab, const ParameterRate<X>& xdot_ab, In<C>) {
+  using Kinematics = detail::KinematicsOf<X, std::same_as<C, typename X::turned>>;
+  return detail::RateOf<X, C>{detail::trusted, Kinematics::velocity(x_ab, xdot_ab.coordinates())};
+}
+
+/// The inverse of second_rate(): alpha_ab^c from both derivatives of x_ab, c being b or a. At the singularity
+/// too, any finite input is valid.
+template <detail::Parameters X, class C>
+detail::AccelerationOf<X, C> angular_acceleration(const X& x_ab, const ParameterRate<X>& xdot_ab,
+                                                  const SecondParameterRate<X>& xddot_ab, In<C>) {
+  using Kinematics = detail::KinematicsOf<X, std::same_as<C, typename X::turned>>;
+  return detail::AccelerationOf<X, C>{
+      detail::trusted, Kinematics::acceleration(x_ab, xdot_ab.coordinates(), xddot_ab.coordinates())};
 }
 
 // What second_rate(x_ab, w_ab_c, alpha_ab_c) is. Throws BadInput at the singularity, and says how near.

@@ -11,9 +11,6 @@ namespace vectrix {
 /// Largest | |q| - 1 | that the checked doors let in: ten printed digits pass.
 inline constexpr double unit_norm_tolerance = 1e-9;
 
-template <Frame A, Frame B, class S = double> class QuaternionRate;
-template <Frame A, Frame B, class S = double> class QuaternionSecondRate;
-
 /// q_a^b, `q_b_from_a`, of type Quaternion<B, A>: a unit quaternion (Hamilton's product) that maps
 /// coordinates as R_a^b:
 ///     1.  r^b = q_a^b r^a (q_a^b)*          q_b_from_a * r_a
@@ -36,27 +33,6 @@ template <Frame ToFrame, Frame FromFrame, class S = double> class Quaternion {
   Eigen::Quaternion<S> eigen() && { return value_; }
   std::array<S, 4> scalar_first() const { return {value_.w(), value_.x(), value_.y(), value_.z()}; }
   std::array<S, 4> scalar_last() const { return {value_.x(), value_.y(), value_.z(), value_.w()}; }
-
-  /// The inverse of rate(), for q = q_b^a: (0, w_ab^b) = 2 q* qdot, (0, w_ab^a) = 2 qdot q*. Throws BadInput
-  /// when the two do not belong together: the scalar part exceeds 1e-9 of the largest number.
-  template <class C>
-    requires(std::same_as<C, ToFrame> || std::same_as<C, FromFrame>)
-  auto angular_velocity(const QuaternionRate<ToFrame, FromFrame, S>& qdot_a_from_b, In<C>) const;
-  template <class Rate, class InFrame, class Attitude = Quaternion>
-  auto angular_velocity(  // q_a_from_b.angular_velocity(qdot_a_from_b, in<B>) or in<A>
-      const Rate&, const InFrame&) const -> Refused = delete;
-
-  /// The inverse of second_rate(): (-|w|^2/2, alpha_ab^b) = 2 q* qddot, and of 2 qddot q* in a. Throws
-  /// BadInput when the three do not belong together: the scalar part is off by more than 1e-9 of the largest
-  /// number.
-  template <class C>
-    requires(std::same_as<C, ToFrame> || std::same_as<C, FromFrame>)
-  auto angular_acceleration(const QuaternionRate<ToFrame, FromFrame, S>& qdot_a_from_b,
-                            const QuaternionSecondRate<ToFrame, FromFrame, S>& qddot_a_from_b, In<C>) const;
-  template <class Rate, class SecondRate, class InFrame, class Attitude = Quaternion>
-  auto
-  angular_acceleration(  // q_a_from_b.angular_acceleration(qdot_a_from_b, qddot_a_from_b, in<B>) or in<A>
-      const Rate&, const SecondRate&, const InFrame&) const -> Refused = delete;
 
   template <class Operand = Quaternion>
   auto operator-() const -> Refused = delete;  // -q is the same rotation: inverse(q_b_from_a)

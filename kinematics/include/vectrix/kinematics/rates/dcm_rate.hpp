@@ -122,36 +122,33 @@ template <Frame A, Frame B, class S = double> class DcmSecondRate {
   const detail::Square<S>& matrix() const& { return matrix_; }
   detail::Square<S> matrix() && { return matrix_; }
 
-  /// The inverse of second_rate(): alpha_ab^b = vee(R^T Rddot - [w_ab^b]x^2), alpha_ab^a = vee(Rddot R^T -
-  /// [w_ab^a]x^2). Throws BadInput when the three do not belong together: the symmetric part of R^T Rddot
-  /// then differs from [w]x^2 by more than 1e-9 of the largest entry.
-  template <class C>
-    requires(std::same_as<C, A> || std::same_as<C, B>)
-  AngularAcceleration<A, B, In<C>, S> angular_acceleration(const Dcm<A, B, S>& R_a_from_b,
-                                                           const DcmRate<A, B, S>& Rdot_a_from_b, In<C>)
-  const {
-    const auto& R = R_a_from_b.matrix();
-    const detail::Square<S> w = hat(angular_velocity(R_a_from_b, Rdot_a_from_b, in<C>).coordinates());
-    detail::Square<S> turn;
-    if constexpr (std::same_as<C, B>) {
-      turn = R.transpose() * matrix_;
-    } else {
-      turn = matrix_ * R.transpose();
-    }
-    detail::require_centripetal<A, B>(turn, w);
-    const detail::Square<S> skew = (turn - turn.transpose()) / S(2);
-    return AngularAcceleration<A, B, In<C>, S>{detail::trusted, vee(skew)};
-  }
-  template <class Rotation, class Rate, class InFrame, class SecondRate = DcmSecondRate>
-  auto
-  angular_acceleration(  // Rddot_a_from_b.angular_acceleration(R_a_from_b, Rdot_a_from_b, in<B>) or in<A>
-      const Rotation&, const Rate&, const InFrame&) const -> Refused = delete;
-
  private:
   detail::Square<S> matrix_;
 };
 
 template <class A, class B, class S> inline constexpr bool detail::is_framed<DcmSecondRate<A, B, S>> = true;
+
+/// The inverse of second_rate(): alpha_ab^b = vee(R^T Rddot - [w_ab^b]x^2), alpha_ab^a = vee(Rddot R^T -
+/// [w_ab^a]x^2). Throws BadInput when the three do not belong together: the symmetric part of R^T Rddot then
+/// differs from [w]x^2 by more than 1e-9 of the largest entry.
+template <class A, class B, class S, class C>
+  requires(std::same_as<C, A> || std::same_as<C, B>)
+AngularAcceleration<A, B, In<C>, S> angular_acceleration(const Dcm<A, B, S>& R_a_from_b,
+                                                         const DcmRate<A, B, S>& Rdot_a_from_b,
+                                                         const DcmSecondRate<A, B, S>& Rddot_a_from_b,
+                                                         In<C>) {
+  const auto& R = R_a_from_b.matrix();
+  const detail::Square<S> w = hat(angular_velocity(R_a_from_b, Rdot_a_from_b, in<C>).coordinates());
+  detail::Square<S> turn;
+  if constexpr (std::same_as<C, B>) {
+    turn = R.transpose() * Rddot_a_from_b.matrix();
+  } else {
+    turn = Rddot_a_from_b.matrix() * R.transpose();
+  }
+  detail::require_centripetal<A, B>(turn, w);
+  const detail::Square<S> skew = (turn - turn.transpose()) / S(2);
+  return AngularAcceleration<A, B, In<C>, S>{detail::trusted, vee(skew)};
+}
 
 // d2/dt2 R_b^a = R_b^a ([w]x^2 + [alpha]x) of w_ab^b and alpha_ab^b, ([w]x^2 + [alpha]x) R_b^a of those in a
 template <class A, class B, class C, class S>
@@ -175,7 +172,7 @@ template <class A, class B, class Derived, class S>
 DcmSecondRate<A, B, S> dcm_second_rate(const Dcm<A, B, S>& R_a_from_b, const DcmRate<A, B, S>& Rdot_a_from_b,
                                        const Eigen::MatrixBase<Derived>& matrix) {
   const DcmSecondRate<A, B, S> Rddot_a_from_b{detail::trusted, matrix};
-  Rddot_a_from_b.angular_acceleration(R_a_from_b, Rdot_a_from_b, in<B>);
+  angular_acceleration(R_a_from_b, Rdot_a_from_b, Rddot_a_from_b, in<B>);
   return Rddot_a_from_b;
 }
 

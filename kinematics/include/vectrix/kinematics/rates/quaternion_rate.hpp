@@ -6,7 +6,7 @@
 namespace vectrix {
 
 /// The time derivative of q_b^a, four numbers, 1/s; not a rotation.
-template <Frame A, Frame B, class S> class QuaternionRate {
+template <Frame A, Frame B, class S = double> class QuaternionRate {
  public:
   template <detail::Makes<Eigen::Quaternion<S>> Make>
   QuaternionRate(detail::Trusted, const Make& make) : value_(make()) {}
@@ -68,10 +68,13 @@ void require_on_sphere(const Eigen::Quaternion<S>& part, const S& scalar, const 
 
 }  // namespace detail
 
-template <Frame A, Frame B, class S> template <class C>
+/// The inverse of rate(), for q = q_b^a: (0, w_ab^b) = 2 q* qdot, (0, w_ab^a) = 2 qdot q*. Throws BadInput
+/// when the two do not belong together: the scalar part exceeds 1e-9 of the largest number.
+template <class A, class B, class S, class C>
   requires(std::same_as<C, A> || std::same_as<C, B>)
-auto Quaternion<A, B, S>::angular_velocity(const QuaternionRate<A, B, S>& qdot_a_from_b, In<C>) const {
-  const auto w = detail::turning_part<std::same_as<C, B>>(value_, qdot_a_from_b.eigen());
+AngularVelocity<A, B, In<C>, S> angular_velocity(const Quaternion<A, B, S>& q_a_from_b,
+                                                 const QuaternionRate<A, B, S>& qdot_a_from_b, In<C>) {
+  const auto w = detail::turning_part<std::same_as<C, B>>(q_a_from_b.eigen(), qdot_a_from_b.eigen());
   detail::require_on_sphere<A, B>(w, S(0), "derivative");
   return AngularVelocity<A, B, In<C>, S>{detail::trusted, w.vec()};
 }
@@ -86,7 +89,7 @@ QuaternionRate<A, B, S> quaternion_rate_scalar_first(const Quaternion<A, B, S>& 
                                                      const std::type_identity_t<S>& z) {
   const QuaternionRate<A, B, S> qdot_a_from_b{detail::trusted,
                                               [&] { return Eigen::Quaternion<S>(w, x, y, z); }};
-  q_a_from_b.angular_velocity(qdot_a_from_b, in<B>);
+  angular_velocity(q_a_from_b, qdot_a_from_b, in<B>);
   return qdot_a_from_b;
 }
 template <class A, class B, class S>
@@ -100,7 +103,7 @@ QuaternionRate<A, B, S> quaternion_rate_scalar_last(const Quaternion<A, B, S>& q
 
 /// The second time derivative of q_b^a, four numbers, 1/s^2; made by second_rate(q_a_from_b, w_ab_c,
 /// alpha_ab_c), or from numbers by quaternion_second_rate_scalar_first().
-template <Frame A, Frame B, class S> class QuaternionSecondRate {
+template <Frame A, Frame B, class S = double> class QuaternionSecondRate {
  public:
   template <detail::Makes<Eigen::Quaternion<S>> Make>
   QuaternionSecondRate(detail::Trusted, const Make& make) : value_(make()) {}
@@ -129,13 +132,16 @@ QuaternionSecondRate<A, B, S> attitude_second_rate(const Quaternion<A, B, S>& q_
           }};
 }
 
-template <Frame A, Frame B, class S> template <class C>
+/// The inverse of second_rate(): (-|w|^2/2, alpha_ab^b) = 2 q* qddot, and of 2 qddot q* in a. Throws BadInput
+/// when the three do not belong together: the scalar part is off by more than 1e-9 of the largest number.
+template <class A, class B, class S, class C>
   requires(std::same_as<C, A> || std::same_as<C, B>)
-auto Quaternion<A, B, S>::angular_acceleration(const QuaternionRate<A, B, S>& qdot_a_from_b,
-                                               const QuaternionSecondRate<A, B, S>& qddot_a_from_b,
-                                               In<C> in_c) const {
-  const S square = angular_velocity(qdot_a_from_b, in_c).coordinates().squaredNorm();
-  const auto alpha = detail::turning_part<std::same_as<C, B>>(value_, qddot_a_from_b.eigen());
+AngularAcceleration<A, B, In<C>, S> angular_acceleration(const Quaternion<A, B, S>& q_a_from_b,
+                                                         const QuaternionRate<A, B, S>& qdot_a_from_b,
+                                                         const QuaternionSecondRate<A, B, S>& qddot_a_from_b,
+                                                         In<C> in_c) {
+  const S square = angular_velocity(q_a_from_b, qdot_a_from_b, in_c).coordinates().squaredNorm();
+  const auto alpha = detail::turning_part<std::same_as<C, B>>(q_a_from_b.eigen(), qddot_a_from_b.eigen());
   detail::require_on_sphere<A, B>(alpha, S(-square / S(2)), "second derivative");
   return AngularAcceleration<A, B, In<C>, S>{detail::trusted, alpha.vec()};
 }
@@ -149,7 +155,7 @@ QuaternionSecondRate<A, B, S> quaternion_second_rate_scalar_first(
     const std::type_identity_t<S>& z) {
   const QuaternionSecondRate<A, B, S> qddot_a_from_b{detail::trusted,
                                                      [&] { return Eigen::Quaternion<S>(w, x, y, z); }};
-  q_a_from_b.angular_acceleration(qdot_a_from_b, qddot_a_from_b, in<B>);
+  angular_acceleration(q_a_from_b, qdot_a_from_b, qddot_a_from_b, in<B>);
   return qddot_a_from_b;
 }
 template <class A, class B, class S>

@@ -33,6 +33,13 @@ template <class Rotation, class Rate>
 auto rate(  // rate(R_a_from_b, w_ab_b) or rate(R_a_from_b, w_ab_a)
     const Rotation&, const Rate&) -> Refused = delete;
 
+template <class Attitude, class Rate, class C>
+auto angular_velocity(  // angular_velocity(x_ab, xdot_ab, in<B>) or in<A>; xdot the rate of that x
+    const Attitude&, const Rate&, const In<C>&) -> Refused = delete;
+template <class Attitude, class Rate, class SecondRate, class C>
+auto angular_acceleration(  // angular_acceleration(x_ab, xdot_ab, xddot_ab, in<B>) or in<A>
+    const Attitude&, const Rate&, const SecondRate&, const In<C>&) -> Refused = delete;
+
 /// The second derivative of an attitude, from the rate and the angular acceleration, both expressed in b or
 /// both in a:
 ///     d2/dt2 R_b^a = R_b^a ([w]x^2 + [alpha]x) in b, ([w]x^2 + [alpha]x) R_b^a in a
