@@ -2,7 +2,7 @@
 # is not found.
 include(CMakePackageConfigHelpers)
 set(package ${CMAKE_INSTALL_LIBDIR}/cmake/vectrix)
-foreach(layer frames kinematics dynamics)
+foreach(layer IN LISTS VECTRIX_LAYERS)
   if(TARGET vectrix_${layer})
     install(EXPORT vectrix-${layer} NAMESPACE vectrix:: DESTINATION ${package} COMPONENT ${layer})
   endif()
