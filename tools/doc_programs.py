@@ -3,17 +3,27 @@
 
 In <folder>/<page> each page has its programs, 1.cpp and so on, what they print, 1.txt, and its files. <folder>/programs.cmake
 names the pages, and calls doc_program(<page> <number> <layer> ALONE|PRECOMPILED) for each program. The layer is the highest of
-which the program includes a header. PRECOMPILED are those that include the whole of it, <vectrix/layer.hpp>: to precompile
-that adds nothing to what they include.
+which the program includes a header. PRECOMPILED are those that include the whole of it, <vectrix/layer.hpp>, if there are
+several: to precompile that adds nothing to what they include.
 """
 
 import argparse
 import sys
+from collections import Counter
+from dataclasses import dataclass
 from pathlib import Path
 
 from doc_blocks import all_pages, page_name, read_blocks
 
 TOLERANCE = "# rel 1e-5 abs 1e-12"  # a number may differ by one in the sixth digit, the last that is printed
+
+
+@dataclass
+class Program:
+    page: str
+    number: str
+    layer: str
+    whole_layer: bool  # whether it includes <vectrix/layer.hpp>
 
 
 def layer_of(program: str, layers: list[str]) -> str:
@@ -49,14 +59,23 @@ def write(folder: Path, files: dict[str, str]) -> None:
             file.write_text(text)
 
 
-def calls(name: str, files: dict[str, str], layers: list[str]) -> list[str]:
-    """The call of doc_program for each program of a page."""
-    lines = []
+def programs_of(page: str, files: dict[str, str], layers: list[str]) -> list[Program]:
+    programs = []
     for file, text in files.items():
         if file.endswith(".cpp"):
             layer = layer_of(text, layers)
-            whole = f"#include <vectrix/{layer}.hpp>" in text
-            lines.append(f"doc_program({name} {Path(file).stem} {layer} {'PRECOMPILED' if whole else 'ALONE'})")
+            programs.append(Program(page, Path(file).stem, layer, f"#include <vectrix/{layer}.hpp>" in text))
+    return programs
+
+
+def calls(programs: list[Program]) -> list[str]:
+    """The call of doc_program for each program. To precompile headers for one program alone is no gain."""
+    users = Counter(program.layer for program in programs if program.whole_layer)
+    lines = []
+    for program in programs:
+        precompiled = program.whole_layer and users[program.layer] > 1
+        mode = "PRECOMPILED" if precompiled else "ALONE"
+        lines.append(f"doc_program({program.page} {program.number} {program.layer} {mode})")
     return lines
 
 
@@ -67,11 +86,13 @@ def main() -> int:
     options = parser.parse_args()
     pages = all_pages()
     lines = ["set(doc_pages", *(f'    "{page}"' for page in pages), ")"]
+    programs: list[Program] = []
     for page in pages:
         files = page_files(page)
         if files:
             write(options.folder / page_name(page), files)
-        lines += calls(page_name(page), files, options.layers)
+        programs += programs_of(page_name(page), files, options.layers)
+    lines += calls(programs)
     write(options.folder, {"programs.cmake": "\n".join(lines) + "\n"})
     return 0
 

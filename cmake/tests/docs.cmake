@@ -4,7 +4,7 @@ set(folder ${CMAKE_CURRENT_BINARY_DIR}/docs)
 execute_process(COMMAND ${Python3_EXECUTABLE} ${tools}/doc_programs.py --folder ${folder} --layers ${VECTRIX_LAYERS}
                 COMMAND_ERROR_IS_FATAL ANY)
 
-# The first program of a layer compiles its headers for the others.
+# The first program that shares the headers of a layer compiles them for the others.
 function(doc_program page number layer headers)
   set(program doc_${page}_${number})
   add_executable(${program} ${folder}/${page}/${number}.cpp)

@@ -62,14 +62,27 @@ class Programs(unittest.TestCase):
         self.assertEqual(files["points.csv"], "x\n")
         self.assertEqual(files["1.cpp"], f'#line 6 "{page}"\nint main() {{}}\n')
         self.assertEqual(files["1.txt"], f"{doc_programs.TOLERANCE}\nnothing\n")
-        self.assertEqual(doc_programs.calls("page", files, ["frames", "kinematics"]), ["doc_program(page 1 frames ALONE)"])
+        self.assertEqual(len(doc_programs.programs_of("page", files, ["frames", "kinematics"])), 1)
 
     def test_finds_the_layer(self) -> None:
         layers = ["frames", "kinematics", "dynamics"]
         self.assertEqual(doc_programs.layer_of("#include <vectrix/frames.hpp>\n", layers), "frames")
         both = "#include <vectrix/dynamics/csv_table.hpp>\n#include <vectrix/kinematics.hpp>\n"
         self.assertEqual(doc_programs.layer_of(both, layers), "dynamics")
-        self.assertIn("dynamics ALONE", doc_programs.calls("page", {"1.cpp": both}, layers)[0])
+
+    def test_precompiles_what_several_include(self) -> None:
+        texts = ["frames.hpp", "kinematics.hpp", "kinematics.hpp", "kinematics/screw.hpp"]
+        files = {f"{i}.cpp": f"#include <vectrix/{text}>\n" for i, text in enumerate(texts)}
+        programs = doc_programs.programs_of("page", files, ["frames", "kinematics"])
+        self.assertEqual(
+            doc_programs.calls(programs),
+            [
+                "doc_program(page 0 frames ALONE)",
+                "doc_program(page 1 kinematics PRECOMPILED)",
+                "doc_program(page 2 kinematics PRECOMPILED)",
+                "doc_program(page 3 kinematics ALONE)",
+            ],
+        )
 
     def test_removes_what_the_page_no_longer_shows(self) -> None:
         doc_programs.write(self.folder, {"points.csv": "x\n", "1.cpp": "int main() {}\n"})
