@@ -8,8 +8,8 @@ set(DOXYGEN_IMAGE_PATH ${PROJECT_SOURCE_DIR}/docs)
 set(DOXYGEN_EXTRACT_ALL YES)
 set(DOXYGEN_QUIET YES)
 set(DOXYGEN_HAVE_DOT NO)
-doxygen_add_docs(docs frames/include kinematics/include dynamics/include docs README.md
-                 WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
+list(TRANSFORM VECTRIX_LAYERS APPEND /include OUTPUT_VARIABLE headers)
+doxygen_add_docs(docs ${headers} docs README.md WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
 
 # docs/pictures.
 if(TARGET draw_pictures)

@@ -18,6 +18,7 @@ from pathlib import Path
 
 import refusals_page
 from diagnostics import Compiler, Diagnostic, split, syntax_arguments
+from marked_text import LostMarks
 from refused_cases import ROOT, BadProgram, Case, Topic, case_names, read_topic, refused_files
 
 LINES = 12  # that the compiler may print of one mistake
@@ -133,11 +134,15 @@ def check(options: argparse.Namespace) -> int:
 
 
 def keep_messages(options: argparse.Namespace) -> int:
-    """Keeps what the compiler says of the mistakes, and judges nothing."""
+    """Keeps what the compiler says of the mistakes; all that it judges is whether they are refused."""
+    compiler = Compiler(options.compiler)
     for topic in map(read_topic, options.files):
-        arguments = syntax_arguments(options.options, options.precompiled)
-        _, diagnostics = compile_topic(topic, Compiler(options.compiler), arguments)
-        save(options.save, topic, by_case(diagnostics, topic)[0])
+        _, diagnostics = compile_topic(topic, compiler, syntax_arguments(options.options, options.precompiled))
+        messages, _ = by_case(diagnostics, topic)
+        for case in topic.cases:
+            if "error: " not in "\n".join(messages[case.name]):
+                raise BadProgram(f"{topic.relative}:{case.first}: {case.name} is not refused")
+        save(options.save, topic, messages)
     return 0
 
 
@@ -213,7 +218,7 @@ def main() -> int:
     options = parse(sys.argv[1:])
     try:
         return options.run(options)
-    except BadProgram as bad:
+    except (BadProgram, LostMarks) as bad:
         print(bad)
         return 1
 
