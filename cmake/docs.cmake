@@ -10,8 +10,8 @@ set(DOXYGEN_FILTER_PATTERNS "*.md=sed -e s,[.][.]/pictures/,pictures/, -e s,[.]m
 set(DOXYGEN_EXTRACT_ALL YES)
 set(DOXYGEN_QUIET YES)
 set(DOXYGEN_HAVE_DOT NO)
-doxygen_add_docs(docs frames/include kinematics/include space/include dynamics/include docs README.md
-                 WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
+list(TRANSFORM VECTRIX_LAYERS APPEND /include OUTPUT_VARIABLE headers)
+doxygen_add_docs(docs ${headers} docs README.md WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
 
 # docs/pictures.
 if(TARGET draw_pictures)
@@ -20,37 +20,14 @@ endif()
 
 # The compiler's message in README.md.
 get_target_property(eigen Eigen3::Eigen INTERFACE_INCLUDE_DIRECTORIES)
-add_custom_target(readme COMMAND ${CMAKE_COMMAND} -D COMPILER=${CMAKE_CXX_COMPILER}
-                                 "-DINCLUDES=${PROJECT_SOURCE_DIR}/frames/include;${eigen}" -D MODE=write
-                                 -P ${PROJECT_SOURCE_DIR}/cmake/readme.cmake VERBATIM)
+add_custom_target(readme COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/tools/readme.py --write
+                                 --compiler ${CMAKE_CXX_COMPILER} --include ${PROJECT_SOURCE_DIR}/frames/include ${eigen}
+                  VERBATIM)
 add_dependencies(docs readme)
 
-# docs/refusals.md: the compiler is asked about each refused program, as many at a time as the build has jobs.
+# docs/reference/refusals.md.
 if(NOT VECTRIX_HYGIENE_TESTS)
   vectrix_syntax_options()
 endif()
-set(script ${PROJECT_SOURCE_DIR}/cmake/refusals.cmake)
-set(syntax ${CMAKE_BINARY_DIR}/syntax)
-set(folder ${CMAKE_BINARY_DIR}/refusals)
-set(headers)
-set(messages)
-foreach(layer IN LISTS VECTRIX_LAYERS)
-  file(GLOB_RECURSE own CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${layer}/include/*.hpp)
-  list(APPEND headers ${own})
-  file(CONFIGURE OUTPUT ${syntax}/${layer}.hpp CONTENT "#include <vectrix/${layer}.hpp>\n")
-  add_custom_command(OUTPUT ${syntax}/${layer}.hpp.gch DEPENDS ${headers}
-                     COMMAND ${CMAKE_CXX_COMPILER} @${syntax}/plain.options -x c++-header ${syntax}/${layer}.hpp
-                             -o ${syntax}/${layer}.hpp.gch)
-  file(GLOB programs CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/${layer}/tests/refused/*.cpp)
-  foreach(program IN LISTS programs)
-    cmake_path(GET program STEM name)
-    set(message ${folder}/${layer}.${name}.txt)
-    add_custom_command(OUTPUT ${message} DEPENDS ${syntax}/${layer}.hpp.gch ${PROJECT_SOURCE_DIR}/${program} ${script}
-                       COMMAND ${CMAKE_COMMAND} -D MODE=message -D COMPILER=${CMAKE_CXX_COMPILER}
-                               -D OPTIONS=${syntax}/plain.options -D HEADER=${syntax}/${layer}.hpp -D PROGRAM=${program}
-                               -D OUTPUT=${message} -P ${script})
-    list(APPEND messages ${message})
-  endforeach()
-endforeach()
-add_custom_target(refusals COMMAND ${CMAKE_COMMAND} -D MODE=write -D MESSAGES=${folder} -P ${script} DEPENDS ${messages})
+vectrix_refusals_target()
 add_dependencies(docs refusals)

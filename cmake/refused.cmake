@@ -1,6 +1,8 @@
 # Tests of single compiler calls, without objects: programs that must be refused, headers that must compile alone.
+set(VECTRIX_REFUSALS_TOOL ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/tools/refusals.py)
+set(VECTRIX_SYNTAX ${CMAKE_BINARY_DIR}/syntax)
 
-# The compiler's options for the public headers, in ${CMAKE_BINARY_DIR}/syntax/{plain,strict}.options (strict: warnings are errors).
+# The compiler's options for the public headers, in ${VECTRIX_SYNTAX}/{plain,strict}.options (strict: warnings are errors).
 function(vectrix_syntax_options)
   set(system)
   foreach(target Eigen3::Eigen Boost::headers)
@@ -15,29 +17,82 @@ function(vectrix_syntax_options)
   set(strict ${plain} ${VECTRIX_WARNINGS} -Werror)
   foreach(set plain strict)
     list(JOIN ${set} "\n" text)
-    file(GENERATE OUTPUT ${CMAKE_BINARY_DIR}/syntax/${set}.options CONTENT "${text}\n")
+    file(GENERATE OUTPUT ${VECTRIX_SYNTAX}/${set}.options CONTENT "${text}\n")
   endforeach()
 endfunction()
 
-# The test refused.<layer>.<name> of a program that contains a mistake; check_refused.cmake says what it demands.
-# A layer's headers are compiled once for all its programs, by the fixture refused.<layer>.
-function(vectrix_refused layer program)
-  cmake_path(GET program STEM name)
-  set(page)
-  if(NOT layer STREQUAL "harness" AND "${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION}" MATCHES "^GNU 12[.]")
-    set(page -D PAGE=${PROJECT_SOURCE_DIR}/docs/refusals.md)  # its messages are those of g++ 12
-  endif()
-  add_test(NAME refused.${layer}.${name}
-           COMMAND ${CMAKE_COMMAND} -D COMPILER=${CMAKE_CXX_COMPILER} -D OPTIONS=${CMAKE_BINARY_DIR}/syntax
-                   -D LAYER=${layer} -D PROGRAM=${program} ${page}
-                   -P ${PROJECT_SOURCE_DIR}/cmake/check_refused.cmake)
-  set_tests_properties(refused.${layer}.${name} PROPERTIES FIXTURES_REQUIRED refused.${layer})
+# The call that compiles the headers of a layer, once for all its refused programs.
+function(vectrix_precompile_layer command layer)
+  set(header ${VECTRIX_SYNTAX}/${layer}.hpp)
+  file(CONFIGURE OUTPUT ${header} CONTENT "#include <vectrix/${layer}.hpp>\n")
+  set(${command} ${CMAKE_CXX_COMPILER} @${VECTRIX_SYNTAX}/plain.options -x c++-header ${header} -o ${header}.gch PARENT_SCOPE)
 endfunction()
 
-function(vectrix_refused_layer layer)
-  set(header ${CMAKE_BINARY_DIR}/syntax/${layer}.hpp)
-  file(CONFIGURE OUTPUT ${header} CONTENT "#include <vectrix/${layer}.hpp>\n")
-  add_test(NAME refused.${layer} COMMAND ${CMAKE_CXX_COMPILER} @${CMAKE_BINARY_DIR}/syntax/plain.options
-                                         -x c++-header ${header} -o ${header}.gch)
+# The files of refused programs of a layer.
+function(vectrix_refused_files variable layer)
+  file(GLOB_RECURSE files CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${layer}/tests/*.cpp)
+  list(FILTER files INCLUDE REGEX "/refused/[^/]*$")
+  set(${variable} ${files} PARENT_SCOPE)
+endfunction()
+
+# A test refused.<layer>.<topic> for each file of refused programs. What the compiler says of them is kept for the test
+# of docs/reference/refusals.md.
+function(vectrix_refused_tests layer)
+  vectrix_refused_files(files ${layer})
+  if(NOT files)
+    return()
+  endif()
+  vectrix_precompile_layer(precompile ${layer})
+  add_test(NAME refused.${layer} COMMAND ${precompile})
   set_tests_properties(refused.${layer} PROPERTIES FIXTURES_SETUP refused.${layer} COST 50)
+  foreach(file IN LISTS files)
+    cmake_path(GET file STEM topic)
+    add_test(NAME refused.${layer}.${topic}
+             COMMAND ${VECTRIX_REFUSALS_TOOL} check --compiler ${CMAKE_CXX_COMPILER} --options ${VECTRIX_SYNTAX}/plain.options
+                     --strict ${VECTRIX_SYNTAX}/strict.options --precompiled ${VECTRIX_SYNTAX}/${layer}.hpp
+                     --save ${CMAKE_BINARY_DIR}/refused ${file})
+    set_tests_properties(refused.${layer}.${topic} PROPERTIES FIXTURES_REQUIRED refused.${layer}
+                                                              FIXTURES_SETUP refused.messages COST 10)
+  endforeach()
+endfunction()
+
+# The test that docs/reference/refusals.md is what the refused programs give; its messages are those of g++ 12.
+function(vectrix_refusals_page_test)
+  if("${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION}" MATCHES "^GNU 12[.]")
+    set(all)
+    foreach(layer IN LISTS VECTRIX_LAYERS)
+      if(NOT TARGET vectrix_${layer})
+        return()  # the page tells of every layer
+      endif()
+      vectrix_refused_files(files ${layer})
+      list(APPEND all ${files})
+    endforeach()
+    add_test(NAME hygiene.refusals COMMAND ${VECTRIX_REFUSALS_TOOL} page --messages ${CMAKE_BINARY_DIR}/refused ${all})
+    set_tests_properties(hygiene.refusals PROPERTIES FIXTURES_REQUIRED refused.messages)
+  endif()
+endfunction()
+
+# The target refusals, which writes docs/reference/refusals.md.
+function(vectrix_refusals_target)
+  set(messages)
+  set(all)
+  set(headers)
+  foreach(layer IN LISTS VECTRIX_LAYERS)
+    file(GLOB_RECURSE own CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${layer}/include/*.hpp)
+    list(APPEND headers ${own})
+    vectrix_precompile_layer(precompile ${layer})
+    add_custom_command(OUTPUT ${VECTRIX_SYNTAX}/${layer}.hpp.gch DEPENDS ${headers} COMMAND ${precompile})
+    vectrix_refused_files(files ${layer})
+    list(APPEND all ${files})
+    foreach(file IN LISTS files)
+      cmake_path(GET file STEM topic)
+      set(message ${CMAKE_BINARY_DIR}/refused/${layer}.${topic}.json)
+      add_custom_command(OUTPUT ${message} DEPENDS ${VECTRIX_SYNTAX}/${layer}.hpp.gch ${file}
+                         COMMAND ${VECTRIX_REFUSALS_TOOL} messages --compiler ${CMAKE_CXX_COMPILER} --options ${VECTRIX_SYNTAX}/plain.options
+                                 --precompiled ${VECTRIX_SYNTAX}/${layer}.hpp --save ${CMAKE_BINARY_DIR}/refused ${file})
+      list(APPEND messages ${message})
+    endforeach()
+  endforeach()
+  add_custom_target(refusals COMMAND ${VECTRIX_REFUSALS_TOOL} page --write --messages ${CMAKE_BINARY_DIR}/refused ${all}
+                    DEPENDS ${messages})
 endfunction()
