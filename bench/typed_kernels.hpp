@@ -37,14 +37,12 @@ template <Frame G, Frame F> struct MovingSpin {
 // Five edges, A to F; the second and the fourth lie against the direction of the queries.
 using ConstantGraph = FrameGraph<ConstantEdge<Dcm<A, B>>, ConstantEdge<Dcm<C, B>>, ConstantEdge<Dcm<C, D>>,
                                  ConstantEdge<Dcm<E, D>>, ConstantEdge<Dcm<E, F>>>;
-template <class Edge, class Value> using Function = FunctionEdge<Edge, Value>;
-using FunctionGraph = FrameGraph<Function<Spin<A, B>, Dcm<A, B>>, Function<Spin<C, B>, Dcm<C, B>>,
-                                 Function<Spin<C, D>, Dcm<C, D>>, Function<Spin<E, D>, Dcm<E, D>>,
-                                 Function<Spin<E, F>, Dcm<E, F>>>;
+template <class Edge> using Function = FunctionEdge<Edge>;
+using FunctionGraph = FrameGraph<Function<Spin<A, B>>, Function<Spin<C, B>>, Function<Spin<C, D>>,
+                                 Function<Spin<E, D>>, Function<Spin<E, F>>>;
 using MovingGraph =
-    FrameGraph<Function<MovingSpin<A, B>, MovingDcm<A, B>>, Function<MovingSpin<C, B>, MovingDcm<C, B>>,
-               Function<MovingSpin<C, D>, MovingDcm<C, D>>, Function<MovingSpin<E, D>, MovingDcm<E, D>>,
-               Function<MovingSpin<E, F>, MovingDcm<E, F>>>;
+    FrameGraph<Function<MovingSpin<A, B>>, Function<MovingSpin<C, B>>, Function<MovingSpin<C, D>>,
+               Function<MovingSpin<E, D>>, Function<MovingSpin<E, F>>>;
 
 struct RateChain {
   AngularVelocity<A, B, In<B>> w_ab_b;

@@ -125,6 +125,14 @@ Telemetry read_attitude(const std::filesystem::path& file) {
   return telemetry;
 }
 
+// Of the orbit frame, from what the graph knows of the satellite: its velocity as Gcrf sees it.
+Dcm<Gcrf, Orbit> orbit_axes(const Displacement<Itrf, Satellite, In<Gcrf>>& r,
+                            const Velocity<Itrf, Satellite, ObservedFrom<Gcrf>, In<Gcrf>>& v) {
+  const auto z = -direction(r.vector());
+  const auto y = direction(cross(z, v.vector()));
+  return inverse(dcm_from_axes(to<Orbit>, cross(y, z), y, z));
+}
+
 double degrees(double radians) {
   return radians * (180.0 / std::numbers::pi);
 }
@@ -231,12 +239,7 @@ void run(const std::filesystem::path& data, const std::filesystem::path& table) 
   // The cubic through orbit samples ten seconds apart is off by 0.3 mm.
   const auto satellite = sampled_edge(orbit, 20.0 * si::second);
   const auto attitude = sampled_edge(telemetry.attitude, 2.0 * si::second);
-  const auto orbit_frame = edge<Dcm<Gcrf, Orbit>>([](const auto& now) {
-    const auto z = -direction(now.position(of<Satellite>, relative_to<Itrf>, in<Gcrf>).vector());
-    const auto v = now.velocity(of<Satellite>, relative_to<Itrf>, observed_from<Gcrf>, in<Gcrf>).vector();
-    const auto y = direction(cross(z, v));
-    return inverse(dcm_from_axes(to<Orbit>, cross(y, z), y, z));
-  });
+  const auto orbit_frame = edge(orbit_axes);
   const auto R_body_from_axes = dcm_from_axes(to<Body>, -unit_y(in<QuaternionAxes>),
                                               -unit_x(in<QuaternionAxes>), -unit_z(in<QuaternionAxes>));
   const auto R_antenna_from_body = turned_y(to<Antenna>, from<Body>, convert<si::angle>(-90.0 * si::degree));

@@ -212,3 +212,20 @@ auto attitude() {
 #endif
 }
 }  // namespace graph_unknown_frame
+
+namespace graph_edge_of_later_edge {
+// mistake: an edge that follows from an edge listed after it
+// expect: Fault = (vectrix::)?EdgeAsksFor<(vectrix::)?Link<Body, Camera>, (vectrix::)?UnknownFrame<Itrf>
+// expect: an edge asks those before it
+Dcm<Body, Camera> camera(const Dcm<Body, Itrf>& R_body_from_itrf) {
+  return R_body_from_itrf * aligned(to<Itrf>, from<Camera>);
+}
+auto sight(const Dcm<Gcrf, Body>& R_gcrf_from_body) {
+  const auto earth = static_edge(aligned(to<Gcrf>, from<Itrf>));
+#ifdef REPAIRED
+  return frame_graph(static_edge(R_gcrf_from_body), earth, edge(camera));
+#else
+  return frame_graph(static_edge(R_gcrf_from_body), edge(camera), earth);
+#endif
+}
+}  // namespace graph_edge_of_later_edge

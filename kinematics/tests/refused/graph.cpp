@@ -169,3 +169,19 @@ auto motion(const Quantity<si::time>& t) {
 #endif
 }
 }  // namespace graph_velocity_seen_from_unknown_frame
+
+namespace graph_edge_asks_for_rate_of_static_edge {
+// mistake: an edge that follows from a rate which an edge before it does not know
+// expect: Fault = (vectrix::)?EdgeAsksFor<(vectrix::)?Link<Body, Camera>,
+// (vectrix::)?RateOn<(vectrix::)?Link<Gcrf, Body
+Dcm<Body, Camera> camera(const AngularVelocity<Gcrf, Body, In<Body>>& w_ib_b) {
+  return turned_z(to<Body>, from<Camera>, norm(w_ib_b) * (1.0 * si::second));
+}
+auto sight(const Dcm<Gcrf, Body>& R_gcrf_from_body) {
+#ifdef REPAIRED
+  return frame_graph(rigid_edge(R_gcrf_from_body), edge(camera));
+#else
+  return frame_graph(static_edge(R_gcrf_from_body), edge(camera));
+#endif
+}
+}  // namespace graph_edge_asks_for_rate_of_static_edge

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <vectrix/frames/graph/level.hpp>
 #include <vectrix/frames/relative_vector.hpp>
 
 namespace vectrix {
@@ -28,6 +29,8 @@ class Displacement<P, Q, In<C>, S> : public detail::RelativeVector<C, si::length
 
 template <class P, class Q, class C, class S>
 inline constexpr bool detail::is_framed<Displacement<P, Q, C, S>> = true;
+template <class P, class Q, class C, class S>
+struct QuestionOf<Displacement<P, Q, In<C>, S>> : std::type_identity<AskPosition<Q, P, C>> {};
 
 /// Claims that the vector is the position of q relative to p.
 template <Point Q, Point P, class C, class S>

@@ -21,6 +21,8 @@ template <class B, class A, class S, class Translation>
 Transform(const Dcm<B, A, S>&, const Translation&) -> Transform<B, A, S>;
 
 template <class B, class A, class S> inline constexpr bool detail::is_framed<Transform<B, A, S>> = true;
+template <class B, class A, class S>
+struct QuestionOf<Transform<B, A, S>> : std::type_identity<AskTransform<B, A>> {};
 
 // r_bq^b = R_a^b r_aq^a + r_ba^b
 template <class B, class A, class Q, class S>

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <tuple>
 #include <type_traits>
 #include <utility>
 #include <vectrix/frames/graph/level.hpp>
@@ -33,33 +34,58 @@ template <EdgeValue V> class ConstantEdge {
   V value_;
 };
 
-/// An edge of a frame graph that is a function of the instant: of time, of a state, of whatever the graph is
-/// asked at.
-template <class Function, EdgeValue V> class FunctionEdge {
- public:
-  using value_type = V;
+namespace detail {
 
-  template <class Instant> static constexpr bool takes = std::is_invocable_v<const Function&, const Instant&>;
+template <class Signature> struct SignatureOf;
+template <class Result, class... Arguments> struct SignatureOf<std::function<Result(Arguments...)>> {
+  using result = Evaluated<std::remove_cvref_t<Result>>;
+  using arguments = std::tuple<std::remove_cvref_t<Arguments>...>;
+};
+/// What a function of any instant returns, for messages.
+struct DependsOnInstant {};
+struct NoSignature {
+  using result = DependsOnInstant;
+  using arguments = std::tuple<>;
+};
+template <class Function> constexpr auto signature_of() {
+  if constexpr (requires { std::function{std::declval<Function>()}; }) {
+    return SignatureOf<decltype(std::function{std::declval<Function>()})>{};
+  } else {
+    return NoSignature{};
+  }
+}
+template <class Function> using Result = typename decltype(signature_of<Function>())::result;
+template <class Function> using Arguments = typename decltype(signature_of<Function>())::arguments;
+
+template <class Argument>
+inline constexpr bool is_answer = !std::is_void_v<typename QuestionOf<Argument>::type>;
+
+template <class Arguments> struct ArgumentsOf;
+template <class... Arguments> struct ArgumentsOf<std::tuple<Arguments...>> {
+  static constexpr bool has_answers = (is_answer<Arguments> || ...);
+  /// Every argument that is no answer can be the instant.
+  template <class Instant>
+  static constexpr bool take = ((is_answer<Arguments> ||
+                                 std::is_convertible_v<const Instant&, Arguments>)&&...);
+};
+
+}  // namespace detail
+
+/// An edge of a frame graph that is a function: of the instant, which may be a time, a state, whatever the
+/// graph is asked at, and of what the edges listed before it answer at that instant.
+template <class Function> class FunctionEdge {
+ public:
+  using value_type = detail::Result<Function>;
+  using arguments = detail::Arguments<Function>;
+
+  template <class Instant>
+  static constexpr bool takes = detail::ArgumentsOf<arguments>::template take<Instant>;
 
   explicit FunctionEdge(Function function) : function_(std::move(function)) {}
 
-  template <class Instant> V operator()(const Instant& instant) const { return function_(instant); }
-
- private:
-  Function function_;
-};
-
-/// An edge of a frame graph that is a function of the graph's snapshot: of what the edges listed before it
-/// are at the same instant.
-template <class Function, EdgeValue V> class SnapshotEdge {
- public:
-  using value_type = V;
-
-  template <class Instant> static constexpr bool takes = true;
-
-  explicit SnapshotEdge(Function function) : function_(std::move(function)) {}
-
-  template <class Snapshot> V operator()(const Snapshot& now) const { return function_(now); }
+  template <class... Arguments> value_type operator()(const Arguments&... given) const {
+    return function_(given...);
+  }
 
  private:
   Function function_;
@@ -77,50 +103,20 @@ ConstantEdge<Transform<A, B, S>> static_edge(const Transform<A, B, S>& X_a_from_
   return ConstantEdge<Transform<A, B, S>>{X_a_from_b};
 }
 
-/// What a function of any instant returns, for messages.
-struct DependsOnInstant {};
-
-namespace detail {
-
-template <class Signature> struct ResultOf;
-template <class Result, class... Arguments> struct ResultOf<std::function<Result(Arguments...)>> {
-  using type = Evaluated<std::remove_cvref_t<Result>>;
-};
-template <class Function> constexpr auto result_of() {
-  if constexpr (requires { std::function{std::declval<Function>()}; }) {
-    return ResultOf<decltype(std::function{std::declval<Function>()})>{};
-  } else {
-    return std::type_identity<DependsOnInstant>{};
-  }
-}
-template <class Function> using Result = typename decltype(result_of<Function>())::type;
-
-template <class Function, class V> struct FunctionEdgeIf {};
-template <class Function, EdgeValue V>
-struct FunctionEdgeIf<Function, V> : std::type_identity<FunctionEdge<Function, V>> {};
-template <class Function> using FunctionEdgeOf = typename FunctionEdgeIf<Function, Result<Function>>::type;
-
-}  // namespace detail
-
-/// The edge whose value at an instant is f(instant). f has one call operator, not a template, and returns a
-/// Dcm, a MovingDcm or an AcceleratingDcm, or one of these with a place: a Transform, a MovingTransform or an
-/// AcceleratingTransform. Frames and level are read off that type.
+/// The edge whose value is f(...). f has one call operator, not a template, and returns a Dcm, a MovingDcm or
+/// an AcceleratingDcm, or one of these with a place: a Transform, a MovingTransform or an
+/// AcceleratingTransform. Frames and level are read off that type. What f takes, it is given:
 ///     edge([](Quantity<si::time> t) { return turned_z(to<Itrf>, from<Gcrf>, rate * t); })
-template <class Function> detail::FunctionEdgeOf<Function> edge(Function function) {
-  return detail::FunctionEdgeOf<Function>{std::move(function)};
-}
+///     edge([](const Displacement<Gcrf, Ship, In<Gcrf>>& r, const Dcm<Gcrf, Itrf>& R) { ... })
+/// A rotation, rate, position, velocity or acceleration is what the edges listed before this one answer at
+/// the instant; what edges share is evaluated once. Anything else is the instant itself.
+template <class Function>
+  requires EdgeValue<detail::Result<Function>> FunctionEdge<Function> edge(Function function) {
+    return FunctionEdge<Function>{std::move(function)};
+  }
 template <class Function, class Returned = detail::Result<Function>>
   requires(!EdgeValue<Returned>)
 auto edge(  // of one type of instant; returns a Dcm, MovingDcm, AcceleratingDcm, or one with a place
     Function) -> Refused = delete;
-
-/// The edge whose value, a V, follows from other edges of its graph at the same instant: f(now) asks `now` as
-/// a snapshot is asked. It sees the edges listed before it in frame_graph(), and what they share is evaluated
-/// once. `now.instant()` is the instant.
-///     edge<Dcm<Gcrf, Lvlh>>([](const auto& now) { ... now.position(of<Ship>, relative_to<Gcrf>, in<Gcrf>)
-///     ... })
-template <EdgeValue V, class Function> SnapshotEdge<Function, V> edge(Function function) {
-  return SnapshotEdge<Function, V>{std::move(function)};
-}
 
 }  // namespace vectrix

@@ -12,6 +12,7 @@ template <class Link> struct TwoPathsOver {};
 template <class F> struct OneFrameTwice {};
 template <class Scalar, class Other> struct ScalarsDiffer {};
 template <class Given> struct NotAnEdge {};
+template <class Link, class Lack> struct EdgeAsksFor {};
 
 namespace detail {
 
@@ -71,7 +72,27 @@ concept GraphEdge = requires {
   typename E::value_type;
 };
 
-/// What is wrong with the edges; Nothing when they are a forest in one scalar.
+/// The first edge that asks for what the edges before it do not know, and what they lack; Nothing when there
+/// is none.
+template <std::size_t edge, class... Edges> struct FirstAsking {
+  static constexpr auto fault() {
+    if constexpr (edge == sizeof...(Edges)) {
+      return std::type_identity<Nothing>{};
+    } else {
+      using Edge = std::tuple_element_t<edge, std::tuple<Edges...>>;
+      using Lack = LackOfEdge<EdgesBefore<edge, Edges...>, Edge>;
+      if constexpr (std::is_same_v<Lack, Nothing>) {
+        return FirstAsking<edge + 1, Edges...>{};
+      } else {
+        return std::type_identity<EdgeAsksFor<LinkOf<Edge>, Lack>>{};
+      }
+    }
+  }
+  using type = typename decltype(fault())::type;
+};
+
+/// What is wrong with the edges; Nothing when they are a forest in one scalar, and each knows what it asks
+/// for.
 template <class... Edges> constexpr auto fault() {
   if constexpr (constexpr std::size_t bad = first_of<!GraphEdge<Edges>...>(); bad != nowhere) {
     using Given = std::tuple_element_t<bad, std::tuple<Edges...>>;
@@ -89,7 +110,7 @@ template <class... Edges> constexpr auto fault() {
     } else if constexpr (All::closing_edge() != nowhere) {
       return std::type_identity<TwoPathsOver<typename All::template LinkAt<All::closing_edge()>>>{};
     } else {
-      return std::type_identity<Nothing>{};
+      return FirstAsking<0, Edges...>{};
     }
   }
 }
@@ -108,6 +129,7 @@ detail::GraphOf<First, Edges...> frame_graph(First first, Edges... edges) {
 }
 template <class First, class... Edges, class Fault = detail::FaultOf<First, Edges...>>
   requires(!std::is_same_v<Fault, Nothing> && !std::is_same_v<Fault, Refused>)
-auto frame_graph(First, Edges...) -> Refused = delete;  // a tree of frames, in one scalar: see Fault
+auto frame_graph(  // a tree of frames, in one scalar; an edge asks those before it: see Fault
+    First, Edges...) -> Refused = delete;
 
 }  // namespace vectrix

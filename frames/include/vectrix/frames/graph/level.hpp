@@ -1,5 +1,6 @@
 #pragma once
 
+#include <type_traits>
 #include <vectrix/frames/dcm_chain.hpp>
 
 namespace vectrix {
@@ -29,6 +30,20 @@ template <class A, class B, class S, Level known> struct PlacedLevel : EdgeLevel
 
 template <class A, class B, class S>
 struct LevelOf<Dcm<A, B, S>> : detail::TurningLevel<A, B, S, Level::rotation> {};
+
+// What a frame graph can be asked.
+template <class B, class A> struct AskRotation;
+template <class B, class A, class C> struct AskAngularVelocity;
+template <class B, class A, class C> struct AskAngularAcceleration;
+template <class B, class A> struct AskTransform;
+template <class Q, class P, class C> struct AskPosition;
+template <class Q, class P, class A, class C> struct AskVelocity;
+template <class Q, class P, class A, class C> struct AskAcceleration;
+
+/// The question whose answer has the type Answer; void of any other type. Specialised beside each such type.
+template <class Answer> struct QuestionOf : std::type_identity<void> {};
+template <class B, class A, class S>
+struct QuestionOf<Dcm<B, A, S>> : std::type_identity<AskRotation<B, A>> {};
 
 template <class Value>
 concept EdgeValue = requires {

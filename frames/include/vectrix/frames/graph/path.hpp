@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <tuple>
 #include <type_traits>
+#include <utility>
 #include <vectrix/frames/graph/edge.hpp>
 
 namespace vectrix {
@@ -37,6 +38,8 @@ template <bool... are> constexpr std::size_t first_of() {
 }
 
 /// The graph as numbers, at compile time: nodes are numbered by their first appearance in the list of edges.
+template <class... Edges> struct Topology;
+template <> struct Topology<> { template <class F> static constexpr bool knows = false; };
 template <class... Edges> struct Topology {
   static constexpr std::size_t size = sizeof...(Edges);
   using scalar = ScalarOf<std::tuple_element_t<0, std::tuple<Edges...>>>;
@@ -170,6 +173,14 @@ template <class... Edges> struct Topology {
   }
   template <std::size_t edge> using LinkAt = typename decltype(link_at<edge>())::type;
 };
+
+template <class Edges, class Count> struct FirstEdges;
+template <class... Edges, std::size_t... I>
+struct FirstEdges<std::tuple<Edges...>, std::index_sequence<I...>>
+    : std::type_identity<Topology<std::tuple_element_t<I, std::tuple<Edges...>>...>> {};
+/// The edges listed before edge number `edge`: those it may ask, so that none asks for itself.
+template <std::size_t edge, class... Edges>
+using EdgesBefore = typename FirstEdges<std::tuple<Edges...>, std::make_index_sequence<edge>>::type;
 
 }  // namespace detail
 }  // namespace vectrix

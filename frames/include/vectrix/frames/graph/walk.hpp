@@ -11,8 +11,10 @@ namespace vectrix::detail {
 template <class Edge> inline constexpr bool is_constant = false;
 template <class V> inline constexpr bool is_constant<ConstantEdge<V>> = true;
 
-template <class Edge> inline constexpr bool takes_snapshot = false;
-template <class Function, class V> inline constexpr bool takes_snapshot<SnapshotEdge<Function, V>> = true;
+/// Whether an edge asks others.
+template <class Edge> inline constexpr bool asks = false;
+template <class Function>
+inline constexpr bool asks<FunctionEdge<Function>> = ArgumentsOf<Arguments<Function>>::has_answers;
 
 /// The values of the edges at an instant, evaluated whenever they are asked for.
 template <class Instant, class... Edges> struct FreshValues {
@@ -39,10 +41,12 @@ template <class Instant, class... Edges> struct Evaluation {
   mutable std::tuple<Kept<Edges>...> kept;
 };
 
-template <std::size_t count, class Instant, class... Edges> class EarlierEdges;
+template <class Values, std::size_t edge, class Argument> decltype(auto) argument_of(const Values& values);
 
-/// The same, kept from one query to the next, and shared with the edges that ask for the values of others.
+/// The same, kept from one query to the next, and shared with the edges that ask others.
 template <class Instant, class... Edges> struct KeptValues {
+  template <std::size_t edge> using Before = EdgesBefore<edge, Edges...>;
+
   const Evaluation<Instant, Edges...>& evaluation;
 
   template <std::size_t I> const auto& value() const {
@@ -53,14 +57,20 @@ template <class Instant, class... Edges> struct KeptValues {
     } else {
       auto& value = std::get<I>(evaluation.kept);
       if (!value) {
-        if constexpr (takes_snapshot<Edge>) {
-          value.emplace(edge(EarlierEdges<I, Instant, Edges...>{evaluation}));
+        if constexpr (asks<Edge>) {
+          value.emplace(evaluated<I>(edge, std::type_identity<typename Edge::arguments>{}));
         } else {
           value.emplace(edge(evaluation.instant));
         }
       }
       return *value;
     }
+  }
+
+ private:
+  template <std::size_t I, class Edge, class... Arguments>
+  auto evaluated(const Edge& edge, std::type_identity<std::tuple<Arguments...>>) const {
+    return edge(argument_of<KeptValues, I, Arguments>(*this)...);
   }
 };
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <vectrix/frames/graph/level.hpp>
 #include <vectrix/kinematics/points/velocity.hpp>
 #include <vectrix/kinematics/rates/angular_acceleration.hpp>
 
@@ -29,6 +30,9 @@ class Acceleration<P, Q, ObservedFrom<A>, In<C>, S> : public detail::RelativeVec
 
 template <class P, class Q, class A, class C, class S>
 inline constexpr bool detail::is_framed<Acceleration<P, Q, A, C, S>> = true;
+template <class P, class Q, class A, class C, class S>
+struct QuestionOf<Acceleration<P, Q, ObservedFrom<A>, In<C>, S>>
+    : std::type_identity<AskAcceleration<Q, P, A, C>> {};
 
 /// Claims that the vector is the acceleration of q relative to p as a sees it.
 template <Point Q, Point P, Frame A, class C, class S>

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <vectrix/frames/displacement.hpp>
+#include <vectrix/frames/graph/level.hpp>
 #include <vectrix/kinematics/points/derivative.hpp>
 
 namespace vectrix {
@@ -29,6 +30,8 @@ class Velocity<P, Q, ObservedFrom<A>, In<C>, S> : public detail::RelativeVector<
 
 template <class P, class Q, class A, class C, class S>
 inline constexpr bool detail::is_framed<Velocity<P, Q, A, C, S>> = true;
+template <class P, class Q, class A, class C, class S>
+struct QuestionOf<Velocity<P, Q, ObservedFrom<A>, In<C>, S>> : std::type_identity<AskVelocity<Q, P, A, C>> {};
 
 /// Claims that the vector is the velocity of q relative to p as a sees it.
 template <Point Q, Point P, Frame A, class C, class S>

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <vectrix/frames/graph/level.hpp>
 #include <vectrix/kinematics/rates/angular_velocity.hpp>
 
 namespace vectrix {
@@ -28,6 +29,9 @@ class AngularAcceleration<A, B, In<C>, S> : public detail::RelativeVector<C, si:
 
 template <class A, class B, class C, class S>
 inline constexpr bool detail::is_framed<AngularAcceleration<A, B, C, S>> = true;
+template <class A, class B, class C, class S>
+struct QuestionOf<AngularAcceleration<A, B, In<C>, S>> : std::type_identity<AskAngularAcceleration<B, A, C>> {
+};
 
 /// Claims that the vector is the angular acceleration of b relative to a.
 template <Frame B, Frame A, class C, class S>

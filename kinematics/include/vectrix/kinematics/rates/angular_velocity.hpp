@@ -1,5 +1,6 @@
 #pragma once
 
+#include <vectrix/frames/graph/level.hpp>
 #include <vectrix/frames/relative_vector.hpp>
 #include <vectrix/kinematics/attitude/quaternion.hpp>
 
@@ -30,6 +31,8 @@ class AngularVelocity<A, B, In<C>, S> : public detail::RelativeVector<C, si::ang
 
 template <class A, class B, class C, class S>
 inline constexpr bool detail::is_framed<AngularVelocity<A, B, C, S>> = true;
+template <class A, class B, class C, class S>
+struct QuestionOf<AngularVelocity<A, B, In<C>, S>> : std::type_identity<AskAngularVelocity<B, A, C>> {};
 
 /// Claims that the vector is the angular velocity of b relative to a.
 template <Frame B, Frame A, class C, class S>

@@ -78,9 +78,8 @@ template <Frame A, Frame B, Instant I = Quantity<si::time>> class SampledAttitud
 
 /// The edge of a frame graph that a SampledAttitude is; the same word as of a NamedGraph.
 template <class A, class B, class I>
-FunctionEdge<SampledAttitude<A, B, I>, MovingDcm<A, B, InstantScalar<I>>> sampled_edge(
-    const std::vector<AttitudeSample<A, B, I>>& samples,
-    const Quantity<si::time, InstantScalar<I>>& longest_gap) {
+FunctionEdge<SampledAttitude<A, B, I>> sampled_edge(const std::vector<AttitudeSample<A, B, I>>& samples,
+                                                    const Quantity<si::time, InstantScalar<I>>& longest_gap) {
   return edge(SampledAttitude<A, B, I>(samples, longest_gap));
 }
 

@@ -51,9 +51,8 @@ template <Frame A, Frame Q, Instant I = Quantity<si::time>> class SampledPositio
 
 /// The edge of a frame graph that a SampledPosition is.
 template <class A, class Q, class I>
-FunctionEdge<SampledPosition<A, Q, I>, MovingTransform<A, Q, InstantScalar<I>>> sampled_edge(
-    const std::vector<PositionSample<A, Q, I>>& samples,
-    const Quantity<si::time, InstantScalar<I>>& longest_gap) {
+FunctionEdge<SampledPosition<A, Q, I>> sampled_edge(const std::vector<PositionSample<A, Q, I>>& samples,
+                                                    const Quantity<si::time, InstantScalar<I>>& longest_gap) {
   return edge(SampledPosition<A, Q, I>(samples, longest_gap));
 }
 
