@@ -2,6 +2,7 @@
 #include <numbers>
 #include <vectrix/dynamics/scenario/conservation.hpp>
 #include <vectrix/frames/graph/frame_graph.hpp>
+#include <vectrix/kinematics/points/motion_laws.hpp>
 #include <vectrix/kinematics/points/rigid_edge.hpp>
 
 #include "rigid_bodies.hpp"
@@ -66,6 +67,7 @@ TEST(Trajectory, is_an_edge_of_a_frame_graph) {
   EXPECT_EQ(now.angular_velocity(of<Camera>, relative_to<Gcrf>, in<Body>).coordinates(),
             state.w_ib_b.coordinates());
   EXPECT_THROW(graph.at(seconds(60.5)).rotation(to<Gcrf>, from<Body>), BadInput);
+  require_motion_laws(trajectory, seconds(33.3), seconds(0.01));
 }
 
 TEST(Trajectory, gives_the_states_at_its_nodes_and_at_the_output_times) {

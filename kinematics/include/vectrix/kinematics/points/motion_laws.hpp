@@ -1,0 +1,89 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vectrix/kinematics/points/moving_transform.hpp>
+#include <vectrix/kinematics/rates/hat.hpp>
+#include <vectrix/kinematics/samples/instant.hpp>
+
+namespace vectrix {
+namespace detail {
+
+/// The derivative of f(s) at s = 0 by five points a step h apart; h^4/30 times its fifth derivative is left
+/// out.
+template <class F> auto central_difference(const F& f, double h) {
+  return ((f(-2 * h) - f(2 * h) + 8.0 * (f(h) - f(-h))) / (12 * h)).eval();
+}
+
+/// Rounding of the values, of that size, shows in their difference as a part of size/h.
+inline constexpr double difference_rounding = 256 * std::numeric_limits<double>::epsilon();
+
+template <class A, class B, class F, class Claimed>
+void require_law(const char* what, const char* of, const F& f, const Claimed& claimed, double size, double h,
+                 double tolerance, const std::string& instant) {
+  const auto found = central_difference(f, h);
+  const double error = (found - claimed).norm();
+  const double largest = std::max<double>(found.norm(), claimed.norm());
+  if (!(error <= tolerance * largest + difference_rounding * size / h)) {
+    throw BadInput(std::string{what} + " of " + frame_name<B>() + " relative to " + frame_name<A>() + " at " +
+                   instant + " is not the derivative of its " + of + ": it is off by " + text(error) + ", " +
+                   text(error / largest) + " of the larger of the two");
+  }
+}
+
+}  // namespace detail
+
+/// Checks a moving edge of one's own at one instant: what f returns must obey, as far as its level goes,
+///     R^T R = I    d/dt R_b^a = R_b^a [w_ab^b]x    d/dt w_ab^b = alpha_ab^b
+///     d/dt r_ab^a = v_ab|a^a    d/dt v_ab|a^a = a_ab|a^a
+/// each to `tolerance` of its size. The derivatives are taken by differences over two steps to either side,
+/// where f must be smooth; they are wrong by (step/T)^4/30 of a motion that changes in the time T. It shows a
+/// rate in the other axes, of the other sign, in degrees, or left at zero. Throws BadInput that names the
+/// law, the frames, the instant and how far it is off.
+template <class Function, Instant I>
+void require_motion_laws(const Function& f, const I& t, const Quantity<si::time>& step,
+                         double tolerance = 1e-6) {
+  using Value = std::remove_cvref_t<decltype(f(t))>;
+  using Known = LevelOf<Value>;
+  using A = typename Known::first;
+  using B = typename Known::second;
+  using Eigen::Matrix3d, Eigen::Vector3d;
+  const double h = step.value();
+  if (!(h > 0.0 && std::isfinite(h)))
+    throw BadInput("require_motion_laws: the step is " + detail::text(h) + " s");
+  const auto at = [&](double s) { return f(t + Quantity<si::time>::from_value(s)); };
+  const auto law = [&](const char* what, const char* of, const auto& value, const auto& claimed) {
+    detail::require_law<A, B>(what, of, value, claimed, value(0.0).norm(), h, tolerance,
+                              detail::instant_text(t));
+  };
+
+  const Value now = at(0.0);
+  const auto rotation = [&](double s) -> Matrix3d { return rotation_of(at(s)).matrix(); };
+  const Matrix3d R = rotation(0.0);
+  const double apart = (R.transpose() * R - Matrix3d::Identity()).cwiseAbs().maxCoeff();
+  if (!(apart <= tolerance)) {
+    throw BadInput("the rotation of " + frame_name<B>() + " relative to " + frame_name<A>() + " at " +
+                   detail::instant_text(t) + " is none: R^T R differs from I by " + detail::text(apart));
+  }
+  if constexpr (Known::level >= Level::rate) {
+    const Matrix3d Rdot = R * hat(angular_velocity_of(now).coordinates());
+    law("the rate", "rotation", rotation, Rdot);
+    if constexpr (Known::placed) {
+      const auto position = [&](double s) -> Vector3d { return at(s).translation.coordinates(); };
+      law("the velocity", "position", position, now.velocity.coordinates());
+    }
+  }
+  if constexpr (Known::level >= Level::acceleration) {
+    const auto rate = [&](double s) -> Vector3d { return angular_velocity_of(at(s)).coordinates(); };
+    law("the angular acceleration", "rate", rate,
+        angular_acceleration_of(accelerating_part(now)).coordinates());
+    if constexpr (Known::placed) {
+      const auto velocity = [&](double s) -> Vector3d { return at(s).velocity.coordinates(); };
+      law("the acceleration", "velocity", velocity, now.acceleration.coordinates());
+    }
+  }
+}
+
+}  // namespace vectrix
