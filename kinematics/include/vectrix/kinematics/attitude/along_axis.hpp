@@ -21,11 +21,8 @@ template <class X, class A, class B, class S> class AlongAxis : public AttitudeP
   }
 };
 
-/// q or -q, which are the same rotation: the one with q_w >= 0, and at q_w = 0 with the first non-zero of x,
-/// y and z positive.
 template <class S> Eigen::Quaternion<S> shorter_way(const Eigen::Quaternion<S>& q) {
-  const S first = select<S>(q.x() != S(0), q.x(), select<S>(q.y() != S(0), q.y(), q.z()));
-  const auto flipped = q.w() < S(0) || (q.w() == S(0) && first < S(0));
+  const auto flipped = is_longer_way(q);
   return Eigen::Quaternion<S>(select<S>(flipped, S(-q.w()), q.w()), select<S>(flipped, S(-q.x()), q.x()),
                               select<S>(flipped, S(-q.y()), q.y()), select<S>(flipped, S(-q.z()), q.z()));
 }

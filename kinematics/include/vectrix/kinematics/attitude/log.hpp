@@ -32,10 +32,7 @@ template <class A, class B, class S> RotationVector<A, B, S> log(const Quaternio
   using detail::select;
   const auto& q = q_a_from_b.eigen();
   const detail::Column<S> v = q.vec();
-  const auto first = [](const detail::Column<S>& c) {
-    return select<S>(c.x() != S(0), c.x(), select<S>(c.y() != S(0), c.y(), c.z()));
-  };
-  const auto flipped = q.w() < S(0) || (q.w() == S(0) && first(v) < S(0));
+  const auto flipped = detail::is_longer_way(q);
   const S scalar = select<S>(flipped, -q.w(), q.w());
   const S square = v.squaredNorm();
   S factor = detail::turn_factor_series(scalar, square);

@@ -45,6 +45,13 @@ template <class B, class A, class S> inline constexpr bool detail::is_framed<Qua
 
 namespace detail {
 
+/// Of q and -q, which are the same rotation, the library takes the one with q_w >= 0, and at q_w = 0 with the
+/// first non-zero of x, y and z positive. Whether that is -q.
+template <class S> auto is_longer_way(const Eigen::Quaternion<S>& q) {
+  const S first = select<S>(q.x() != S(0), q.x(), select<S>(q.y() != S(0), q.y(), q.z()));
+  return q.w() < S(0) || (q.w() == S(0) && first < S(0));
+}
+
 template <class B, class A> std::string quaternion_door(const char* door) {
   return std::string{door} + "(to<" + frame_name<B>() + ">, from<" + frame_name<A>() + ">): ";
 }
