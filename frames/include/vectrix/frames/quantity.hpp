@@ -33,6 +33,16 @@ template <class S, class T>
   requires FitsInto<T, S> || FitsInto<S, T>
 using Wider = std::conditional_t<FitsInto<T, S>, S, T>;
 
+/// A factor of a number of S. Only what the machine multiplies at once has one type: a derivative times a
+/// double stays that.
+template <class S, class T> constexpr decltype(auto) factor(const T& k) {
+  if constexpr (std::is_arithmetic_v<S> && std::is_arithmetic_v<T>) {
+    return static_cast<Wider<S, T>>(k);
+  } else {
+    return (k);
+  }
+}
+
 }  // namespace detail
 
 /// A number of S in the unit U: `Quantity<si::torque> t = 2.0 * si::newton_metre`. A number to the machine:
@@ -54,8 +64,9 @@ template <Unit U, class S> class Quantity {
   constexpr explicit Quantity(const S& ratio) requires is_ratio : value_(ratio) {}
   template <class T>
     requires(!is_ratio && (std::is_arithmetic_v<T> || std::same_as<T, S>))
-  Quantity(const T&)
-  = delete;  // a number needs its unit: 2.0 * si::metre
+  Quantity(  // a number needs its unit: 2.0 * si::metre
+      const T&)
+  = delete;
 
   template <class T>
     requires std::convertible_to<const T&, S>
@@ -63,8 +74,9 @@ template <Unit U, class S> class Quantity {
       : value_(static_cast<S>(x.value())) {}
   template <class V, class T>
     requires(!std::same_as<U, V>)
-  Quantity(const Quantity<V, T>&)
-  = delete;  // another unit; convert<U>() takes kilometres in for metres
+  Quantity(  // another unit: convert<si::length>(x) takes kilometres in
+      const Quantity<V, T>&)
+  = delete;
 
   template <class BoostUnit, class T>
     requires(std::same_as<unit_tag<BoostUnit>, U>&& detail::FitsInto<T, S>)
@@ -80,7 +92,6 @@ template <Unit U, class S> class Quantity {
   constexpr S value() && { return value_; }
   constexpr operator S() const requires is_ratio { return value_; }
 
-  constexpr Quantity operator+() const { return *this; }
   constexpr Quantity operator-() const { return from_value(-value_); }
   constexpr Quantity& operator+=(const Quantity& x) {
     value_ += x.value_;
@@ -99,12 +110,16 @@ template <Unit U, class S> class Quantity {
     return *this;
   }
 
-  friend constexpr Quantity operator+(const Quantity& x, const Quantity& y) {
-    return from_value(S(x.value_ + y.value_));
-  }
-  friend constexpr Quantity operator-(const Quantity& x, const Quantity& y) {
-    return from_value(S(x.value_ - y.value_));
-  }
+  // Members: the left operand alone says the unit, so that the compiler finds one candidate for two units,
+  // and clang's message is one note. Comparisons of a batch give a mask.
+  constexpr Quantity operator+(const Quantity& y) const { return from_value(S(value_ + y.value_)); }
+  constexpr Quantity operator-(const Quantity& y) const { return from_value(S(value_ - y.value_)); }
+  constexpr auto operator==(const Quantity& y) const { return value_ == y.value_; }
+  constexpr auto operator!=(const Quantity& y) const { return value_ != y.value_; }
+  constexpr auto operator<(const Quantity& y) const { return value_ < y.value_; }
+  constexpr auto operator<=(const Quantity& y) const { return value_ <= y.value_; }
+  constexpr auto operator>(const Quantity& y) const { return value_ > y.value_; }
+  constexpr auto operator>=(const Quantity& y) const { return value_ >= y.value_; }
 
   template <class V, class T>
   friend constexpr Quantity<unit_product<U, V>, detail::Wider<S, T>> operator*(const Quantity& x,
@@ -118,45 +133,27 @@ template <Unit U, class S> class Quantity {
   }
   template <detail::Number T>
   friend constexpr Quantity<U, detail::Wider<S, T>> operator*(const Quantity& x, const T& k) {
-    return {detail::trusted, x.value_ * k};
+    return {detail::trusted, x.value_ * detail::factor<S>(k)};
   }
   template <detail::Number T>
   friend constexpr Quantity<U, detail::Wider<S, T>> operator*(const T& k, const Quantity& x) {
-    return {detail::trusted, k * x.value_};
+    return {detail::trusted, detail::factor<S>(k) * x.value_};
   }
   template <detail::Number T>
   friend constexpr Quantity<U, detail::Wider<S, T>> operator/(const Quantity& x, const T& k) {
-    return {detail::trusted, x.value_ / k};
+    return {detail::trusted, x.value_ / detail::factor<S>(k)};
   }
   template <detail::Number T>
   friend constexpr Quantity<unit_quotient<si::dimensionless, U>, detail::Wider<S, T>> operator/(
       const T& k, const Quantity& x) {
-    return {detail::trusted, k / x.value_};
+    return {detail::trusted, detail::factor<S>(k) / x.value_};
   }
 
-  // Of a batch a mask.
-  friend constexpr auto operator==(const Quantity& x, const Quantity& y) { return x.value_ == y.value_; }
-  friend constexpr auto operator!=(const Quantity& x, const Quantity& y) { return x.value_ != y.value_; }
-  friend constexpr auto operator<(const Quantity& x, const Quantity& y) { return x.value_ < y.value_; }
-  friend constexpr auto operator<=(const Quantity& x, const Quantity& y) { return x.value_ <= y.value_; }
-  friend constexpr auto operator>(const Quantity& x, const Quantity& y) { return x.value_ > y.value_; }
-  friend constexpr auto operator>=(const Quantity& x, const Quantity& y) { return x.value_ >= y.value_; }
-
+  // An == may be read from the right: both units are wanted at once.
   template <class V, class T>
     requires(!std::same_as<U, V>)
-  friend auto operator+(const Quantity&, const Quantity<V, T>&) -> Refused = delete;  // a sum needs one unit
-  template <class V, class T>
-    requires(!std::same_as<U, V>)
-  friend auto operator-(const Quantity&, const Quantity<V, T>&)
-      -> Refused = delete;  // a difference needs one unit
-  template <class V, class T>
-    requires(!std::same_as<U, V>)
-  friend auto operator==(const Quantity&, const Quantity<V, T>&)
-      -> bool = delete;  // a comparison needs one unit
-  template <class V, class T>
-    requires(!std::same_as<U, V>)
-  friend auto operator<=>(const Quantity&, const Quantity<V, T>&)
-      -> bool = delete;  // a comparison needs one unit
+  auto operator==(  // a comparison needs one unit: convert<U>()
+      const Quantity<V, T>&) const -> bool = delete;
 
  private:
   S value_{};

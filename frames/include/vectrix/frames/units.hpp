@@ -30,9 +30,11 @@ inline constexpr UnitConstant<degree_per_second_unit> degree_per_second;
 
 namespace detail {
 
-template <class U, class V>
-concept OneDimension = std::same_as < typename boost_unit<U>::dimension_type,
-typename boost_unit<V>::dimension_type > ;
+template <class U, class V, class S>
+inline constexpr bool converts =
+    !std::is_integral_v<S> &&
+    std::same_as<typename boost_unit<U>::dimension_type, typename boost_unit<V>::dimension_type>;
+template <class U, class V, class S> using Converted = std::enable_if_t<converts<U, V, S>, Quantity<U, S>>;
 
 /// How many U one V is.
 template <class U, class V>
@@ -41,9 +43,7 @@ inline constexpr double conversion_factor = bu::conversion_factor(boost_unit<V>{
 }  // namespace detail
 
 /// The quantity in another unit of its dimension: convert<si::length>(7000.0 * si::kilometre) is 7e6 m.
-template <Unit U, class V, class S>
-  requires(detail::OneDimension<U, V> && !std::is_integral_v<S>)
-constexpr Quantity<U, S> convert(const Quantity<V, S>& x) {
+template <Unit U, class V, class S> constexpr detail::Converted<U, V, S> convert(const Quantity<V, S>& x) {
   if constexpr (std::is_floating_point_v<S>) {
     return {detail::trusted, static_cast<S>(x.value() * detail::conversion_factor<U, V>)};
   } else {
@@ -51,7 +51,7 @@ constexpr Quantity<U, S> convert(const Quantity<V, S>& x) {
   }
 }
 template <Unit To, class From, class S>
-  requires(!detail::OneDimension<To, From> || std::is_integral_v<S>)
+  requires(!detail::converts<To, From, S>)
 auto convert(  // one dimension; a whole number would be cut: convert<si::angle>(30.0 * si::degree)
     const Quantity<From, S>&) -> Refused = delete;
 
