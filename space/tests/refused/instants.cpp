@@ -1,13 +1,15 @@
-// mistake: an epoch for the instant of a graph whose edge takes seconds
-// expect: RefusingEdge = .*Link<Body, Gcrf>
-// expect: Epoch
+// Instants
 #include <vectrix/space.hpp>
-
-struct Gcrf : vectrix::inertial_frame {};
-struct Body : vectrix::moving_frame {};
 
 using namespace vectrix;
 
+struct Gcrf : inertial_frame {};
+struct Body : moving_frame {};
+
+namespace graph_at_epoch_of_edges_in_seconds {
+// mistake: an epoch for the instant of a graph whose edge takes seconds
+// expect: RefusingEdge = .*Link<Body, Gcrf>
+// expect: Epoch
 auto attitude(const Epoch& start, const Epoch& epoch, const Quantity<si::angular_velocity>& rate) {
   const auto graph = frame_graph(
       edge([=](const Quantity<si::time>& t) { return turned_z(to<Body>, from<Gcrf>, rate * t); }));
@@ -18,3 +20,4 @@ auto attitude(const Epoch& start, const Epoch& epoch, const Quantity<si::angular
   return graph.at(epoch).rotation(to<Body>, from<Gcrf>);
 #endif
 }
+}  // namespace graph_at_epoch_of_edges_in_seconds
