@@ -146,10 +146,10 @@ static_assert(ScalarProduct<si::torque, si::angular_velocity, si::power>);      
 static_assert(ScalarProduct<si::force, si::velocity, si::power>);                      // F . v
 static_assert(ScalarProduct<si::force, si::length, si::energy>);                       // F . r
 static_assert(ScalarProduct<si::angular_momentum, si::angular_velocity, si::energy>);  // H . w
-static_assert(!std::same_as<si::torque::boost_unit, si::energy::boost_unit>);
+static_assert(!std::same_as<boost_unit<si::torque>, boost_unit<si::energy>>);
 
 static_assert(VectorUnit<si::torque> && VectorUnit<si::angle> && !VectorUnit<si::energy>);
-static_assert(!VectorUnit<unit_tag<si::kilometre_unit>> && !VectorUnit<unit_tag<si::degree_unit>>);
+static_assert(!VectorUnit<si::kilometre_unit> && !VectorUnit<si::degree_unit>);
 
 template <class Left, class Right>
 concept Adds = requires(const Left& left, const Right& right) {

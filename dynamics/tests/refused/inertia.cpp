@@ -102,7 +102,7 @@ auto satellite() {
 namespace inertia_of_masses {
 // mistake: masses, kg, for moments of inertia, kg m^2
 // expect: inertia_from_moments_and_products
-// expect: mass_base_dimension
+// expect: si::mass
 auto satellite() {
 #ifdef REPAIRED
   const auto unit = si::kilogram_square_metre;

@@ -11,9 +11,11 @@
 #include <vectrix/frames/graph/frame_graph.hpp>
 #include <vectrix/frames/graph/level.hpp>
 #include <vectrix/frames/operators.hpp>
+#include <vectrix/frames/quantity.hpp>
 #include <vectrix/frames/relative_vector.hpp>
 #include <vectrix/frames/shift.hpp>
 #include <vectrix/frames/transform.hpp>
 #include <vectrix/frames/trusted.hpp>
+#include <vectrix/frames/unit.hpp>
 #include <vectrix/frames/units.hpp>
 #include <vectrix/frames/vector.hpp>

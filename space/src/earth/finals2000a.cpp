@@ -95,8 +95,9 @@ class Reader {
       }
     }
     epochs_.push_back(epoch);
-    rows_.push_back({arcseconds(found[0]), arcseconds(found[1]), ut1_minus_tai, 0.0,
-                     arcseconds(1e-3 * found[3]), arcseconds(1e-3 * found[4])});
+    rows_.push_back({arcseconds(found[0]), arcseconds(found[1]), ut1_minus_tai,
+                     Quantity<si::dimensionless>{0.0}, arcseconds(1e-3 * found[3]),
+                     arcseconds(1e-3 * found[4])});
   }
 
   std::pair<std::vector<Epoch>, std::vector<EarthOrientationParameters>> result() {

@@ -58,7 +58,7 @@ TEST(EarthRotation, AgreesWithTwentyReferenceMatrices) {
     EarthOrientationParameters observed{angle(number("xp_arcsec")),
                                         angle(number("yp_arcsec")),
                                         number("dut1_s") * si::second - epoch.tai_minus_utc(),
-                                        0.0,
+                                        Quantity<si::dimensionless>{0.0},
                                         angle(1e-3 * number("dX_mas")),
                                         angle(1e-3 * number("dY_mas"))};
     const auto with_offsets = inverse(earth_rotation(epoch, observed).rotation);

@@ -139,11 +139,10 @@ auto trust_covariance(In<F>, const Eigen::MatrixBase<Derived>& matrix) {
 
 /// The covariance of a vector with independent coordinates in F, whose standard deviations are given.
 /// Throws BadInput when one is not finite, negative, or too large or too small to be squared.
-template <Frame F, class BoostUnit, class S>
-  requires(VectorUnit<unit_tag<BoostUnit>> && !std::is_integral_v<S>)
-Covariance<F, unit_tag<BoostUnit>, S> covariance_from_standard_deviations(
-    In<F>, const AnyQuantity<BoostUnit, S>& x, const AnyQuantity<BoostUnit, S>& y,
-    const AnyQuantity<BoostUnit, S>& z) {
+template <Frame F, VectorUnit U, class S>
+  requires(!std::is_integral_v<S>)
+Covariance<F, U, S> covariance_from_standard_deviations(In<F>, const Quantity<U, S>& x,
+                                                        const Quantity<U, S>& y, const Quantity<U, S>& z) {
   const detail::Column<S> deviations{x.value(), y.value(), z.value()};
   detail::require_deviations<F>(deviations);
   return {detail::trusted, detail::Square<S>(deviations.cwiseAbs2().asDiagonal())};

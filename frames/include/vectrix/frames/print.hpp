@@ -9,8 +9,8 @@
 namespace vectrix {
 namespace detail {
 
-/// The unit of a vector as text.
-template <Unit U> inline constexpr const char* unit_symbol = "SI units";
+/// A unit as text.
+template <Unit U> inline constexpr const char* unit_symbol = CoherentUnit<U> ? "SI units" : "other units";
 template <> inline constexpr const char* unit_symbol<si::dimensionless> = "";
 template <> inline constexpr const char* unit_symbol<si::angle> = "rad";
 template <> inline constexpr const char* unit_symbol<si::length> = "m";
@@ -22,6 +22,22 @@ template <> inline constexpr const char* unit_symbol<si::angular_velocity> = "ra
 template <> inline constexpr const char* unit_symbol<si::angular_acceleration> = "rad/s^2";
 template <> inline constexpr const char* unit_symbol<si::angular_momentum> = "N m s";
 template <> inline constexpr const char* unit_symbol<si::torque> = "N m";
+template <> inline constexpr const char* unit_symbol<si::time> = "s";
+template <> inline constexpr const char* unit_symbol<si::frequency> = "Hz";
+template <> inline constexpr const char* unit_symbol<si::mass> = "kg";
+template <> inline constexpr const char* unit_symbol<si::energy> = "J";
+template <> inline constexpr const char* unit_symbol<si::power> = "W";
+template <> inline constexpr const char* unit_symbol<si::moment_of_inertia> = "kg m^2";
+template <> inline constexpr const char* unit_symbol<si::area> = "m^2";
+template <> inline constexpr const char* unit_symbol<si::gravitational_parameter> = "m^3/s^2";
+template <> inline constexpr const char* unit_symbol<si::kilometre_unit> = "km";
+template <> inline constexpr const char* unit_symbol<si::millisecond_unit> = "ms";
+template <> inline constexpr const char* unit_symbol<si::minute_unit> = "min";
+template <> inline constexpr const char* unit_symbol<si::hour_unit> = "h";
+template <> inline constexpr const char* unit_symbol<si::degree_unit> = "deg";
+template <> inline constexpr const char* unit_symbol<si::arcsecond_unit> = "arcsec";
+template <> inline constexpr const char* unit_symbol<si::revolution_per_minute_unit> = "rpm";
+template <> inline constexpr const char* unit_symbol<si::degree_per_second_unit> = "deg/s";
 
 /// A number as the stream writes it; of a batch the text of its lanes.
 template <class S> decltype(auto) printable(const S& number) {
@@ -64,6 +80,12 @@ template <Point B, Point A> std::ostream& print_of_relative_to(std::ostream& out
 }
 
 }  // namespace detail
+
+/// 7000 m
+template <class U, class S> std::ostream& print_framed(std::ostream& out, const Quantity<U, S>& x) {
+  return out << detail::printable(x.value()) << (*detail::unit_symbol<U> ? " " : "")
+             << detail::unit_symbol<U>;
+}
 
 /// What a value is, in the words of its door, with the numbers as the stream is set to write them:
 ///     (1, 2, 3) m in Body        [1 0 0; 0 1 0; 0 0 1] to Body from Gcrf

@@ -89,17 +89,16 @@ template <Frame F, VectorUnit U, class S> Vector<F, U, S> checked_vector(const C
 
 /// The tag of a quantity's unit, for messages; void of a bare number.
 template <class X> struct UnitOf : std::type_identity<void> {};
-template <class BoostUnit, class S>
-struct UnitOf<AnyQuantity<BoostUnit, S>> : std::type_identity<unit_tag<BoostUnit>> {};
+template <class U, class S> struct UnitOf<Quantity<U, S>> : std::type_identity<U> {};
 
 }  // namespace detail
 
 /// The vector with coordinates x, y, z in F. Throws BadInput when one is not finite.
-template <Frame F, class BoostUnit, class S>
-std::enable_if_t<!std::is_integral_v<S>, Vector<F, unit_tag<BoostUnit>, S>> vector(
-    In<F>, const AnyQuantity<BoostUnit, S>& x, const AnyQuantity<BoostUnit, S>& y,
-    const AnyQuantity<BoostUnit, S>& z) {
-  return detail::checked_vector<F, unit_tag<BoostUnit>, S>({x.value(), y.value(), z.value()});
+template <Frame F, class U, class S>
+std::enable_if_t<!std::is_integral_v<S>, Vector<F, U, S>> vector(In<F>, const Quantity<U, S>& x,
+                                                                 const Quantity<U, S>& y,
+                                                                 const Quantity<U, S>& z) {
+  return detail::checked_vector<F, U, S>({x.value(), y.value(), z.value()});
 }
 
 template <class F, class X, class Y, class Z, class UnitGiven = typename detail::UnitOf<X>::type>
@@ -151,19 +150,19 @@ Vector<F, U, S> quotient(const Vector<F, U, S>& r, const std::type_identity_t<S>
   return {detail::trusted, r.coordinates() / k};
 }
 
-template <class F, class U, class S, class BoostUnit>
-Vector<F, unit_of_scaled_vector<unit_product<unit_tag<BoostUnit>, U>, U>, S> product(
-    const AnyQuantity<BoostUnit, S>& k, const Vector<F, U, S>& r) {
+template <class F, class U, class V, class S>
+Vector<F, unit_of_scaled_vector<unit_product<V, U>, U>, S> product(const Quantity<V, S>& k,
+                                                                   const Vector<F, U, S>& r) {
   return {detail::trusted, k.value() * r.coordinates()};
 }
-template <class F, class U, class S, class BoostUnit>
-Vector<F, unit_of_scaled_vector<unit_product<U, unit_tag<BoostUnit>>, U>, S> product(
-    const Vector<F, U, S>& r, const AnyQuantity<BoostUnit, S>& k) {
+template <class F, class U, class V, class S>
+Vector<F, unit_of_scaled_vector<unit_product<U, V>, U>, S> product(const Vector<F, U, S>& r,
+                                                                   const Quantity<V, S>& k) {
   return {detail::trusted, r.coordinates() * k.value()};
 }
-template <class F, class U, class S, class BoostUnit>
-Vector<F, unit_of_scaled_vector<unit_quotient<U, unit_tag<BoostUnit>>, U>, S> quotient(
-    const Vector<F, U, S>& r, const AnyQuantity<BoostUnit, S>& k) {
+template <class F, class U, class V, class S>
+Vector<F, unit_of_scaled_vector<unit_quotient<U, V>, U>, S> quotient(const Vector<F, U, S>& r,
+                                                                     const Quantity<V, S>& k) {
   return {detail::trusted, r.coordinates() / k.value()};
 }
 

@@ -17,9 +17,7 @@ template <class Link, class Lack> struct EdgeAsksFor {};
 namespace detail {
 
 template <class Instant> struct InstantType : std::type_identity<Instant> {};
-template <class BoostUnit, class S>
-struct InstantType<AnyQuantity<BoostUnit, S>> : std::type_identity<QuantityInstant<unit_tag<BoostUnit>, S>> {
-};
+template <class U, class S> struct InstantType<Quantity<U, S>> : std::type_identity<QuantityInstant<U, S>> {};
 template <class Instant> using InstantOf = typename InstantType<Instant>::type;
 
 /// The first edge whose function does not take the instant; void when all do.

@@ -37,12 +37,10 @@ NamedVector<U> vector(In<NamedFrame> a, const Eigen::MatrixBase<Derived>& coordi
   }
   return {detail::trusted, a.frame, r};
 }
-template <class BoostUnit>
-  requires VectorUnit<unit_tag<BoostUnit>> NamedVector<unit_tag<BoostUnit>> vector(
-      In<NamedFrame> a, const AnyQuantity<BoostUnit, double>& x, const AnyQuantity<BoostUnit, double>& y,
-      const AnyQuantity<BoostUnit, double>& z) {
-    return vector<unit_tag<BoostUnit>>(a, detail::Column<double>(x.value(), y.value(), z.value()));
-  }
+template <VectorUnit U>
+NamedVector<U> vector(In<NamedFrame> a, const Quantity<U>& x, const Quantity<U>& y, const Quantity<U>& z) {
+  return vector<U>(a, detail::Column<double>(x.value(), y.value(), z.value()));
+}
 
 // r^b = R_a^b r^a
 template <class U> NamedVector<U> product(const NamedDcm& R_b_from_a, const NamedVector<U>& r_a) {

@@ -27,7 +27,7 @@ namespace detail {
 template <class I> struct InstantScalarOf {
   using type = std::remove_cvref_t<decltype(DurationOf<I>{}.value())>;
 };
-template <class BoostUnit, class S> struct InstantScalarOf<AnyQuantity<BoostUnit, S>> { using type = S; };
+template <class U, class S> struct InstantScalarOf<Quantity<U, S>> { using type = S; };
 
 }  // namespace detail
 
@@ -36,7 +36,7 @@ template <Instant I> using InstantScalar = typename detail::InstantScalarOf<I>::
 
 namespace detail {
 
-template <class BoostUnit, class S> std::string instant_text(const AnyQuantity<BoostUnit, S>& t) {
+template <class U, class S> std::string instant_text(const Quantity<U, S>& t) {
   return text(t.value()) + " s";
 }
 template <class I> std::string instant_text(const I& instant) {

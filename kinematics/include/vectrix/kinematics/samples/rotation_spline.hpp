@@ -31,12 +31,13 @@ template <Frame A, Frame B, Instant I = Quantity<si::time>> class RotationSpline
  public:
   RotationSpline(const std::vector<AttitudeSample<A, B, I>>& samples,
                  const Quantity<si::time, S>& longest_gap, NaturalEnds)
-      : RotationSpline(samples, longest_gap.value(), nullptr, nullptr) {}
+      : RotationSpline(detail::trusted, samples, longest_gap.value(), nullptr, nullptr) {}
   /// With the rates w_ab^b at the first and at the last sample.
   RotationSpline(const std::vector<AttitudeSample<A, B, I>>& samples,
                  const Quantity<si::time, S>& longest_gap, const AngularVelocity<A, B, In<B>, S>& first,
                  const AngularVelocity<A, B, In<B>, S>& last)
-      : RotationSpline(samples, longest_gap.value(), &first.coordinates(), &last.coordinates()) {}
+      : RotationSpline(detail::trusted, samples, longest_gap.value(), &first.coordinates(),
+                       &last.coordinates()) {}
   template <class Given, class... Ends>
   RotationSpline(  // samples of b relative to a; natural_ends, or w_ab_b at the first and the last
       const std::vector<Given>&, const Quantity<si::time, S>&, const Ends&...) = delete;
@@ -64,7 +65,7 @@ template <Frame A, Frame B, Instant I = Quantity<si::time>> class RotationSpline
     Column linear, square, cube;  // theta(s), s from 0 to 1
   };
 
-  RotationSpline(const std::vector<AttitudeSample<A, B, I>>& samples, const S& longest_gap,
+  RotationSpline(detail::Trusted, const std::vector<AttitudeSample<A, B, I>>& samples, const S& longest_gap,
                  const Column* first, const Column* last)
       : steps_(detail::samples_place<A, B>("RotationSpline"), detail::instants_of(samples), longest_gap) {
     using detail::text;
