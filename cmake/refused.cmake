@@ -48,7 +48,7 @@ function(vectrix_refused_tests layer)
   foreach(file IN LISTS files)
     cmake_path(GET file STEM topic)
     add_test(NAME refused.${layer}.${topic}
-             COMMAND ${VECTRIX_REFUSALS_TOOL} check --compiler ${CMAKE_CXX_COMPILER} --options ${VECTRIX_SYNTAX}/plain.options
+             COMMAND ${VECTRIX_REFUSALS_TOOL} check --limit-length --compiler ${CMAKE_CXX_COMPILER} --options ${VECTRIX_SYNTAX}/plain.options
                      --strict ${VECTRIX_SYNTAX}/strict.options --precompiled ${VECTRIX_SYNTAX}/${layer}.hpp
                      --save ${CMAKE_BINARY_DIR}/refused ${file})
     set_tests_properties(refused.${layer}.${topic} PROPERTIES FIXTURES_REQUIRED refused.${layer}

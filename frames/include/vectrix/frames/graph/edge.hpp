@@ -9,16 +9,6 @@
 
 namespace vectrix {
 
-namespace detail {
-
-/// An instant that is a quantity, under the short name of its unit: the compiler's messages stay readable.
-template <Unit U, class S> struct QuantityInstant {
-  Quantity<U, S> value;
-  operator const Quantity<U, S>&() const { return value; }
-};
-
-}  // namespace detail
-
 /// An edge of a frame graph whose value never changes.
 template <EdgeValue V> class ConstantEdge {
  public:
@@ -34,6 +24,9 @@ template <EdgeValue V> class ConstantEdge {
   V value_;
 };
 
+/// What a function of any instant returns, for messages.
+struct DependsOnInstant {};
+
 namespace detail {
 
 template <class Signature> struct SignatureOf;
@@ -41,8 +34,6 @@ template <class Result, class... Arguments> struct SignatureOf<std::function<Res
   using result = Evaluated<std::remove_cvref_t<Result>>;
   using arguments = std::tuple<std::remove_cvref_t<Arguments>...>;
 };
-/// What a function of any instant returns, for messages.
-struct DependsOnInstant {};
 struct NoSignature {
   using result = DependsOnInstant;
   using arguments = std::tuple<>;
@@ -60,13 +51,18 @@ template <class Function> using Arguments = typename decltype(signature_of<Funct
 template <class Argument>
 inline constexpr bool is_answer = !std::is_void_v<typename QuestionOf<Argument>::type>;
 
+/// A quantity is an instant as it is: whole seconds are none.
+template <class Instant, class Argument>
+inline constexpr bool is_instant = std::is_convertible_v<const Instant&, Argument>;
+template <class U, class S, class Argument>
+inline constexpr bool is_instant<Quantity<U, S>, Argument> = std::is_same_v<Quantity<U, S>, Argument>;
+
 template <class Arguments> struct ArgumentsOf;
 template <class... Arguments> struct ArgumentsOf<std::tuple<Arguments...>> {
   static constexpr bool has_answers = (is_answer<Arguments> || ...);
   /// Every argument that is no answer can be the instant.
   template <class Instant>
-  static constexpr bool take = ((is_answer<Arguments> ||
-                                 std::is_convertible_v<const Instant&, Arguments>)&&...);
+  static constexpr bool take = ((is_answer<Arguments> || is_instant<Instant, Arguments>)&&...);
 };
 
 }  // namespace detail

@@ -16,18 +16,13 @@ template <class Link, class Lack> struct EdgeAsksFor {};
 
 namespace detail {
 
-template <class Instant> struct InstantType : std::type_identity<Instant> {};
-template <class U, class S> struct InstantType<Quantity<U, S>> : std::type_identity<QuantityInstant<U, S>> {};
-template <class Instant> using InstantOf = typename InstantType<Instant>::type;
-
 /// The first edge whose function does not take the instant; void when all do.
 template <class Instant, class... Edges> struct Refusing : std::type_identity<void> {};
 template <class Instant, class Edge, class... Edges>
 struct Refusing<Instant, Edge, Edges...>
     : std::conditional_t<Edge::template takes<Instant>, Refusing<Instant, Edges...>,
                          std::type_identity<LinkOf<Edge>>> {};
-template <class Instant, class... Edges>
-using FirstRefusing = typename Refusing<InstantOf<Instant>, Edges...>::type;
+template <class Instant, class... Edges> using FirstRefusing = typename Refusing<Instant, Edges...>::type;
 template <class Instant, class... Edges>
 using RefusingEdge =
     std::enable_if_t<!std::is_void_v<FirstRefusing<Instant, Edges...>>, FirstRefusing<Instant, Edges...>>;
@@ -44,14 +39,12 @@ using RefusingEdge =
 template <class... Edges> class FrameGraph {
   template <class Instant>
   using Snapshot = std::enable_if_t<std::is_void_v<detail::FirstRefusing<Instant, Edges...>>,
-                                    GraphSnapshot<detail::InstantOf<Instant>, Edges...>>;
+                                    GraphSnapshot<Instant, Edges...>>;
 
  public:
   explicit FrameGraph(Edges... edges) : edges_(std::move(edges)...) {}
 
-  template <class Instant> Snapshot<Instant> at(const Instant& instant) const& {
-    return {edges_, detail::InstantOf<Instant>{instant}};
-  }
+  template <class Instant> Snapshot<Instant> at(const Instant& instant) const& { return {edges_, instant}; }
   template <class Instant, class RefusingEdge = detail::RefusingEdge<Instant, Edges...>>
   auto at(  // the function on this edge does not take this instant
       const Instant&) const& -> RefusedSnapshot = delete;
