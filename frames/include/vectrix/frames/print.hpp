@@ -23,7 +23,7 @@ template <> inline constexpr const char* unit_symbol<si::angular_acceleration> =
 template <> inline constexpr const char* unit_symbol<si::angular_momentum> = "N m s";
 template <> inline constexpr const char* unit_symbol<si::torque> = "N m";
 
-/// A number as the stream writes it; of a batch the text of its lanes.
+/// A number as the stream writes it; for a batch, the text of its lanes.
 template <class S> decltype(auto) printable(const S& number) {
   if constexpr (Batch<S>) {
     return text(number);
@@ -65,10 +65,10 @@ template <Point B, Point A> std::ostream& print_of_relative_to(std::ostream& out
 
 }  // namespace detail
 
-/// What a value is, in the words of its door, with the numbers as the stream is set to write them:
+/// A value in the words of its door; the format of the stream applies to the numbers:
 ///     (1, 2, 3) m in Body        [1 0 0; 0 1 0; 0 0 1] to Body from Gcrf
 ///     (0, 0, 1) rad/s of Body relative to Gcrf in Body
-/// What is printed is said beside each type, by print_framed().
+/// Each type defines its text by print_framed().
 template <class Framed>
 auto operator<<(std::ostream& out, const Framed& value) -> decltype(print_framed(out, value)) {
   return print_framed(out, value);
