@@ -60,7 +60,7 @@ Vector<C, si::acceleration, S> euler_acceleration(const AngularAcceleration<A, B
                                                   const Displacement<P, Q, In<C>, S>& r_pq_c) {
   return {detail::trusted, r_pq_c.coordinates().cross(alpha_ab_c.coordinates())};
 }
-/// The Coriolis acceleration, -2 w_ab x v_pq|b: of the velocity that b sees.
+/// The Coriolis acceleration, -2 w_ab x v_pq|b, where v_pq|b is the velocity observed from b.
 template <class A, class B, class P, class Q, class C, class S>
 Vector<C, si::acceleration, S> coriolis_acceleration(
     const AngularVelocity<A, B, In<C>, S>& w_ab_c,

@@ -4,8 +4,8 @@
 
 namespace vectrix {
 
-/// r_pq^a and v_pq|a^a: where the point q is relative to the point p and how it moves, as an observer in a
-/// sees it; of an orbit, its state vector. point_motion() makes it of two vectors.
+/// r_pq^a and v_pq|a^a: position and velocity of the point q relative to the point p, observed from a. For an
+/// orbit this is the state vector. point_motion() makes it from two vectors.
 template <Point P, Point Q, Frame A, class S = double> struct PointMotion {
   Displacement<P, Q, In<A>, S> position;
   Velocity<P, Q, ObservedFrom<A>, In<A>, S> velocity;
