@@ -69,9 +69,9 @@ template <class... Operands> inline constexpr bool any_framed = (is_framed<Opera
 
 // There is one operator for all types of the library, so that the compiler lists two candidates for a refused
 // expression, not thirty. Each type defines its laws by product(), quotient(), sum(), difference(),
-// dot_product() and cross_product(). The type of the result says whether an expression is lawful, not a
-// constraint: clang then needs one note, not two. One operand must be a type of the library, so that a
-// product() of the user's defines no operator.
+// dot_product() and cross_product(). The result type decides whether an expression is lawful: clang then
+// prints one note, but two for a constraint. One operand must be a type of the library, so that a product()
+// of the user's defines no operator.
 
 // Forwarded: only temporary chains apply lazily.
 template <class Left, class Right>
@@ -118,8 +118,8 @@ template <class Left, class Right>
 auto operator-(  // one frame and one unit: r_a - s_a, w_ab_c + -w_db_c
     const Left&, const Right&) -> Refused = delete;
 
-// Only where the result has the type of the left operand: r_a += s_a, r_a *= 2.0. For rates it differs:
-// w_ab_c + w_bd_c is w_ad_c.
+// Only where the result has the type of the left operand: r_a += s_a, r_a *= 2.0. The sum of two rates has
+// another type: w_ab_c + w_bd_c is w_ad_c.
 template <class Left, class Right>
   requires(detail::FramedPair<Left, Right>)
 detail::InPlace<detail::SumOf<Left, Right>, Left>

@@ -119,7 +119,7 @@ template <VectorUnit U, Frame F, class S = double> Vector<F, U, S> zero(In<F>) {
   return {detail::trusted, detail::Column<S>::Zero()};
 }
 
-/// The unit vectors of F along its own axes.
+/// The unit vectors along the axes of F.
 template <Frame F, class S = double> Vector<F, si::dimensionless, S> unit_x(In<F>) {
   return {detail::trusted, detail::Column<S>::UnitX()};
 }

@@ -105,7 +105,7 @@ ConstantEdge<Transform<A, B, S>> static_edge(const Transform<A, B, S>& X_a_from_
 
 /// The edge whose value is f(...). f has one call operator, not a template. It returns a Dcm, MovingDcm or
 /// AcceleratingDcm, or with a position a Transform, MovingTransform or AcceleratingTransform; this type gives
-/// the frames and the level. The arguments of f tell what it gets:
+/// the frames and the level. The argument types of f select its inputs:
 ///     edge([](Quantity<si::time> t) { return turned_z(to<Itrf>, from<Gcrf>, rate * t); })
 ///     edge([](const Displacement<Gcrf, Ship, In<Gcrf>>& r, const Dcm<Gcrf, Itrf>& R) { ... })
 /// An argument that is a rotation, rate, position, velocity or acceleration is answered by the edges listed

@@ -46,7 +46,7 @@ template <class Topology, Level level, class B, class A, class C> constexpr auto
   }
 }
 
-/// What the graph lacks to answer at `level` for the origin of Q relative to that of P, seen from A,
+/// What the graph lacks to answer at `level` for the origin of Q relative to that of P, observed from A,
 /// expressed in C; Nothing if it can answer.
 template <class Topology, Level level, class Q, class P, class A, class C> constexpr auto lacks_place() {
   using Basic = typename decltype(lacks<Topology, Level::rotation, Q, P, A>())::type;

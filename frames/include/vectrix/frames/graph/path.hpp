@@ -178,7 +178,7 @@ template <class Edges, class Count> struct FirstEdges;
 template <class... Edges, std::size_t... I>
 struct FirstEdges<std::tuple<Edges...>, std::index_sequence<I...>>
     : std::type_identity<Topology<std::tuple_element_t<I, std::tuple<Edges...>>...>> {};
-/// The edges listed before edge number `edge`. Only these it may ask, so no edge can depend on itself.
+/// The edges listed before edge number `edge`. The edge may ask only these, so no edge can depend on itself.
 template <std::size_t edge, class... Edges>
 using EdgesBefore = typename FirstEdges<std::tuple<Edges...>, std::make_index_sequence<edge>>::type;
 

@@ -22,8 +22,9 @@ template <class S> S arc_tangent_series(const S& z) {
   return first + z4 * (second + z4 * third);
 }
 
-/// atan2(y, x). For doubles and batches the standard function takes twice the time and goes lane by lane.
-/// Here atan of the smaller magnitude over the larger; above tan(pi/8) it is reduced by pi/4.
+/// atan2(y, x). For doubles and batches the standard function takes twice the time, and handles lanes one
+/// after the other. Here atan of the smaller magnitude over the larger; above tan(pi/8) it is reduced by
+/// pi/4.
 template <class S> S arc_tangent(const S& y, const S& x) {
   if constexpr (Batch<S> || std::is_same_v<S, double>) {
     using std::abs;

@@ -40,7 +40,7 @@ template <class X> void require_away(const X& x, double angle, const char* door)
   }
 }
 
-/// x x w for a rate expressed in b, w x x for one in a.
+/// x x w for a rate expressed in b, w x x for a rate expressed in a.
 template <bool expressed_in_turned, class S> Column<S> turn_of(const Column<S>& x, const Column<S>& w) {
   return expressed_in_turned ? x.cross(w) : w.cross(x);
 }

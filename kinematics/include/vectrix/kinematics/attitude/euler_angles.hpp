@@ -19,7 +19,7 @@ template <int axis, class S> Eigen::Quaternion<S> turn_about(const S& angle) {
 
 }  // namespace detail
 
-/// Three angles, rad, by which turning a about the axes of the sequence gives b:
+/// Three angles, rad: turning a by them about the axes of the sequence gives b:
 ///     R_b^a = R_i(t1) R_j(t2) R_k(t3)        EulerAngles<Intrinsic<i, j, k>, A, B>
 ///     R_b^a = R_k(t3) R_j(t2) R_i(t1)        EulerAngles<Extrinsic<i, j, k>, A, B>
 /// The angles are in the order of the turns: the first of Intrinsic<3, 2, 1> is the yaw. Singular where the

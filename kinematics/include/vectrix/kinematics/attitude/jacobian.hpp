@@ -88,7 +88,7 @@ detail::Square<S> right_jacobian(const RotationVector<A, B, S>& theta_ab) {
   return detail::matrix_of<S>([&](const auto& x) { return detail::left_jacobian_times(turn, x); });
 }
 /// J_l^-1 = I - 1/2 [theta]x + (1 - t/2 cot t/2)/t^2 ([theta]x)^2. It loses digits near a full turn, where
-/// the Jacobian is singular. Throws BadInput with the distance when no digit is left.
+/// the Jacobian is singular. Throws BadInput with the distance when no digit is correct.
 template <class A, class B, class S>
 detail::Square<S> inverse_left_jacobian(const RotationVector<A, B, S>& theta_ab) {
   using X = RotationVector<A, B, S>;
@@ -106,7 +106,7 @@ detail::Square<S> inverse_right_jacobian(const RotationVector<A, B, S>& theta_ab
 
 namespace detail {
 
-/// With J the right Jacobian for a rate expressed in b, the left one in a (Bortz 1971 has the first):
+/// J is the right Jacobian for a rate expressed in b, the left one for a rate in a (the first in Bortz 1971):
 ///     theta' = J^-1 w        theta'' = J^-1 (alpha - J' theta')
 /// theta' and theta'' are singular at a full turn; w and alpha from them are not.
 template <class A, class B, class S, bool expressed_in_turned>

@@ -111,7 +111,7 @@ class NamedGraph {
   NamedSnapshot at(  // the snapshot refers to the graph: give the graph a name first
       const Quantity<si::time>&) const&& = delete;
 
-  /// The frame of that name, or bound to that type. Throws BadInput if there is none, with the nearest name.
+  /// The frame of that name, or bound to that type. Throws BadInput with the nearest name if there is none.
   NamedFrame frame(std::string_view name) const { return NamedFrame{core_->record(name)}; }
   template <Frame F> NamedFrame frame() const { return NamedFrame{core_->record<F>()}; }
   /// An answer of this graph as an edge of a FrameGraph; V, a Dcm<A, B>, MovingDcm or AcceleratingDcm, gives

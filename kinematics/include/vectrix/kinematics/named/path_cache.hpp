@@ -5,7 +5,7 @@
 
 namespace vectrix::detail {
 
-/// A part of a path for rotations: one edge to evaluate, or the product of consecutive fixed edges.
+/// A part of a path, for rotations: one edge to evaluate, or the product of consecutive constant edges.
 struct PathLeg {
   const EdgeFunction* function;  // null for a fixed rotation
   bool against, in_quaternions;

@@ -4,9 +4,9 @@
 
 namespace vectrix {
 
-/// w_ab^c, rad/s, or alpha_ab^c, rad/s^2, between frames known at run time; the unit U tells which. Its laws
-/// are those of AngularVelocity and AngularAcceleration, checked at run time. Frames that do not chain throw
-/// BadInput that names both.
+/// w_ab^c, rad/s, or alpha_ab^c, rad/s^2, between frames known at run time; the unit U distinguishes them.
+/// Its laws are those of AngularVelocity and AngularAcceleration, checked at run time. An operation on frames
+/// that do not chain throws BadInput that names both.
 template <VectorUnit U> class NamedRate {
  public:
   NamedRate(detail::Trusted, NamedFrame of, NamedFrame relative_to, const NamedVector<U>& vector)

@@ -38,10 +38,10 @@ void require_law(const char* what, const char* of, const F& f, const Claimed& cl
 /// Checks a moving edge of the user's at one instant. The value of f must obey these laws, up to its level:
 ///     R^T R = I    d/dt R_b^a = R_b^a [w_ab^b]x    d/dt w_ab^b = alpha_ab^b
 ///     d/dt r_ab^a = v_ab|a^a    d/dt v_ab|a^a = a_ab|a^a
-/// each to a relative tolerance. The derivatives are central differences over two steps to either side, where
-/// f must be smooth; for a motion of time scale T their relative error is (step/T)^4/30. The check finds a
-/// rate in the wrong axes, of the wrong sign, in degrees, or left at zero. Throws BadInput that names the
-/// law, the frames, the instant and the error.
+/// each to the relative error `tolerance`. The derivatives are central differences over two steps to either
+/// side, where f must be smooth; for a motion of time scale T their relative error is (step/T)^4/30. The
+/// check finds a rate in the wrong axes, of the wrong sign, in degrees, or left at zero. Throws BadInput that
+/// names the law, the frames, the instant and the error.
 template <class Function, Instant I>
 void require_motion_laws(const Function& f, const I& t, const Quantity<si::time>& step,
                          double tolerance = 1e-6) {

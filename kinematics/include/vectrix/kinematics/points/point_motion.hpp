@@ -11,7 +11,7 @@ template <Point P, Point Q, Frame A, class S = double> struct PointMotion {
   Velocity<P, Q, ObservedFrom<A>, In<A>, S> velocity;
 };
 
-/// Claims that the vectors are position and velocity of q relative to p, the velocity as a sees it.
+/// Claims that the vectors are the position and the velocity of q relative to p, observed from a.
 template <Point Q, Point P, Frame A, class S>
 detail::OfTwo<P, Q, PointMotion<P, Q, A, S>> point_motion(Of<Q>, RelativeTo<P>, ObservedFrom<A>,
                                                           const Vector<A, si::length, S>& r_pq_a,

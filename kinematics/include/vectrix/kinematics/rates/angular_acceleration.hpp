@@ -73,8 +73,8 @@ concept Chains = requires {
 }  // namespace detail
 
 /// alpha_ad^c = alpha_ab^c + alpha_bd^c + w_ab^c x w_bd^c
-/// All four are expressed in c. The cross term exists because b, relative to which d turns, turns itself. The
-/// rates of two twists chain likewise: chain(Vdot_ab, Vdot_bd, V_ab, V_bd).
+/// All four are expressed in c. The cross term comes from the rotation of b, relative to which d rotates. The
+/// rates of two twists also chain: chain(Vdot_ab, Vdot_bd, V_ab, V_bd).
 template <class ChangeAb, class ChangeBd, class RateAb, class RateBd>
 detail::ChainOf<ChangeAb, ChangeBd, RateAb, RateBd> chain(const ChangeAb& change_ab,
                                                           const ChangeBd& change_bd, const RateAb& rate_ab,

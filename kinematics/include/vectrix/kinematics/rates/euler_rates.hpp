@@ -38,7 +38,7 @@ struct KinematicsOf<EulerAngles<Sequence, A, B, S>, expressed_in_turned> {
   }
 
  private:
-  // The three axes as columns, in the frame in which the rate is expressed.
+  // The three axes as columns, in the frame of the rate.
   static Square<S> axes(const Angles& x) {
     constexpr int i = Sequence::first, j = Sequence::second, k = Sequence::third;
     constexpr int sign = Sequence::intrinsic ? 1 : -1;

@@ -14,7 +14,8 @@ namespace vectrix {
 /// are equally short, and RotationSpline throws BadInput.
 inline constexpr double nearly_half_a_turn = 1e-9;
 
-/// Ends of a spline at which no rate is known: claims that alpha is zero there, as for a free beam.
+/// Ends of a spline at which no rate is known: claims that alpha is zero there, as the curvature is at the
+/// free ends of a beam.
 struct NaturalEnds {};
 inline constexpr NaturalEnds natural_ends{};
 
@@ -23,10 +24,9 @@ inline constexpr NaturalEnds natural_ends{};
 /// The rates at the samples are chosen so that alpha_ab is continuous there. The spline takes the shortest
 /// turn between samples. A constant rotation of a, of b or of both rotates it by the same; the motion of a
 /// relative to b is the spline of the inverse samples. For a step h and given end rates the error is of order
-/// h^4 in q, h^3 in w and h^2 in alpha. With natural_ends it is of order h^2, h and 1 near the ends, and
-/// decreases by a factor of about four per sample. Throws BadInput as SampledAttitude does, but for gaps at
-/// construction; also for neighbours half a turn apart, and for turns so large that the rates do not
-/// converge.
+/// h^4 in q, h^3 in w and h^2 in alpha. With natural_ends it is of order h^2, h and 1 near the ends, falling
+/// by about four per sample. Throws BadInput as SampledAttitude does, but for gaps at construction; also for
+/// neighbours half a turn apart, and when large turns keep the rates from converging.
 template <Frame A, Frame B, Instant I = Quantity<si::time>> class RotationSpline {
   using S = InstantScalar<I>;
 

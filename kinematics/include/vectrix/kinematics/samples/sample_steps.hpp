@@ -60,7 +60,7 @@ template <Instant I> class SampleSteps {
 
   struct Found {
     std::size_t step;
-    Scalar since;  ///< s, since the step began
+    Scalar since;  ///< s, since the start of the step
   };
   /// Throws BadInput outside the samples and inside a step longer than the longest gap. The last sample
   /// before a gap belongs to the step before it.

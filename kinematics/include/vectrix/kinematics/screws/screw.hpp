@@ -88,7 +88,7 @@ template <class A, class B, class S> Transform<A, B, S> exp(const Screw<A, B, S>
 }
 
 /// log: the screw of the shortest turn, |theta| <= pi, theta = log(R_b^a) and rho = J_l^-1(theta) r_ab^a,
-/// with exp(xi_ab) = X_a_from_b. Accurate to rounding, as the log of a Dcm, which also determines the axis at
+/// with exp(xi_ab) = X_a_from_b. Accurate to rounding, as the log of a Dcm, which also chooses the axis at
 /// pi.
 template <class A, class B, class S> Screw<A, B, S> log(const Transform<A, B, S>& X_a_from_b) {
   const RotationVector<A, B, S> theta_ab = log(X_a_from_b.rotation);

@@ -6,7 +6,7 @@ namespace vectrix {
 namespace detail {
 
 /// [J 0; Q J], where J is J_l(theta) and Q is its derivative along rho. By the principle of transference
-/// SE(3) has the dual number theta + s rho, s^2 = 0, in place of theta of SO(3).
+/// SE(3) has the dual number theta + s rho, s^2 = 0, where SO(3) has the number theta.
 template <class S> Eigen::Matrix<S, 6, 6> left_jacobian(const Turn<S>& turn, const Column<S>& rho) {
   Eigen::Matrix<S, 6, 6> matrix = Eigen::Matrix<S, 6, 6>::Zero();
   const Square<S> J = matrix_of<S>([&](const auto& x) { return left_jacobian_times(turn, x); });

@@ -17,7 +17,7 @@ class AngleIncrement : public detail::RelativeVector<B, si::angle, S> {
 
 template <class A, class B, class S> inline constexpr bool detail::is_framed<AngleIncrement<A, B, S>> = true;
 
-/// Claims that the vector is the integral of the rate of b relative to a, in b's own axes.
+/// Claims that the vector is the integral of the rate of b relative to a, in the axes of b.
 template <Frame B, Frame A, class S>
 detail::OfTwo<B, A, AngleIncrement<A, B, S>> angle_increment(Of<B>, RelativeTo<A>,
                                                              const Vector<B, si::angle, S>& alpha_b) {

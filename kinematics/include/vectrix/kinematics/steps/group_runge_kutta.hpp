@@ -7,8 +7,8 @@
 namespace vectrix {
 namespace detail {
 
-/// The result of a step, if the rate is of b relative to a, expressed in b. The result type checks this, not
-/// a constraint, for which clang prints six lines more.
+/// The result of a step, if the rate is of b relative to a, expressed in b. Checked by the result type: for a
+/// constraint clang prints six lines more.
 template <class Rate, class A, class B, class S, bool lawful = true>
 using StepBy = std::enable_if_t<
     lawful &&

@@ -79,8 +79,9 @@ template <Frame B, class S = double> class GyroErrors {
   detail::Square<S> inverse_;
 };
 
-/// Bias, scale factor errors and misalignments (M_xy, M_xz; M_yx, M_yz; M_zx, M_zy). Throws BadInput when one
-/// is not finite, or when |det(I + diag(scale) + M)| < 1e-3: this is not the sensitivity of a gyro triad.
+/// Bias, scale factor errors and misalignments (M_xy, M_xz; M_yx, M_yz; M_zx, M_zy), all small numbers.
+/// Throws BadInput when one is not finite, or when |det(I + diag(scale) + M)| < 1e-3: this is not the
+/// sensitivity of a gyro triad.
 template <Frame B, class S>
 GyroErrors<B, S> gyro_errors(const Vector<B, si::angular_velocity, S>& bias_b,
                              const Vector<B, si::dimensionless, S>& scale_b,
