@@ -9,10 +9,10 @@ namespace vectrix {
 /// P^a, `P_a`, of type Covariance<A, U>: the covariance, in the axes of a, of a vector r in the unit U; its
 /// entries have the unit U^2. Its laws:
 ///     1.  P^b = R_a^b P^a (R_a^b)^T          R_b_from_a * P_a
-///     2.  cov(r + s) = cov(r) + cov(s)       P_a + Q_a: r and s are independent, which the sum claims
+///     2.  cov(r + s) = cov(r) + cov(s)       P_a + Q_a: the sum claims that r and s are independent
 ///     3.  var(n . r) = n^T P n               variance_along(P_a, n_a)
-/// R_b_from_a * is the word for a change of axes of every quantity; here it multiplies from both sides.
-/// Made by covariance() or covariance_from_standard_deviations(); no default.
+/// Every quantity changes its axes by R_b_from_a * quantity; for a covariance this multiplies from both
+/// sides. Made by covariance() or covariance_from_standard_deviations(); there is no default.
 template <Frame F, VectorUnit U, class S = double> class Covariance {
  public:
   using frame = F;
@@ -26,7 +26,7 @@ template <Frame F, VectorUnit U, class S = double> class Covariance {
   template <class Operand = Covariance>
   auto operator-() const -> Refused = delete;  // a covariance has no negative
 
-  /// The bare nine numbers, in the square of the coherent SI unit: the way out of the typed world.
+  /// The bare 3x3 matrix, in the square of the coherent SI unit. Frame and unit are no longer checked.
   const detail::Square<S>& matrix() const& { return matrix_; }
   detail::Square<S> matrix() && { return matrix_; }
 
@@ -36,9 +36,9 @@ template <Frame F, VectorUnit U, class S = double> class Covariance {
 
 template <class F, class U, class S> inline constexpr bool detail::is_framed<Covariance<F, U, S>> = true;
 
-/// Rounding that covariance() lets in: of the asymmetry, relative to the largest entry, and of a negative
-/// principal variance, relative to the largest one. What mahalanobis_distance() needs as well: the share of a
-/// variance that the other axes leave unexplained.
+/// Tolerance of covariance() for rounding: the asymmetry relative to the largest entry, and a negative
+/// principal variance relative to the largest one. mahalanobis_distance() needs a larger share than this of
+/// each variance that the other axes do not explain.
 inline constexpr double covariance_tolerance = 1e-12;
 
 namespace detail {
@@ -68,7 +68,7 @@ template <class F, class S> void require_covariance(const Square<S>& matrix) {
   }
 }
 
-/// The solver branches: lane by lane.
+/// The solver branches, so it takes one lane after the other.
 template <class F, Batch S> void require_covariance(const Square<S>& matrix) {
   for (std::size_t i = 0; i < S::size(); ++i) require_covariance<F, typename S::value_type>(lane(matrix, i));
 }
@@ -103,7 +103,7 @@ template <class F, class S> S mahalanobis(const Square<S>& P, const Column<S>& r
     if (!(variances.minCoeff() > S(0))) {
       refuse_distance<F, S>(S(0));
     }
-    // In units of the axes' own standard deviations, so that their ratio does not count as singular.
+    // Scaled by the standard deviations of the axes: axes of very different variance do not make P singular.
     const Column<S> scale = variances.cwiseSqrt().cwiseInverse();
     const Eigen::LLT<Square<S>> factor(Square<S>(scale.asDiagonal() * P * scale.asDiagonal()));
     const S share = factor.matrixLLT().diagonal().cwiseAbs2().minCoeff();
@@ -130,7 +130,7 @@ auto covariance(In<F>, const Eigen::MatrixBase<Derived>& matrix) {
   return Covariance<F, U, S>{detail::trusted, entries};
 }
 
-/// The trusted door: no check at all. The caller vouches for a symmetric matrix without negative variances.
+/// The trusted door: checks nothing. The caller guarantees a symmetric matrix without negative variances.
 template <VectorUnit U, Frame F, class Derived>
   requires detail::Matrix3x3<Derived>
 auto trust_covariance(In<F>, const Eigen::MatrixBase<Derived>& matrix) {
@@ -138,7 +138,7 @@ auto trust_covariance(In<F>, const Eigen::MatrixBase<Derived>& matrix) {
 }
 
 /// The covariance of a vector with independent coordinates in F, whose standard deviations are given.
-/// Throws BadInput when one is not finite, negative, or too large or too small to be squared.
+/// Throws BadInput when one is not finite or negative, or its square overflows or underflows.
 template <Frame F, VectorUnit U, class S>
   requires(!std::is_integral_v<S>)
 Covariance<F, U, S> covariance_from_standard_deviations(In<F>, const Quantity<U, S>& x,
@@ -182,7 +182,7 @@ auto variance_along(  // variance_along(P_a, n_a): one frame; n is a direction
     const Covariance<CovarianceIn, U, S>&, const Vector<DirectionIn, UnitGiven, S>&) -> Refused = delete;
 
 /// The Mahalanobis distance sqrt(r^T P^-1 r): the length of r in standard deviations. Throws BadInput when P
-/// is singular, so that rounding would decide.
+/// is singular to rounding.
 template <class F, class U, class S>
 Quantity<si::dimensionless, S> mahalanobis_distance(const Covariance<F, U, S>& P_a,
                                                     const Vector<F, U, S>& r_a) {

@@ -8,18 +8,19 @@ namespace detail {
 
 template <class S> using Square = Eigen::Matrix<S, 3, 3>;
 
-/// Nine numbers of a scalar that can hold a cosine.
+/// A 3x3 matrix of a scalar type that can hold a cosine: not of integers.
 template <class M>
 concept Matrix3x3 = std::is_base_of_v<Eigen::MatrixBase<M>, M> && M::RowsAtCompileTime == 3 &&
                     M::ColsAtCompileTime == 3 && !std::is_integral_v<typename M::Scalar>;
 
-/// The tolerance of a checked door, never below what S itself rounds to.
+/// The tolerance of a checked door, at least 16 epsilons of S.
 template <class S> double door_tolerance(double wanted) {
   const double rounding = 16 * static_cast<double>(Eigen::NumTraits<S>::epsilon());
   return wanted > rounding ? wanted : rounding;
 }
 
-/// Copies in the widths in which products of matrices write, and products with vectors read.
+/// Copies column by column, in the access widths of the matrix product that writes and of the vector product
+/// that reads.
 template <class S> [[gnu::always_inline]] inline void set_by_columns(Square<S>& to, const Square<S>& from) {
   for (int column = 0; column < 3; ++column) to.col(column) = from.col(column);
 }
@@ -33,7 +34,8 @@ template <Frame ToFrame, Frame FromFrame, std::size_t N, class S> class DcmChain
 ///     1.  r^b = R_a^b r^a                     R_b_from_a * r_a
 ///     2.  R_a^c = R_b^c R_a^b                 R_c_from_b * R_b_from_a, a DcmChain
 ///     3.  R_b^a = (R_a^b)^-1 = (R_a^b)^T      inverse(R_b_from_a)
-/// Column i is the i-th basis vector of a in b's coordinates. Made by the doors in dcm_doors.hpp; no default.
+/// Column i is the i-th basis vector of a in b's coordinates. Made by the doors in dcm_doors.hpp; there is no
+/// default.
 template <Frame ToFrame, Frame FromFrame, class S = double> class Dcm {
  public:
   using to = ToFrame;
@@ -47,7 +49,7 @@ template <Frame ToFrame, Frame FromFrame, class S = double> class Dcm {
     detail::set_by_columns(matrix_, chain.matrix_);
   }
 
-  /// The bare nine numbers: the way out of the typed world.
+  /// The bare 3x3 matrix. The frames are no longer checked.
   const detail::Square<S>& matrix() const& { return matrix_; }
   detail::Square<S> matrix() && { return matrix_; }
 
@@ -61,7 +63,7 @@ template <Frame ToFrame, Frame FromFrame, class S = double> class Dcm {
 template <class B, class A, class S> inline constexpr bool detail::is_framed<Dcm<B, A, S>> = true;
 
 namespace detail {
-// R_a^c = R_b^c R_a^b, the nine numbers alone, where they are to stay
+// R_a^c = R_b^c R_a^b as a Dcm, without a chain
 template <class C, class B, class A, class S>
 Dcm<C, A, S> composed(const Dcm<C, B, S>& R_c_from_b, const Dcm<B, A, S>& R_b_from_a) {
   return {trusted, R_c_from_b.matrix() * R_b_from_a.matrix()};
@@ -81,7 +83,7 @@ template <class B, class A, class S> Dcm<A, B, S> inverse(const Dcm<B, A, S>& R_
 
 /// Turns a vector, within a, by the rotation that turns frame a onto frame b:
 ///     r2^a = R_b^a r1^a
-/// The active use of the same matrix whose passive use is R_a_from_b * r_b; the result stays in a.
+/// This is the active use of the matrix; R_a_from_b * r_b is its passive use. The result is expressed in a.
 template <class A, class B, class U, class S>
 Vector<A, U, S> rotate(const Dcm<A, B, S>& R_a_from_b, const Vector<A, U, S>& r_a) {
   return {detail::trusted, R_a_from_b.matrix() * r_a.coordinates()};

@@ -10,8 +10,8 @@
 namespace vectrix {
 namespace detail {
 
-/// A rotation that a chain holds. It is copied by columns, as a product with a vector reads it: the compiler
-/// sees through such copies and none is made.
+/// A rotation in a chain. It is copied by columns, in the width that a vector product reads, so that the
+/// compiler removes the copies.
 template <class S> class Factor {
  public:
   [[gnu::always_inline]] explicit Factor(const Square<S>& matrix) { set_by_columns(matrix_, matrix); }
@@ -36,13 +36,13 @@ template <class S, std::size_t N, std::size_t M, std::size_t... I, std::size_t..
 
 }  // namespace detail
 
-/// R_a^d = R_c^d R_b^c R_a^b, what a product of N rotations returns: a Dcm<D, A> that, while it has no name,
-/// is applied to a vector factor by factor, the vector first:
-///     R_d_from_c * R_c_from_b * R_b_from_a * r_a      three products with a vector, none of matrices
-/// With a name, `auto R_d_from_a = ...`, it is the Dcm, multiplied once, in every use. It holds copies of its
-/// factors, so it never dangles; it is not moved, because a name may have been assigned another rotation. To
-/// return it or to keep the nine numbers alone, give it its type: `Dcm<D, A> R_d_from_a = ...`. Of more than
-/// eight rotations the product of the first eight is one.
+/// R_a^d = R_c^d R_b^c R_a^b: the result of a product of N rotations. It is a Dcm<D, A>. A temporary chain is
+/// applied to a vector from right to left:
+///     R_d_from_c * R_c_from_b * R_b_from_a * r_a      three matrix-vector products, no matrix product
+/// A named chain, `auto R_d_from_a = ...`, is the Dcm, multiplied once. A chain holds copies of its factors,
+/// so it never dangles. It cannot be moved, because a named chain may have been assigned another rotation. To
+/// return it or to store only the matrix, give it a type: `Dcm<D, A> R_d_from_a = ...`. After eight rotations
+/// the product so far becomes one factor.
 template <Frame ToFrame, Frame FromFrame, std::size_t N, class S = double>
 class DcmChain : public Dcm<ToFrame, FromFrame, S> {
   using Product = Dcm<ToFrame, FromFrame, S>;
@@ -69,7 +69,7 @@ class DcmChain : public Dcm<ToFrame, FromFrame, S> {
 
  private:
   explicit DcmChain(const Product& R_d_from_a) : Product(R_d_from_a), factors_(alone(R_d_from_a)) {}
-  // One rotation as a chain: itself, and no further turn.
+  // One rotation as a chain: itself, then identities.
   static std::array<detail::Factor<S>, N> alone(const Product& R_d_from_a) {
     return alone(R_d_from_a, std::make_index_sequence<N - 1>{});
   }
@@ -113,8 +113,7 @@ template <class S, std::size_t N>
   }
 }
 
-/// The length up to which a chain grows: its code does with the square of it. What is longer goes on as a
-/// chain of two matrices.
+/// The longest chain: code size grows with length^2. A longer product continues as a chain of two matrices.
 inline constexpr std::size_t longest_chain = 8;
 
 template <class C, class B, class A, std::size_t N, std::size_t M, class S>
@@ -131,7 +130,7 @@ template <class C, class B, class A, std::size_t N, std::size_t M, class S>
 
 }  // namespace detail
 
-// R_a^c = R_b^c R_a^b, each side one rotation or an unnamed chain
+// R_a^c = R_b^c R_a^b, each side one rotation or a temporary chain
 template <class C, class B, class A, class S>
 [[gnu::always_inline]] inline DcmChain<C, A, 2, S> product(const Dcm<C, B, S>& R_c_from_b,
                                                            const Dcm<B, A, S>& R_b_from_a) {

@@ -7,11 +7,11 @@
 
 namespace vectrix {
 
-/// Largest entry of |M^T M - I| that `dcm()` lets in: rotations printed with ten digits or more pass, those
-/// printed with fewer go through nearest_dcm(), which says how far it moved them.
+/// Largest entry of |M^T M - I| that `dcm()` accepts. Rotations printed with ten digits or more pass; for
+/// fewer digits use nearest_dcm(), which returns how far it moved the matrix.
 inline constexpr double orthonormality_tolerance = 1e-9;
 
-/// Smallest determinant, relative to the cube of the largest entry, of a matrix that nearest_dcm() lets in.
+/// Smallest determinant, relative to the cube of the largest entry, of a matrix that nearest_dcm() accepts.
 inline constexpr double nearly_singular = 1e-12;
 
 namespace detail {
@@ -67,7 +67,7 @@ auto dcm(  // to<B>, from<A>: two frames; a 3x3 matrix
 
 template <class B, class A, class S> struct NearestDcm {
   Dcm<B, A, S> dcm;
-  /// Frobenius norm of what was changed.
+  /// Frobenius norm of the change.
   S distance;
 };
 
@@ -75,7 +75,7 @@ namespace detail {
 
 template <class B, class A, class S> NearestDcm<B, A, S> nearest(const Square<S>& entries) {
   require_finite<B, A>(entries, "nearest_dcm");
-  // Scaled by the largest entry, so that the determinant neither under- nor overflows.
+  // Scaled by the largest entry, so that the determinant does not underflow or overflow.
   const S largest = entries.cwiseAbs().maxCoeff();
   const Square<S> scaled = largest > S(0) ? Square<S>(entries / largest) : entries;
   const S determinant = scaled.determinant();
@@ -90,7 +90,7 @@ template <class B, class A, class S> NearestDcm<B, A, S> nearest(const Square<S>
   const Square<S> correction = rotation - entries;
   return {Dcm<B, A, S>{trusted, rotation}, scaled_norm(correction)};
 }
-/// The decomposition branches: lane by lane.
+/// The decomposition branches, so it takes one lane after the other.
 template <class B, class A, Batch S> NearestDcm<B, A, S> nearest(const Square<S>& entries) {
   Square<S> rotation;
   S distance;
@@ -104,11 +104,11 @@ template <class B, class A, Batch S> NearestDcm<B, A, S> nearest(const Square<S>
 
 }  // namespace detail
 
-/// The projecting door: the rotation nearest to `matrix` in the Frobenius norm, and how far it was.
+/// The projected door: the rotation nearest to `matrix` in the Frobenius norm, and its distance.
 ///     M = U Sigma V^T  ->  R = U V^T       (polar factor; Higham, Functions of Matrices, theorem 8.4)
-/// Throws BadInput when an entry is not finite, the matrix is left-handed, or it is so near to singular that
-/// rounding would choose the rotation. Refuses numbers with derivatives: the iteration stops at the values,
-/// before their derivatives stand.
+/// Throws BadInput when an entry is not finite, the matrix is left-handed, or it is singular to rounding.
+/// Numbers with derivatives do not compile: the iteration stops when the values have converged, before the
+/// derivatives have.
 template <Frame B, Frame A, detail::Matrix3x3 Matrix>
   requires(!detail::Differentiated<typename Matrix::Scalar>)
 detail::OfTwo<B, A, NearestDcm<B, A, typename Matrix::Scalar>> nearest_dcm(To<B>, From<A>,
@@ -119,12 +119,12 @@ template <class ToFrame, class FromFrame, class Given>
 auto nearest_dcm(  // to<B>, from<A>: two frames; a 3x3 matrix, without derivatives
     const ToFrame&, const FromFrame&, const Given&) -> Refused = delete;
 
-/// The trusted door: no check at all. The caller vouches for a rotation that takes a to b.
+/// The trusted door: checks nothing. The caller guarantees a rotation matrix that takes a to b.
 template <Frame B, Frame A, detail::Matrix3x3 Matrix>
 detail::OfTwo<B, A, Dcm<B, A, typename Matrix::Scalar>> trust_dcm(To<B>, From<A>, const Matrix& matrix) {
   return Dcm<B, A, typename Matrix::Scalar>{detail::trusted, matrix};
 }
-/// The same of make(), an Eigen::Matrix<S, 3, 3>: built where it stays, not copied.
+/// The same for the result of make(), an Eigen::Matrix<S, 3, 3>. It is built in the Dcm, not copied.
 ///     trust_dcm(to<B>, from<A>, [&] { return spin(angle); })
 template <Frame B, Frame A, std::invocable Make>
   requires detail::Matrix3x3<std::invoke_result_t<const Make&>>
@@ -155,7 +155,7 @@ Dcm<B, A, S> turned(const char* door, const Quantity<si::angle, S>& angle) {
   const S theta = angle.value();
   const auto turn = sine_cosine(theta);
   const S s = turn.sine, c = turn.cosine;
-  if (!all(c == c)) {  // the cosine of an infinity is no number
+  if (!all(c == c)) {  // the cosine of an infinity is NaN
     refuse_angle<B, A>(door, theta);
   }
   return {trusted, [&] {
@@ -171,7 +171,7 @@ Dcm<B, A, S> turned(const char* door, const Quantity<si::angle, S>& angle) {
 
 }  // namespace detail
 
-/// R_b_from_a when turning a by `angle` about its x axis (y, z) gives b. Any finite angle is valid.
+/// R_b_from_a, where turning a by `angle` about its x axis (y, z) gives b. Any finite angle is valid.
 ///     turned_z: [cos sin 0; -sin cos 0; 0 0 1], the passive matrix; its inverse is the active one.
 template <Frame B, Frame A, class S>
   requires(!std::integral<S>)

@@ -6,11 +6,11 @@
 namespace vectrix {
 
 /// r_pq^c, `r_pq_c`, of type Displacement<P, Q, In<C>>: the position of the point q relative to the point p,
-/// expressed in c, m. A frame among the points stands for its origin. Its laws:
+/// expressed in c, m. A frame given as a point stands for its origin. Its laws:
 ///     1.  r_pq^c + r_qs^c = r_ps^c
 ///     2.  r_qp^c = -r_pq^c
 ///     3.  r_pq^d = R_c^d r_pq^c
-/// Made by displacement(of<Q>, relative_to<P>, ...); no default.
+/// Made by displacement(of<Q>, relative_to<P>, ...); there is no default.
 template <Point P, Point Q, class ExpressedIn, class S = double> class Displacement;
 
 template <Point P, Point Q, Frame C, class S>

@@ -11,8 +11,8 @@
 
 namespace vectrix {
 
-/// Wrong data at a door: the text says the action, the operands and the number that failed. Visible across
-/// shared libraries, so that it is caught by its type there too.
+/// Wrong data at a door. The text names the action, the operands and the wrong number. Exported, so that
+/// other shared libraries can catch it by its type.
 class VECTRIX_EXPORT BadInput : public std::invalid_argument {
  public:
   using std::invalid_argument::invalid_argument;
@@ -20,7 +20,7 @@ class VECTRIX_EXPORT BadInput : public std::invalid_argument {
 
 namespace detail {
 
-/// The shortest text that reads back as the same number; of a batch, of each lane: {1, 2.5}.
+/// The shortest text that reads back as the same number. A batch gives one text per lane: {1, 2.5}.
 template <class Number> std::string text(const Number& value) {
   if constexpr (std::is_arithmetic_v<Number>) {
     std::array<char, 64> buffer{};

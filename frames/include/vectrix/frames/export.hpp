@@ -1,5 +1,5 @@
 #pragma once
 
-/// Marks what one shared library offers to another, or throws through it. Everything else in ours is hidden,
-/// the solvers above all.
+/// Exports a symbol from a shared library: for use, or to be thrown, across libraries. All other symbols are
+/// hidden, in particular those of the solvers.
 #define VECTRIX_EXPORT __attribute__((visibility("default")))

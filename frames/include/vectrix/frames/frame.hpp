@@ -6,17 +6,17 @@
 
 namespace vectrix {
 
-/// A frame is an empty type of the user's with a motion property, never instantiated:
+/// A frame is an empty type that the user defines, with a motion property. It is never instantiated:
 ///     struct Gcrf : vectrix::inertial_frame {};
 ///     struct Body : vectrix::moving_frame {};
 ///     template <int I> struct Wheel : vectrix::moving_frame {};
-/// Inertial: Newton's and Euler's laws hold in it. Moving: nothing is claimed.
+/// Inertial: Newton's and Euler's laws hold in it. Moving: nothing is claimed about it.
 struct inertial_frame {};
 struct moving_frame {};
 
 namespace detail {
 
-// Not by concepts of concepts: a compiler explains those one by one.
+// A variable, not a concept: nested concepts lengthen the diagnostic.
 template <class F>
 inline constexpr bool either_inertial_or_moving =
     !std::is_same_v<F, inertial_frame> && !std::is_same_v<F, moving_frame> &&
@@ -31,7 +31,7 @@ concept Frame =
 template <class F>
 concept InertialFrame = Frame<F> && std::is_base_of_v<inertial_frame, F>;
 
-/// A point is an empty type of the user's as well, and a frame stands for its own origin:
+/// A point is also an empty type that the user defines. A frame given as a point stands for its origin:
 ///     struct StarTrackerMount : vectrix::named_point {};
 struct named_point {};
 
@@ -40,15 +40,16 @@ concept Point =
     std::is_same_v<P, std::remove_cv_t<P>> && std::is_empty_v<P> && !std::is_same_v<P, named_point> &&
     (detail::either_inertial_or_moving<P> || std::is_base_of_v<named_point, P>);
 
-/// The frame's name as the compiler writes it, for messages.
+/// The name of the frame as the compiler writes it, for messages.
 template <Point F> std::string frame_name() {
   const std::string_view signature = __PRETTY_FUNCTION__;
   const auto begin = signature.find("F = ") + 4;
   return std::string{signature.substr(begin, signature.find_first_of(";]", begin) - begin)};
 }
 
-// The words of the doors and queries: to<B>, from<A>, in<C>, of<B>, relative_to<A>. Motion may be that of a
-// point. For frames known only at run time: To(b), From(a) and so on, see kinematics/named_frame.hpp.
+// The arguments of doors and queries: to<B>, from<A>, in<C>, of<B>, relative_to<A>. of and relative_to also
+// take points. For frames known only at run time there are To(b), From(a) and so on:
+// kinematics/named/frame.hpp.
 template <class F> struct To {};
 template <class F> struct From {};
 template <class F> struct In {};
@@ -58,7 +59,7 @@ template <Frame A> struct ObservedFrom {};
 
 namespace detail {
 
-/// The result of a door between two frames. One frame at two instants is no pair: each needs a name.
+/// The result of a door between two frames. A and B must differ: one frame at two instants needs two types.
 template <class B, class A, class Result> using OfTwo = std::enable_if_t<!std::is_same_v<B, A>, Result>;
 
 }  // namespace detail
@@ -68,6 +69,6 @@ template <Frame F> inline constexpr From<F> from{};
 template <Frame F> inline constexpr In<F> in{};
 template <Point P> inline constexpr Of<P> of{};
 template <Point P> inline constexpr RelativeTo<P> relative_to{};
-template <Frame A> inline constexpr ObservedFrom<A> observed_from{};  // where who watches a change is fixed
+template <Frame A> inline constexpr ObservedFrom<A> observed_from{};  // the observer is fixed in A
 
 }  // namespace vectrix

@@ -5,7 +5,7 @@
 
 namespace vectrix {
 
-/// What a refused call would return. It stands for a value of any type, so that the compiler complains once.
+/// The result type of a refused call. It converts to any type, so that one mistake gives one error.
 struct Refused {
   Refused() = default;
   template <class... Given> explicit Refused(const Given&...) {}
@@ -26,7 +26,7 @@ template <class Left> Refused cross_product(const Left&, const Refused&);
 
 namespace detail {
 
-/// Types whose products and sums the frames decide. Each is named beside its class.
+/// Types whose operators depend on frames. Each is specialised beside its class.
 template <class T> inline constexpr bool is_framed = false;
 
 template <> inline constexpr bool is_framed<Refused> = true;
@@ -47,11 +47,11 @@ using DotOf = decltype(dot_product(std::declval<const Left&>(), std::declval<con
 template <class Left, class Right>
 using CrossOf = decltype(cross_product(std::declval<const Left&>(), std::declval<const Right&>()));
 
-/// The type that an expression stands for, where that is another.
+/// The type of the value of an expression; it differs from T for lazy expressions.
 template <class T> struct EvaluatedType : std::type_identity<T> {};
 template <class T> using Evaluated = typename EvaluatedType<T>::type;
 
-/// The left operand's type, when it is that of the result: what can be done in place.
+/// A reference to the left operand, if the result has its type; the operation can then be done in place.
 template <class Result, class Left>
 using InPlace = std::enable_if_t<std::is_same_v<Evaluated<Result>, Left>, Left&>;
 
@@ -67,13 +67,13 @@ template <class... Operands> inline constexpr bool any_framed = (is_framed<Opera
 
 }  // namespace detail
 
-// One operator for all types of the library, so that the compiler that refuses an expression lists two
-// candidates and not thirty. What is multiplied with what is said beside each type, by product(), quotient(),
-// sum(), difference(), dot_product() and cross_product(). What is lawful is told by the type of the result
-// and not by a constraint: clang explains the former in one note, the latter in two. One operand is a type of
-// the library: a product() of the user's own makes no operator.
+// There is one operator for all types of the library, so that the compiler lists two candidates for a refused
+// expression, not thirty. Each type defines its laws by product(), quotient(), sum(), difference(),
+// dot_product() and cross_product(). The result type decides whether an expression is lawful: clang then
+// prints one note, but two for a constraint. One operand must be a type of the library, so that a product()
+// of the user's defines no operator.
 
-// An unnamed operand stays one: a chain of rotations applies itself otherwise.
+// Forwarded: only temporary chains apply lazily.
 template <class Left, class Right>
   requires(detail::FramedPair<Left, Right>)
 [[gnu::always_inline]] inline detail::ProductOf<Left, Right> operator*(Left&& left, Right&& right) {
@@ -105,7 +105,8 @@ template <class Left, class Right>
 auto operator+(  // one frame and one unit: r_a + s_a, w_ab_c + w_bd_c
     const Left&, const Right&) -> Refused = delete;
 
-// The unary minus is a member of its types, or deleted in them: no candidate of other types' differences.
+// The unary minus is a member of each type, or deleted there, so it is no candidate for a difference of other
+// types.
 template <class Left, class Right>
   requires(detail::FramedPair<Left, Right>)
 detail::DifferenceOf<Left, Right>
@@ -117,8 +118,8 @@ template <class Left, class Right>
 auto operator-(  // one frame and one unit: r_a - s_a, w_ab_c + -w_db_c
     const Left&, const Right&) -> Refused = delete;
 
-// In place, where the result has the type of the left operand: r_a += s_a, r_a *= 2.0. A chain of rates has
-// not: w_ab_c + w_bd_c is w_ad_c.
+// Only where the result has the type of the left operand: r_a += s_a, r_a *= 2.0. The sum of two rates has
+// another type: w_ab_c + w_bd_c is w_ad_c.
 template <class Left, class Right>
   requires(detail::FramedPair<Left, Right>)
 detail::InPlace<detail::SumOf<Left, Right>, Left>
@@ -160,7 +161,7 @@ template <class Left, class Right>
   requires(detail::is_framed<Left> && !detail::LawfulInPlace<detail::QuotientOf, Left, Right>)
 auto operator/=(Left&, const Right&) -> Refused = delete;  // a quotient of the same type: r_a /= 2.0
 
-/// r . s, in the exact product of the units: F . v is a power, tau . w too, and w . H an energy.
+/// r . s, in the exact product of the units: F . v and tau . w are powers, w . H is an energy.
 template <class Left, class Right>
   requires(detail::FramedPair<Left, Right>)
 detail::DotOf<Left, Right> dot(const Left& left, const Right& right) {
@@ -170,7 +171,7 @@ template <class Left, class Right>
   requires(detail::FramedPair<Left, Right> && !detail::Lawful<detail::DotOf, Left, Right>)
 auto dot(const Left&, const Right&) -> Refused = delete;  // r_a . s_a: two vectors in one frame
 
-/// r x s, the radian counting as 1: r x F is a torque, w x r a velocity, w x H a torque.
+/// r x s, where the radian counts as 1: r x F is a torque, w x r a velocity, w x H a torque.
 template <class Left, class Right>
   requires(detail::FramedPair<Left, Right>)
 detail::CrossOf<Left, Right> cross(const Left& left, const Right& right) {

@@ -39,7 +39,7 @@ template <> inline constexpr const char* unit_symbol<si::arcsecond_unit> = "arcs
 template <> inline constexpr const char* unit_symbol<si::revolution_per_minute_unit> = "rpm";
 template <> inline constexpr const char* unit_symbol<si::degree_per_second_unit> = "deg/s";
 
-/// A number as the stream writes it; of a batch the text of its lanes.
+/// A number as the stream writes it; for a batch, the text of its lanes.
 template <class S> decltype(auto) printable(const S& number) {
   if constexpr (Batch<S>) {
     return text(number);
@@ -87,10 +87,10 @@ template <class U, class S> std::ostream& print_framed(std::ostream& out, const 
              << detail::unit_symbol<U>;
 }
 
-/// What a value is, in the words of its door, with the numbers as the stream is set to write them:
+/// A value in the words of its door; the format of the stream applies to the numbers:
 ///     (1, 2, 3) m in Body        [1 0 0; 0 1 0; 0 0 1] to Body from Gcrf
 ///     (0, 0, 1) rad/s of Body relative to Gcrf in Body
-/// What is printed is said beside each type, by print_framed().
+/// Each type defines its text by print_framed().
 template <class Framed>
 auto operator<<(std::ostream& out, const Framed& value) -> decltype(print_framed(out, value)) {
   return print_framed(out, value);

@@ -5,9 +5,9 @@
 namespace vectrix {
 namespace detail {
 
-/// What the quantities of q relative to p have in common: a vector, here x_pq^c, and the laws below. A class
-/// derived from it names p and q, and by `Between` and `Expressed` the same quantity of others. One that has
-/// a point p alone, as a torque, has only the change of axes from here.
+/// The base of all quantities of q relative to p: a vector, here x_pq^c, and the laws below. A derived class
+/// defines p and q, and by `Between` and `Expressed` the same quantity of other points or in other axes. A
+/// quantity of one point p, such as a torque, uses only the change of axes.
 template <class C, class U, class S> class RelativeVector {
  public:
   using expressed = C;
@@ -32,12 +32,12 @@ template <class C, class U, class S> class RelativeVector {
   Vector<C, U, S> vector_;
 };
 
-/// Known in one frame, it is known in every other.
+/// A quantity that can be expressed in another frame.
 template <class X>
 concept Reexpressed = requires {
   typename X::template Expressed<typename X::expressed>;
 };
-/// Its sums chain, too: not so accelerations of frames, whose sum needs the rates.
+/// A quantity whose sums chain. Angular accelerations do not: their sum needs the rates.
 template <class X>
 concept Chained = requires {
   typename X::template Between<typename X::first, typename X::second>;
@@ -45,7 +45,7 @@ concept Chained = requires {
 
 template <class X, class Pair>
 using Like = typename X::template Between<typename Pair::first, typename Pair::second>;
-/// Both are the same quantity, expressed in one frame.
+/// Both are the same quantity, expressed in the same frame.
 template <class Left, class Right>
 concept SameQuantity = Chained<Left> && Chained<Right> && std::same_as<Like<Left, Left>, Like<Right, Left>>;
 

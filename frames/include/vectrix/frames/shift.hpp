@@ -4,7 +4,7 @@
 
 namespace vectrix {
 
-// What was refused is not refused again.
+// One mistake gives one error.
 template <class... Given>
   requires(std::same_as<Given, Refused> || ...)
 Refused shifted(const Given&...);
@@ -19,12 +19,12 @@ concept Shifts = requires {
 
 }  // namespace detail
 
-/// The same quantity at another point q, from what it is at the point p:
+/// Takes a quantity at the point p to another point q:
 ///     shift(x_p_c, r_pq_c)          a twist, a wrench, mass properties
 ///     shift(x_p_c, r_pq_c, F_c)     a torque takes the force, an angular momentum the linear one, an inertia
 ///                                   the mass
-/// The displacement always leads from the old point to the new one, and all is expressed in one frame. The
-/// law stands beside each type, at shifted().
+/// The displacement always leads from the old point to the new one. All operands are expressed in one frame.
+/// The law is stated beside each type, at shifted().
 template <class AtOldPoint, class By, class... Given>
 detail::ShiftOf<AtOldPoint, By, Given...> shift(const AtOldPoint& x_p_c, const By& r_pq_c,
                                                 const Given&... given) {

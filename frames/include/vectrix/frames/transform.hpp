@@ -6,17 +6,18 @@
 
 namespace vectrix {
 
-/// X_a^b, `X_b_from_a`, of type Transform<B, A>: the rotation R_a^b and the place r_ba^b of a's origin seen
-/// from b's, m. It takes positions relative to a's origin to positions relative to b's:
+/// X_a^b, `X_b_from_a`, of type Transform<B, A>: the rotation R_a^b and the position r_ba^b, m, of a's origin
+/// relative to b's. It takes positions relative to a's origin to positions relative to b's:
 ///     1.  r_bq^b = R_a^b r_aq^a + r_ba^b      X_b_from_a * r_aq_a
 ///     2.  X_a^c = X_b^c X_a^b                 X_c_from_b * X_b_from_a
 ///     3.  X_b^a = (X_a^b)^-1                  inverse(X_b_from_a)
-/// Any pair is valid, so it is an aggregate: Transform{R_b_from_a, r_ba_b}. transform() takes a matrix.
+/// Any pair is valid, so it is an aggregate: Transform{R_b_from_a, r_ba_b}. transform() makes it from a
+/// matrix.
 template <Frame B, Frame A, class S = double> struct Transform {
   Dcm<B, A, S> rotation;
   Displacement<B, A, In<B>, S> translation;
 };
-// The rotation says which; a translation that does not fit it is refused by its type alone.
+// The rotation gives the frames. A translation of other frames is refused by its type.
 template <class B, class A, class S, class Translation>
 Transform(const Dcm<B, A, S>&, const Translation&) -> Transform<B, A, S>;
 
@@ -43,7 +44,7 @@ template <class B, class A, class S> Transform<A, B, S> inverse(const Transform<
                                                           X_b_from_a.translation.coordinates())}};
 }
 
-/// The bare homogeneous matrix [R_a^b, r_ba^b; 0 0 0 1], lengths in metres: the way out of the typed world.
+/// The bare homogeneous matrix [R_a^b, r_ba^b; 0 0 0 1], lengths in metres. The frames are no longer checked.
 template <class B, class A, class S>
 Eigen::Matrix<S, 4, 4> homogeneous_matrix(const Transform<B, A, S>& X_b_from_a) {
   Eigen::Matrix<S, 4, 4> matrix = Eigen::Matrix<S, 4, 4>::Identity();
@@ -92,10 +93,11 @@ auto transform(  // to<B>, from<A>: two frames; a 4x4 matrix
 
 template <class B, class A, class S = double> struct NearestTransform {
   Transform<B, A, S> transform;
-  S distance;  // how far the rotation moved, as NearestDcm says it
+  S distance;  // how far the rotation moved, as in NearestDcm
 };
 
-/// The projecting door: the translation as it stands, the rotation by nearest_dcm(). Throws as these do.
+/// The projected door: keeps the translation and takes the rotation by nearest_dcm(). Throws BadInput as
+/// transform() does for the last row and the translation, and as nearest_dcm().
 template <Frame B, Frame A, detail::Matrix4x4 Matrix>
 detail::OfTwo<B, A, NearestTransform<B, A, typename Matrix::Scalar>> nearest_transform(To<B>, From<A>,
                                                                                        const Matrix& matrix) {
@@ -109,7 +111,7 @@ template <class ToFrame, class FromFrame, class Given>
 auto nearest_transform(  // to<B>, from<A>: two frames; a 4x4 matrix
     const ToFrame&, const FromFrame&, const Given&) -> Refused = delete;
 
-/// The trusted door: no check at all.
+/// The trusted door: checks nothing.
 template <Frame B, Frame A, detail::Matrix4x4 Matrix>
 detail::OfTwo<B, A, Transform<B, A, typename Matrix::Scalar>> trust_transform(To<B>, From<A>,
                                                                               const Matrix& matrix) {
@@ -127,7 +129,7 @@ struct LevelOf<Transform<A, B, S>> : detail::PlacedLevel<A, B, S, Level::rotatio
 template <class A, class B, class S> const Dcm<A, B, S>& rotation_of(const Transform<A, B, S>& X_a_from_b) {
   return X_a_from_b.rotation;
 }
-/// The place without its motion.
+/// The rotation and the position, without their motion.
 template <class A, class B, class S> const Transform<A, B, S>& transform_of(const Transform<A, B, S>& value) {
   return value;
 }

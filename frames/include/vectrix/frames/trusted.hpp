@@ -2,7 +2,7 @@
 
 namespace vectrix::detail {
 
-/// Pass-key of the library's own algebra: what it builds from checked operands is not checked again.
+/// Pass-key of the library's own algebra: a result of checked operands is not checked again.
 struct Trusted {
   explicit Trusted() = default;
 };

@@ -17,13 +17,13 @@ namespace detail {
 
 template <class S> using Column = Eigen::Matrix<S, 3, 1>;
 
-/// The norm of finite numbers, of any size: their squares neither over- nor underflow. The derivatives of
-/// zero's are not numbers.
+/// The norm of finite numbers of any size: the squares do not overflow or underflow. Derivatives are NaN at
+/// zero.
 template <class Derived> auto scaled_norm(const Eigen::MatrixBase<Derived>& numbers) {
   using S = typename Derived::Scalar;
   if constexpr (Differentiated<S>) {
-    // Scaled by a constant, which has no part in the derivatives, and not divided by it: its square
-    // underflows.
+    // The scale is a constant, without derivatives. Multiplied by its inverse, not divided by it: the
+    // derivative of a quotient divides by the square, which underflows.
     const auto plain = numbers.unaryExpr([](const S& x) { return without_derivatives(x); }).eval();
     const auto largest = plain.cwiseAbs().maxCoeff();
     return largest > 0 ? S(S(largest) * S((numbers * S(1 / largest)).norm())) : S(numbers.norm());
@@ -33,7 +33,7 @@ template <class Derived> auto scaled_norm(const Eigen::MatrixBase<Derived>& numb
   }
 }
 
-/// A function whose result, a T, is built where it is to stay: a T taken by reference would be copied.
+/// A function that returns a T. The result is built in place; a T passed by reference would be copied.
 template <class Make, class T>
 concept Makes = requires(const Make& make) {
   { make() } -> std::same_as<T>;
@@ -43,7 +43,7 @@ concept Makes = requires(const Make& make) {
 
 /// r^a: the coordinates of a vector in the frame F, in the unit U.
 /// Sums need one frame and one unit. A product of units follows units.hpp: w x r is a velocity, r x F a
-/// torque. Made by `vector(in<F>, ...)`; there is no default vector.
+/// torque. Made by `vector(in<F>, ...)`; there is no default.
 template <Frame F, VectorUnit U, class S = double> class Vector {
  public:
   using frame = F;
@@ -56,7 +56,7 @@ template <Frame F, VectorUnit U, class S = double> class Vector {
   template <detail::Makes<detail::Column<S>> Make>
   Vector(detail::Trusted, const Make& make) : coordinates_(make()) {}
 
-  /// The bare numbers, in the coherent SI unit: the way out of the typed world.
+  /// The bare numbers, in the coherent SI unit. Frame and unit are no longer checked.
   const detail::Column<S>& coordinates() const& { return coordinates_; }
   detail::Column<S> coordinates() && { return coordinates_; }
 
@@ -118,7 +118,7 @@ template <VectorUnit U, Frame F, class S = double> Vector<F, U, S> zero(In<F>) {
   return {detail::trusted, detail::Column<S>::Zero()};
 }
 
-/// The unit vectors of F along its own axes.
+/// The unit vectors along the axes of F.
 template <Frame F, class S = double> Vector<F, si::dimensionless, S> unit_x(In<F>) {
   return {detail::trusted, detail::Column<S>::UnitX()};
 }
@@ -177,7 +177,7 @@ Vector<F, unit_of_vector_product<U, V>, S> cross_product(const Vector<F, U, S>& 
   return {detail::trusted, r.coordinates().cross(s.coordinates())};
 }
 
-/// |r|, in the unit of r; of any size, where r^2 overflows or underflows as well.
+/// |r|, in the unit of r. Correct also where r^2 overflows or underflows.
 template <class F, class U, class S> Quantity<U, S> norm(const Vector<F, U, S>& r) {
   const S square = r.coordinates().squaredNorm();
   if constexpr (std::is_floating_point_v<S>) {

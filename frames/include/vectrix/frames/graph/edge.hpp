@@ -9,7 +9,7 @@
 
 namespace vectrix {
 
-/// An edge of a frame graph whose value never changes.
+/// An edge of a frame graph with a constant value.
 template <EdgeValue V> class ConstantEdge {
  public:
   using value_type = V;
@@ -24,7 +24,7 @@ template <EdgeValue V> class ConstantEdge {
   V value_;
 };
 
-/// What a function of any instant returns, for messages.
+/// The result of a function with a template call operator, for messages.
 struct DependsOnInstant {};
 
 namespace detail {
@@ -60,15 +60,15 @@ inline constexpr bool is_instant<Quantity<U, S>, Argument> = std::is_same_v<Quan
 template <class Arguments> struct ArgumentsOf;
 template <class... Arguments> struct ArgumentsOf<std::tuple<Arguments...>> {
   static constexpr bool has_answers = (is_answer<Arguments> || ...);
-  /// Every argument that is no answer can be the instant.
+  /// Every argument that is not an answer of the graph must be convertible from the instant.
   template <class Instant>
   static constexpr bool take = ((is_answer<Arguments> || is_instant<Instant, Arguments>)&&...);
 };
 
 }  // namespace detail
 
-/// An edge of a frame graph that is a function: of the instant, which may be a time, a state, whatever the
-/// graph is asked at, and of what the edges listed before it answer at that instant.
+/// An edge of a frame graph that is a function. Its arguments are the instant (a time, a state or any type at
+/// which the graph is asked) and answers of the edges listed before it at that instant.
 template <class Function> class FunctionEdge {
  public:
   using value_type = detail::Result<Function>;
@@ -87,25 +87,26 @@ template <class Function> class FunctionEdge {
   Function function_;
 };
 
-/// A fixed rotation and nothing more: no rate can be asked across it. rigid_edge() in kinematics claims rest
-/// as well.
+/// A fixed rotation of unknown rate: no rate can be asked across it. rigid_edge() in kinematics also claims
+/// rest.
 template <class A, class B, class S> ConstantEdge<Dcm<A, B, S>> static_edge(const Dcm<A, B, S>& R_a_from_b) {
   return ConstantEdge<Dcm<A, B, S>>{R_a_from_b};
 }
 
-/// A fixed place and rotation, and nothing more.
+/// A fixed position and rotation of unknown rate.
 template <class A, class B, class S>
 ConstantEdge<Transform<A, B, S>> static_edge(const Transform<A, B, S>& X_a_from_b) {
   return ConstantEdge<Transform<A, B, S>>{X_a_from_b};
 }
 
-/// The edge whose value is f(...). f has one call operator, not a template, and returns a Dcm, a MovingDcm or
-/// an AcceleratingDcm, or one of these with a place: a Transform, a MovingTransform or an
-/// AcceleratingTransform. Frames and level are read off that type. What f takes, it is given:
+/// The edge whose value is f(...). f has one call operator, not a template. It returns a Dcm, MovingDcm or
+/// AcceleratingDcm, or with a position a Transform, MovingTransform or AcceleratingTransform; this type gives
+/// the frames and the level. The argument types of f select its inputs:
 ///     edge([](Quantity<si::time> t) { return turned_z(to<Itrf>, from<Gcrf>, rate * t); })
 ///     edge([](const Displacement<Gcrf, Ship, In<Gcrf>>& r, const Dcm<Gcrf, Itrf>& R) { ... })
-/// A rotation, rate, position, velocity or acceleration is what the edges listed before this one answer at
-/// the instant; what edges share is evaluated once. Anything else is the instant itself.
+/// An argument that is a rotation, rate, position, velocity or acceleration is answered by the edges listed
+/// before this one, at the same instant. Edges that several others ask are evaluated once. Any other argument
+/// is the instant.
 template <class Function>
   requires EdgeValue<detail::Result<Function>> FunctionEdge<Function> edge(Function function) {
     return FunctionEdge<Function>{std::move(function)};

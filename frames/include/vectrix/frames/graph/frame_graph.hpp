@@ -7,7 +7,7 @@
 
 namespace vectrix {
 
-// What is wrong with the edges of a graph, for messages.
+// The mistakes in a list of edges, for messages.
 template <class Link> struct TwoPathsOver {};
 template <class F> struct OneFrameTwice {};
 template <class Scalar, class Other> struct ScalarsDiffer {};
@@ -34,8 +34,8 @@ using RefusingEdge =
 ///     graph.at(t).rotation(to<Camera>, from<Itrf>)
 ///     graph.at(t).angular_velocity(of<Camera>, relative_to<Itrf>, in<Camera>)
 ///     graph.at(t).angular_acceleration(of<Camera>, relative_to<Itrf>, in<Camera>)
-/// The path is found at compile time. An unknown frame, no path, two paths, or asking an edge for more than
-/// it knows does not compile. An edge may ask the graph for what the edges listed before it know.
+/// The path is found at compile time. An unknown frame, a missing path, a second path or a level that an edge
+/// lacks does not compile. An edge may ask the graph what the edges listed before it know.
 template <class... Edges> class FrameGraph {
   template <class Instant>
   using Snapshot = std::enable_if_t<std::is_void_v<detail::FirstRefusing<Instant, Edges...>>,
@@ -63,8 +63,8 @@ concept GraphEdge = requires {
   typename E::value_type;
 };
 
-/// The first edge that asks for what the edges before it do not know, and what they lack; Nothing when there
-/// is none.
+/// The first edge that asks for something that the edges before it do not know, and what they lack; else
+/// Nothing.
 template <std::size_t edge, class... Edges> struct FirstAsking {
   static constexpr auto fault() {
     if constexpr (edge == sizeof...(Edges)) {
@@ -82,7 +82,7 @@ template <std::size_t edge, class... Edges> struct FirstAsking {
   using type = typename decltype(fault())::type;
 };
 
-/// What is wrong with the edges; Nothing when they are a forest in one scalar, and each knows what it asks
+/// The first mistake in the edges. Nothing if they form a forest of one scalar and each gets what it asks
 /// for.
 template <class... Edges> constexpr auto fault() {
   if constexpr (constexpr std::size_t bad = first_of<!GraphEdge<Edges>...>(); bad != nowhere) {

@@ -6,7 +6,7 @@
 
 namespace vectrix {
 
-// What a graph may lack to answer a query, for messages.
+// What a graph may lack to answer a question, for messages.
 struct Nothing {};
 template <class F> struct UnknownFrame {};
 template <class To, class From> struct NoPath {};
@@ -23,7 +23,7 @@ struct FirstUnknown<Topology, F, Fs...>
     : std::conditional_t<Topology::template knows<F>, FirstUnknown<Topology, Fs...>, std::type_identity<F>> {
 };
 
-/// What the graph lacks to answer at `level` for B relative to A, expressed in C; Nothing when it can.
+/// What the graph lacks to answer at `level` for B relative to A, expressed in C; Nothing if it can answer.
 template <class Topology, Level level, class B, class A, class C> constexpr auto lacks() {
   if constexpr (!(Topology::template knows<B> && Topology::template knows<A> &&
                   Topology::template knows<C>)) {
@@ -46,8 +46,8 @@ template <class Topology, Level level, class B, class A, class C> constexpr auto
   }
 }
 
-/// What the graph lacks to answer at `level` for the origin of Q relative to that of P, seen from A,
-/// expressed in C; Nothing when it can.
+/// What the graph lacks to answer at `level` for the origin of Q relative to that of P, observed from A,
+/// expressed in C; Nothing if it can answer.
 template <class Topology, Level level, class Q, class P, class A, class C> constexpr auto lacks_place() {
   using Basic = typename decltype(lacks<Topology, Level::rotation, Q, P, A>())::type;
   if constexpr (!std::is_same_v<Basic, Nothing>) {
@@ -70,7 +70,7 @@ template <class Topology, Level level, class Q, class P, class A, class C> const
   }
 }
 
-/// What it lacks to answer for the place of a relative to b.
+/// What the graph lacks to answer for the Transform from A to B.
 template <class Topology, class B, class A> constexpr auto lacks_transform() {
   if constexpr (std::is_same_v<A, B>) {
     return lacks<Topology, Level::rotation, B, A, A>();

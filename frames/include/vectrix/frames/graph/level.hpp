@@ -5,13 +5,13 @@
 
 namespace vectrix {
 
-/// What is known of the rotation between two frames: R alone, R and w, or R, w and alpha. Each level is a
-/// type, here Dcm, in kinematics MovingDcm and AcceleratingDcm; nothing is ever raised to a higher level by a
-/// default of zero.
+/// The level: what is known of the rotation between two frames. R alone; R and w; or R, w and alpha. Each
+/// level is a type: Dcm here, MovingDcm and AcceleratingDcm in kinematics. No value is raised to a higher
+/// level with zeros by default.
 enum class Level { rotation, rate, acceleration };
 
-/// Frames, scalar and level of a type that a graph edge may carry, and whether it knows where the second
-/// frame's origin is. Specialised beside each such type.
+/// The frames, scalar and level of a type that a graph edge may carry, and whether it has the position of the
+/// second frame's origin. Specialised beside each such type.
 template <class Value> struct LevelOf;
 
 namespace detail {
@@ -31,7 +31,7 @@ template <class A, class B, class S, Level known> struct PlacedLevel : EdgeLevel
 template <class A, class B, class S>
 struct LevelOf<Dcm<A, B, S>> : detail::TurningLevel<A, B, S, Level::rotation> {};
 
-// What a frame graph can be asked.
+// The questions to a frame graph.
 template <class B, class A> struct AskRotation;
 template <class B, class A, class C> struct AskAngularVelocity;
 template <class B, class A, class C> struct AskAngularAcceleration;
@@ -40,7 +40,7 @@ template <class Q, class P, class C> struct AskPosition;
 template <class Q, class P, class A, class C> struct AskVelocity;
 template <class Q, class P, class A, class C> struct AskAcceleration;
 
-/// The question whose answer has the type Answer; void of any other type. Specialised beside each such type.
+/// The question that a value of type Answer answers; void for other types. Specialised beside each such type.
 template <class Answer> struct QuestionOf : std::type_identity<void> {};
 template <class B, class A, class S>
 struct QuestionOf<Dcm<B, A, S>> : std::type_identity<AskRotation<B, A>> {};
@@ -50,7 +50,7 @@ concept EdgeValue = requires {
   LevelOf<Value>::level;
 };
 
-/// The rotation of a value of any level.
+/// The rotation in a value of any level.
 template <class A, class B, class S> const Dcm<A, B, S>& rotation_of(const Dcm<A, B, S>& R_a_from_b) {
   return R_a_from_b;
 }

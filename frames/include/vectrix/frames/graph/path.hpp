@@ -22,7 +22,7 @@ template <class Edge> using SecondOf = typename LevelOf<typename Edge::value_typ
 template <class Edge> using ScalarOf = typename LevelOf<typename Edge::value_type>::scalar;
 template <class Edge> using LinkOf = Link<FirstOf<Edge>, SecondOf<Edge>>;
 
-/// The edges to walk from one node to another; `reversed[i]` when the i-th is walked from its second to its
+/// The edges from one node to another. `reversed[i]` if the i-th is passed from its second frame to its
 /// first.
 template <std::size_t N> struct Path {
   std::size_t length = 0;
@@ -30,14 +30,14 @@ template <std::size_t N> struct Path {
   std::array<bool, N> reversed{};
 };
 
-/// The place of the first that is true; `nowhere` when none is.
+/// The index of the first that is true; `nowhere` if none is.
 template <bool... are> constexpr std::size_t first_of() {
   constexpr std::array<bool, sizeof...(are)> all{are...};
   const auto found = std::find(all.begin(), all.end(), true);
   return found == all.end() ? nowhere : static_cast<std::size_t>(found - all.begin());
 }
 
-/// The graph as numbers, at compile time: nodes are numbered by their first appearance in the list of edges.
+/// The graph in numbers, at compile time. Nodes are numbered by their first occurrence in the list of edges.
 template <class... Edges> struct Topology;
 template <> struct Topology<> { template <class F> static constexpr bool knows = false; };
 template <class... Edges> struct Topology {
@@ -60,7 +60,7 @@ template <class... Edges> struct Topology {
   static constexpr std::array<std::size_t, size> first{node<FirstOf<Edges>>()...};
   static constexpr std::array<std::size_t, size> second{node<SecondOf<Edges>>()...};
 
-  /// The first edge that joins two frames already joined; `nowhere` in a forest.
+  /// The first edge between two frames that are already joined; `nowhere` in a forest.
   static constexpr std::size_t closing_edge() {
     std::array<std::size_t, 2 * size> component{};
     for (std::size_t n = 0; n < 2 * size; ++n) component[n] = n;
@@ -73,9 +73,9 @@ template <class... Edges> struct Topology {
     return nowhere;
   }
 
-  /// The only path from `start` to `goal`; its length is `nowhere` when there is none.
+  /// The only path from `start` to `goal`; its length is `nowhere` if there is none.
   static constexpr Path<size> path(std::size_t start, std::size_t goal) {
-    // Distances from the goal, relaxed until nothing changes; then downhill from the start.
+    // Finds the distance of each node from the goal, then follows decreasing distance from the start.
     std::array<std::size_t, 2 * size> distance{};
     distance.fill(nowhere);
     distance[goal] = 0;
@@ -119,7 +119,7 @@ template <class... Edges> struct Topology {
     }
   }
 
-  /// How many steps the paths from Start to Goal and to Other have in common.
+  /// The number of common steps of the paths from Start to Goal and from Start to Other.
   template <class Start, class Goal, class Other> static constexpr std::size_t shared_steps() {
     const auto& walk = path_between<Start, Goal>;
     const auto& other = path_between<Start, Other>;
@@ -128,7 +128,7 @@ template <class... Edges> struct Topology {
     return step;
   }
 
-  /// The frame where the paths from Start to Goal and to Other part.
+  /// The frame where the paths from Start to Goal and from Start to Other part.
   template <class Start, class Goal, class Other> static constexpr auto parting_frame() {
     constexpr std::size_t steps = shared_steps<Start, Goal, Other>();
     if constexpr (steps == 0) {
@@ -143,7 +143,7 @@ template <class... Edges> struct Topology {
   template <class Start, class Goal, class Other>
   using PartingFrame = typename decltype(parting_frame<Start, Goal, Other>())::type;
 
-  /// The first edge from Start to Goal that knows no place; `nowhere` when all do.
+  /// The first edge from Start to Goal without a position; `nowhere` if all have one.
   template <class Start, class Goal> static constexpr std::size_t edge_without_place() {
     constexpr std::array<bool, size> placed{LevelOf<typename Edges::value_type>::placed...};
     const auto& walk = path_between<Start, Goal>;
@@ -153,7 +153,7 @@ template <class... Edges> struct Topology {
     return nowhere;
   }
 
-  /// The first edge from Start to Goal that knows less than `level`; `nowhere` when all know enough.
+  /// The first edge from Start to Goal below `level`; `nowhere` if there is none.
   template <class Start, class Goal> static constexpr std::size_t edge_below(Level level) {
     constexpr std::array<Level, size> levels{LevelOf<typename Edges::value_type>::level...};
     const auto& walk = path_between<Start, Goal>;
@@ -163,7 +163,7 @@ template <class... Edges> struct Topology {
     return nowhere;
   }
 
-  /// The frames of the edge with that number; void when it is `nowhere`.
+  /// The frames of the edge with that number; void if it is `nowhere`.
   template <std::size_t edge> static constexpr auto link_at() {
     if constexpr (edge == nowhere) {
       return std::type_identity<void>{};
@@ -178,7 +178,7 @@ template <class Edges, class Count> struct FirstEdges;
 template <class... Edges, std::size_t... I>
 struct FirstEdges<std::tuple<Edges...>, std::index_sequence<I...>>
     : std::type_identity<Topology<std::tuple_element_t<I, std::tuple<Edges...>>...>> {};
-/// The edges listed before edge number `edge`: those it may ask, so that none asks for itself.
+/// The edges listed before edge number `edge`. The edge may ask only these, so no edge can depend on itself.
 template <std::size_t edge, class... Edges>
 using EdgesBefore = typename FirstEdges<std::tuple<Edges...>, std::make_index_sequence<edge>>::type;
 

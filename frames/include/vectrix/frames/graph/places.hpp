@@ -5,7 +5,7 @@
 
 namespace vectrix::detail {
 
-/// Nothing to add: the place, velocity and acceleration of a frame's origin relative to itself.
+/// Zero: the position, velocity and acceleration of a frame's origin relative to itself.
 struct Nil {};
 struct NoMotion {
   Nil translation, velocity, acceleration;
@@ -41,13 +41,14 @@ template <class Topology, class Values> class PlaceWalk : public GraphWalk<Topol
     }
   }
 
-  // The paths from p to q and to c part at m: r_pq^m = -r_mp^m + r_mq^m, then from m to c.
+  // The paths from p to q and from p to c part at m: r_pq^m = -r_mp^m + r_mq^m, then re-expressed from m in
+  // c.
   template <class Q, class P, class C> auto position() const {
     using M = Parting<P, Q, C>;
     return Walk::template carried<M, C, 0>([&] { return apart(place<M, P>(), place<M, Q>()); });
   }
 
-  // The paths from p to q and to the observer a part at m: v_pq|a = v_pq|m + w_am x r_pq.
+  // The paths from p to q and from p to the observer a part at m: v_pq|a = v_pq|m + w_am x r_pq.
   template <class Q, class P, class A, class C> auto velocity() const {
     using M = Parting<P, Q, A>;
     return Walk::template carried<M, C, 0>([&] {
@@ -64,7 +65,7 @@ template <class Topology, class Values> class PlaceWalk : public GraphWalk<Topol
     });
   }
 
-  // The same with its acceleration.
+  // The same for the acceleration.
   template <class Q, class P, class A, class C> auto acceleration() const {
     using M = Parting<P, Q, A>;
     return Walk::template carried<M, C, 0>([&] {
@@ -90,7 +91,7 @@ template <class Topology, class Values> class PlaceWalk : public GraphWalk<Topol
   template <class Start, class Goal, class Other>
   using Parting = typename Topology::template PartingFrame<Start, Goal, Other>;
 
-  // The motion of a frame's origin as m sees it.
+  // The motion of a frame's origin relative to m, observed from m.
   template <class M, class Goal, class Part> auto motion(Part part) const {
     if constexpr (std::is_same_v<M, Goal>) {
       return NoMotion{};
@@ -99,7 +100,7 @@ template <class Topology, class Values> class PlaceWalk : public GraphWalk<Topol
     }
   }
 
-  // r_mq^m, of the frame m that is `step` steps from Start on the way to q. Vectors only, from the far end.
+  // r_mq^m, where m is `step` steps from Start on the path to q. Starts at q and rotates only vectors.
   template <class Start, class Q, std::size_t step = 0> auto place() const {
     if constexpr (std::is_same_v<Start, Q>) {
       return Nil{};

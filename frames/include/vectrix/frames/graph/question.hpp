@@ -9,7 +9,8 @@
 
 namespace vectrix {
 
-// Each question says what a graph lacks to answer it, Nothing when it can, and how a walk answers it.
+// Each question defines lacking(), what a graph lacks to answer it (else Nothing), and answer(), which
+// computes it by a walk.
 
 /// R_a^b between any two joined frames.
 template <class B, class A> struct AskRotation {
@@ -39,7 +40,7 @@ template <class B, class A, class C> struct AskAngularAcceleration {
   }
 };
 
-/// X_a^b: needs the place on every edge from a to b.
+/// X_a^b: needs the position on every edge from a to b.
 template <class B, class A> struct AskTransform {
   template <class Topology> static constexpr auto lacking() {
     return detail::lacks_transform<Topology, B, A>();
@@ -47,7 +48,7 @@ template <class B, class A> struct AskTransform {
   template <class Walk> static auto answer(const Walk& walk) { return walk.template transform<B, A>(); }
 };
 
-/// r_pq^c, of q's origin relative to p's, expressed in c: needs the place on every edge from p to q.
+/// r_pq^c, of q's origin relative to p's, expressed in c: needs the position on every edge from p to q.
 template <class Q, class P, class C> struct AskPosition {
   template <class Topology> static constexpr auto lacking() {
     return detail::lacks_place<Topology, Level::rotation, Q, P, P, C>();
@@ -55,8 +56,8 @@ template <class Q, class P, class C> struct AskPosition {
   template <class Walk> static auto answer(const Walk& walk) { return walk.template position<Q, P, C>(); }
 };
 
-/// v_pq|a^c, of q's origin relative to p's, observed from a, expressed in c: needs place and rate on every
-/// edge from p to q, and the rate on every edge from there to a.
+/// v_pq|a^c, of q's origin relative to p's, observed from a, expressed in c: needs position and rate on every
+/// edge from p to q, and the rate on every edge from that path to a.
 template <class Q, class P, class A, class C> struct AskVelocity {
   template <class Topology> static constexpr auto lacking() {
     return detail::lacks_place<Topology, Level::rate, Q, P, A, C>();
@@ -64,7 +65,7 @@ template <class Q, class P, class A, class C> struct AskVelocity {
   template <class Walk> static auto answer(const Walk& walk) { return walk.template velocity<Q, P, A, C>(); }
 };
 
-/// a_pq|a^c, likewise: needs the accelerations.
+/// a_pq|a^c: as AskVelocity, with accelerations instead of rates.
 template <class Q, class P, class A, class C> struct AskAcceleration {
   template <class Topology> static constexpr auto lacking() {
     return detail::lacks_place<Topology, Level::acceleration, Q, P, A, C>();
@@ -79,7 +80,7 @@ namespace detail {
 template <class Question, class Topology>
 using LackOf = typename decltype(Question::template lacking<Topology>())::type;
 
-/// What the function of edge number `edge` takes: an answer of the edges before it, or the instant.
+/// An argument of the function of edge number `edge`: an answer of the edges before it, or the instant.
 template <class Values, std::size_t edge, class Argument> decltype(auto) argument_of(const Values& values) {
   if constexpr (is_answer<Argument>) {
     using Before = typename Values::template Before<edge>;
@@ -89,8 +90,8 @@ template <class Values, std::size_t edge, class Argument> decltype(auto) argumen
   }
 }
 
-/// What the edges before it lack for the first question of an edge that they cannot answer; Nothing when they
-/// answer all.
+/// What the edges before an edge lack for its first question that they cannot answer; Nothing if they answer
+/// all.
 template <class Before, class... Arguments> struct FirstLack : std::type_identity<Nothing> {};
 template <class Before, class Argument, class... Arguments> struct FirstLack<Before, Argument, Arguments...> {
   static constexpr auto lack() {

@@ -6,7 +6,7 @@
 
 namespace vectrix {
 
-/// What a refused at() would return; see Refused.
+/// The result type of a refused at(); see Refused.
 struct RefusedSnapshot {
   template <class... Asked> Refused rotation(const Asked&...) const;
   template <class... Asked> Refused angular_velocity(const Asked&...) const;
@@ -17,10 +17,10 @@ struct RefusedSnapshot {
   template <class... Asked> Refused acceleration(const Asked&...) const;
 };
 
-/// A frame graph at one instant. Answers what the path between two frames knows. An edge is evaluated at most
-/// once: a snapshot with a name keeps the values, one without, `graph.at(t).rotation(...)`, needs each once
-/// only. Holds a reference to the graph. Not for use by two threads at once: take one snapshot per thread.
-/// What each question needs stands in question.hpp.
+/// A frame graph at one instant. It answers questions from the edges on the path between two frames;
+/// question.hpp lists what each question needs. It evaluates each edge at most once: a named snapshot keeps
+/// the values, a temporary one, `graph.at(t).rotation(...)`, uses each value only once. It holds a reference
+/// to the graph. Two threads must not share a snapshot: take one per thread.
 template <class Instant, class... Edges> class GraphSnapshot {
   using Topology = detail::Topology<Edges...>;
 
@@ -97,7 +97,7 @@ template <class Instant, class... Edges> class GraphSnapshot {
   auto velocity(  // the graph lacks something to answer: see Lacking
       Of<Q>, RelativeTo<P>, ObservedFrom<A>, In<C>) const -> Refused = delete;
 
-  /// a_pq|a^c, likewise
+  /// a_pq|a^c, of q's origin relative to p's, observed from a, expressed in c
   template <class Q, class P, class A, class C, Answered<AskAcceleration<Q, P, A, C>> = 0>
   auto acceleration(Of<Q>, RelativeTo<P>, ObservedFrom<A>, In<C>) const {
     return AskAcceleration<Q, P, A, C>::answer(kept());
@@ -114,7 +114,7 @@ template <class Instant, class... Edges> class GraphSnapshot {
   }
   auto fresh() const {
     if constexpr ((detail::asks<Edges> || ...)) {
-      return kept();  // what an edge asks for, the path may pass too
+      return kept();  // an edge may be asked by another edge and lie on the path too
     } else {
       using Values = detail::FreshValues<Instant, Edges...>;
       return detail::GraphWalk<Topology, Values>{Values{evaluation_.edges, evaluation_.instant}};

@@ -11,12 +11,12 @@ namespace vectrix::detail {
 template <class Edge> inline constexpr bool is_constant = false;
 template <class V> inline constexpr bool is_constant<ConstantEdge<V>> = true;
 
-/// Whether an edge asks others.
+/// Whether the function of an edge takes answers of other edges.
 template <class Edge> inline constexpr bool asks = false;
 template <class Function>
 inline constexpr bool asks<FunctionEdge<Function>> = ArgumentsOf<Arguments<Function>>::has_answers;
 
-/// The values of the edges at an instant, evaluated whenever they are asked for.
+/// The values of the edges at an instant, evaluated at each request.
 template <class Instant, class... Edges> struct FreshValues {
   const std::tuple<Edges...>& edges;
   const Instant& instant;
@@ -34,7 +34,7 @@ struct NotKept {};
 template <class Edge>
 using Kept = std::conditional_t<is_constant<Edge>, NotKept, std::optional<typename Edge::value_type>>;
 
-/// The edges of a graph, an instant, and the values that they were found to have there.
+/// The edges of a graph, an instant, and the values of the edges evaluated so far.
 template <class Instant, class... Edges> struct Evaluation {
   const std::tuple<Edges...>& edges;
   Instant instant;
@@ -43,7 +43,7 @@ template <class Instant, class... Edges> struct Evaluation {
 
 template <class Values, std::size_t edge, class Argument> decltype(auto) argument_of(const Values& values);
 
-/// The same, kept from one query to the next, and shared with the edges that ask others.
+/// The same, but the values are kept between queries and shared with the edges that ask others.
 template <class Instant, class... Edges> struct KeptValues {
   template <std::size_t edge> using Before = EdgesBefore<edge, Edges...>;
 
@@ -82,7 +82,7 @@ template <bool reversed, class Value> decltype(auto) oriented(const Value& value
   }
 }
 
-/// The value of an edge, or its inverse; and the product of what is before it with that.
+/// The value of an edge, or its inverse; with `before`, the product of `before` and that.
 template <bool reversed, class Value> decltype(auto) times(const Value& value) {
   return oriented<reversed>(value);
 }
@@ -94,14 +94,14 @@ template <bool reversed, class X, class A, class B, class S>
 Dcm<X, B, S> times(const Dcm<A, B, S>& R_a_from_b, const Dcm<X, A, S>& R_x_from_a) {
   return composed(R_x_from_a, R_a_from_b);
 }
-/// A transposed copy would be stored by numbers and loaded by pairs, which waits.
+/// No transposed copy: it is stored one by one and loaded in pairs, which causes a store-forwarding stall.
 template <bool reversed, class X, class A, class B, class S>
   requires reversed Dcm<X, A, S> times(const Dcm<A, B, S>& R_a_from_b, const Dcm<X, B, S>& R_x_from_b) {
     return {trusted, R_x_from_b.matrix() * R_a_from_b.matrix().transpose()};
   }
 
-/// The answers of a frame graph at one instant. `values.template value<I>()` gives what edge I carries; each
-/// answer asks once for each edge on its path.
+/// The answers of a frame graph at one instant. `values.template value<I>()` is the value of edge I; each
+/// answer asks for it once per edge on the path.
 template <class Topology, class Values> class GraphWalk {
  public:
   explicit GraphWalk(const Values& values) : values_(values) {}
@@ -117,7 +117,7 @@ template <class Topology, class Values> class GraphWalk {
     }
   }
 
-  // The paths from a to b and to c part at m: w_ab^m = w_am^m + w_mb^m, then from m to c.
+  // The paths from a to b and from a to c part at m: w_ab^m = w_am^m + w_mb^m, then re-expressed from m in c.
   template <class B, class A, class C> [[gnu::always_inline]] auto angular_velocity() const {
     static constexpr auto& to_b = Topology::template path_between<A, B>;
     static constexpr std::size_t parting = Topology::template shared_steps<A, B, C>();
@@ -132,7 +132,7 @@ template <class Topology, class Values> class GraphWalk {
     });
   }
 
-  // alpha_ab^m = alpha_am^m - alpha_bm^m + w_am^m x (-w_bm^m), and likewise.
+  // alpha_ab^m = alpha_am^m - alpha_bm^m + w_am^m x (-w_bm^m), then re-expressed from m in c.
   template <class B, class A, class C> auto angular_acceleration() const {
     static constexpr auto& to_b = Topology::template path_between<A, B>;
     static constexpr std::size_t parting = Topology::template shared_steps<A, B, C>();
@@ -152,8 +152,8 @@ template <class Topology, class Values> class GraphWalk {
   }
 
  protected:
-  // The product of `part` of the values on the first `end` edges from A to B, each turned into the direction
-  // of the walk; `before` is that of the first `step`.
+  // The product of part(value) over the first `end` edges from A to B, each inverted if it is passed
+  // backwards. `before` is the product over the first `step` edges.
   template <class A, class B, std::size_t end, std::size_t step = 0, class Part, class... Product>
   auto product(Part part, const Product&... before) const {
     static constexpr auto& path = Topology::template path_between<A, B>;
@@ -165,9 +165,8 @@ template <class Topology, class Values> class GraphWalk {
     }
   }
 
-  // w_am^m, of the frame m that is `end` steps from A on the way to B; `before` is that of the first `step`.
-  // Inlined by force, as all of a query for a rate: clang would call it, and set up values that nobody asks
-  // for.
+  // w_am^m, where m is `end` steps from A on the path to B; `before` is the rate after `step` steps. All
+  // functions of a rate query are always_inline: clang would otherwise call them and prepare unused values.
   template <class A, class B, std::size_t end, std::size_t step = 0, class... Rate>
   [[gnu::always_inline]] auto rate(const Rate&... before) const {
     static constexpr auto& path = Topology::template path_between<A, B>;
@@ -186,7 +185,7 @@ template <class Topology, class Values> class GraphWalk {
     }
   }
 
-  // w_mb^m, of the frame m that is `step` steps from A on the way to B.
+  // w_mb^m, where m is `step` steps from A on the path to B.
   template <class A, class B, std::size_t step> [[gnu::always_inline]] auto rate_back() const {
     static constexpr auto& path = Topology::template path_between<A, B>;
     if constexpr (step + 1 == path.length) {
@@ -207,8 +206,8 @@ template <class Topology, class Values> class GraphWalk {
 
   template <std::size_t edge> decltype(auto) value() const { return values_.template value<edge>(); }
 
-  // What `rate()` gives in the frame `step` steps from A on the way to C, expressed in C. Nothing is copied
-  // on the way.
+  // The result of `rate()` in the frame `step` steps from A on the path to C, re-expressed in C, without
+  // copies.
   template <class A, class C, std::size_t step, class Rate>
   [[gnu::always_inline]] auto carried(Rate rate) const {
     static constexpr auto& path = Topology::template path_between<A, C>;

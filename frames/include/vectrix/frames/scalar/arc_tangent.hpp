@@ -6,8 +6,8 @@
 
 namespace vectrix::detail {
 
-/// (atan(t) - t) / t^3 from z = t^2 for |t| <= tan(pi/8), by the polynomial of least relative error of atan,
-/// 1.3e-18; in pairs, which do not wait for each other.
+/// (atan(t) - t) / t^3 from z = t^2 for |t| <= tan(pi/8), by the minimax polynomial for the relative error of
+/// atan, 1.3e-18. Evaluated in pairs, which are independent.
 template <class S> S arc_tangent_series(const S& z) {
   const auto pair = [&z](double constant, double linear) {
     return number<S>(constant) + number<S>(linear) * z;
@@ -22,8 +22,9 @@ template <class S> S arc_tangent_series(const S& z) {
   return first + z4 * (second + z4 * third);
 }
 
-/// atan2(y, x). Of doubles and of batches, whose standard functions cost twice this and go lane by lane: of
-/// the smaller and the larger magnitude, from pi/4 above tan(pi/8).
+/// atan2(y, x). For doubles and batches the standard function takes twice the time, and handles lanes one
+/// after the other. Here atan of the smaller magnitude over the larger; above tan(pi/8) it is reduced by
+/// pi/4.
 template <class S> S arc_tangent(const S& y, const S& x) {
   if constexpr (Batch<S> || std::is_same_v<S, double>) {
     using std::abs;

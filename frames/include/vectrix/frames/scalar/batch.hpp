@@ -3,11 +3,11 @@
 #include <cmath>
 #include <cstddef>
 
-/// What the library asks of a scalar beyond its arithmetic, also of one that is several numbers at once.
+/// What the library needs of a scalar beyond arithmetic, also of a batch of numbers.
 namespace vectrix::detail {
 
-/// Several numbers, one a lane, as std::experimental::simd. What is true of some lanes and false of others is
-/// a mask and no bool: no `if` takes it, so the algebra of batches cannot branch on their numbers.
+/// Several numbers, one per lane, such as std::experimental::simd. A comparison gives a mask, not a bool, and
+/// `if` takes no mask. So algorithms for batches cannot branch on values.
 template <class S>
 concept Batch = requires(const S& numbers) {
   typename S::value_type;
@@ -16,13 +16,13 @@ concept Batch = requires(const S& numbers) {
   numbers[0];
 };
 
-/// A number with its derivatives, as Eigen::AutoDiffScalar.
+/// A number with its derivatives, such as Eigen::AutoDiffScalar.
 template <class S>
 concept Differentiated = requires(const S& number) {
   number.derivatives();
 };
 
-/// The number alone: Eigen has no absolute value, root or arc tangent of nested derivatives.
+/// The number without derivatives: Eigen has no absolute value, root or arc tangent for nested derivatives.
 template <class S> auto without_derivatives(const S& x) {
   if constexpr (Differentiated<S>) {
     return without_derivatives(x.value());
@@ -31,7 +31,7 @@ template <class S> auto without_derivatives(const S& x) {
   }
 }
 
-/// Whether a comparison holds: of one number, or in every lane.
+/// Whether a comparison holds: for one number, or in every lane.
 inline bool all(bool holds) {
   return holds;
 }
@@ -39,17 +39,17 @@ template <class Mask> bool all(const Mask& holds) {
   return all_of(holds);
 }
 
-/// `yes` where the condition holds, `no` elsewhere, lane by lane; both are computed.
+/// `yes` where the condition holds, else `no`, lane by lane. Both are evaluated.
 template <class S> S select(bool holds, const S& yes, const S& no) {
   return holds ? yes : no;
 }
-/// By value: g++ 12 builds `x = {select(holds, x.member, other), ...}` in the place of what it still reads.
+/// By value: g++ 12 writes `x = {select(holds, x.member, other), ...}` to x while it still reads x.
 template <Batch S> [[gnu::always_inline]] inline S select(typename S::mask_type holds, S yes, S no) {
   where(holds, no) = yes;
   return no;
 }
 
-/// A double as a scalar: a batch of floats takes no double.
+/// Converts a double to S: a batch of floats has no conversion from double.
 template <class S> S number(double x) {
   return S(x);
 }
@@ -57,7 +57,7 @@ template <Batch S> S number(double x) {
   return S(typename S::value_type(x));
 }
 
-/// f of each lane alone.
+/// f of each lane.
 template <Batch S, class Function> S each_lane(const S& x, const Function& f) {
   return S([&](auto i) { return f(typename S::value_type(x[i])); });
 }
@@ -72,7 +72,7 @@ template <class Matrix> bool all_finite(const Matrix& matrix) {
   }
 }
 
-/// A matrix of one lane's numbers.
+/// The matrix of the numbers of one lane.
 template <class Matrix> auto lane(const Matrix& matrix, std::size_t i) {
   using Number = typename Matrix::Scalar::value_type;
   return matrix.unaryExpr([i](const auto& x) { return Number(x[i]); }).eval();

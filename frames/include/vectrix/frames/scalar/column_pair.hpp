@@ -4,8 +4,8 @@
 
 namespace vectrix::detail {
 
-/// Three doubles as registers of two hold them. Eigen's product takes the second number out of the first two
-/// twice, for their sum and for the third's; a chain of products pays that at every matrix.
+/// Three doubles in registers of two. Eigen's product extracts the second number twice, for the first two
+/// results and for the third; a chain of products pays this at every matrix.
 class ColumnPair {
   using Two = double __attribute__((vector_size(16)));
 

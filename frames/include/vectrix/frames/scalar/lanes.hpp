@@ -4,15 +4,14 @@
 #include <experimental/simd>
 #include <limits>
 
-/// Several attitudes at once: std::experimental::simd<double, Abi>, or of floats, as the scalar of every type
-/// of the library,
+/// Several attitudes at once: std::experimental::simd<double, Abi>, or of float, as scalar of any type:
 ///     using Lanes = std::experimental::native_simd<double>;
 ///     Dcm<B, A, Lanes>, Vector<B, si::length, Lanes>, CentralInertia<B, Lanes>
-/// Each lane is computed as a double is. A door refuses the whole when one lane is bad. What needs more than
-/// a choice between two results, nearest_dcm() and the checked doors of Inertia, goes lane by lane.
-/// clang refuses batches that want more alignment than Eigen's matrices have: fixed_size_simd<double, 4>
-/// without AVX. A header of its own, which <vectrix/frames.hpp> does not bring: <experimental/simd> takes
-/// long to compile.
+/// Each lane is computed like a double. A door refuses the whole batch if one lane is bad. Algorithms that
+/// need more than a choice between two results take one lane after the other: nearest_dcm() and the checked
+/// doors of Inertia.
+/// clang refuses batches with a larger alignment than Eigen's matrices: fixed_size_simd<double, 4> without
+/// AVX. <vectrix/frames.hpp> does not include this header, because <experimental/simd> takes long to compile.
 template <class Number, class Abi>
 struct Eigen::NumTraits<std::experimental::simd<Number, Abi>>
     : Eigen::GenericNumTraits<std::experimental::simd<Number, Abi>> {

@@ -6,8 +6,8 @@
 
 namespace vectrix::detail {
 
-/// The root of x >= 0. Of a double by Eigen's packet: beside std::sqrt compilers keep a call for x < 0, to
-/// set errno, and save every register that the call could spoil.
+/// The root of x >= 0. For double by Eigen's packet operation: for std::sqrt the compiler also emits a call
+/// for x < 0, which sets errno, and saves all registers around it.
 template <class S> S square_root(const S& x) {
   if constexpr (std::is_same_v<S, double>) {
     return Eigen::Array2d(x, x).sqrt()[0];

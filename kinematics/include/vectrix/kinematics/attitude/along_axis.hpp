@@ -6,8 +6,8 @@
 namespace vectrix {
 namespace detail {
 
-/// What ModifiedRodrigues and GibbsVector have in common: a vector along the axis of the turn from a to b,
-/// of the same coordinates in both.
+/// The base of ModifiedRodrigues and GibbsVector: a vector along the axis of the turn from a to b. Its
+/// coordinates are the same in a and in b.
 template <class X, class A, class B, class S> class AlongAxis : public AttitudeParameters<X, A, B, S, 3> {
  public:
   using AttitudeParameters<X, A, B, S, 3>::AttitudeParameters;
@@ -27,8 +27,8 @@ template <class S> Eigen::Quaternion<S> shorter_way(const Eigen::Quaternion<S>& 
                               select<S>(flipped, S(-q.y()), q.y()), select<S>(flipped, S(-q.z()), q.z()));
 }
 
-/// Throws BadInput when x is not finite, or angle / |x| is the distance from the singularity and that is
-/// within its roundings.
+/// Throws BadInput when x is not finite, or the distance from the singularity, angle / |x|, is below
+/// singular_angle().
 template <class X> void require_away(const X& x, double angle, const char* door) {
   using S = typename X::scalar;
   require_finite<X>(x.coordinates(), door);
@@ -40,7 +40,7 @@ template <class X> void require_away(const X& x, double angle, const char* door)
   }
 }
 
-/// x x w for a rate expressed in b, w x x for one in a.
+/// x x w for a rate expressed in b, w x x for a rate expressed in a.
 template <bool expressed_in_turned, class S> Column<S> turn_of(const Column<S>& x, const Column<S>& w) {
   return expressed_in_turned ? x.cross(w) : w.cross(x);
 }

@@ -11,8 +11,8 @@ namespace vectrix {
 /// (phi, n), of type AxisAngle<A, B>: turning a by the angle phi about the unit axis n gives b; the axis has
 /// the same coordinates in a and in b.
 ///     R_b^a = I + sin phi [n]x + (1 - cos phi) ([n]x)^2        q_b^a = (cos phi/2, sin phi/2 n)
-/// (phi, n), (-phi, -n) and (phi + 2 pi, n) are the same rotation. Singular where phi is none or a full turn:
-/// there any axis does.
+/// (phi, n), (-phi, -n) and (phi + 2 pi, n) are the same rotation. Singular where phi is zero or a full turn:
+/// there the axis is arbitrary.
 template <Frame A, Frame B, class S = double>
 class AxisAngle : public detail::AttitudeParameters<AxisAngle<A, B, S>, A, B, S, 4> {
   using Base = detail::AttitudeParameters<AxisAngle<A, B, S>, A, B, S, 4>;
@@ -31,7 +31,7 @@ class AxisAngle : public detail::AttitudeParameters<AxisAngle<A, B, S>, A, B, S,
   Vector<B, si::dimensionless, S> in_turned() const {
     return {detail::trusted, this->coordinates().template tail<3>()};
   }
-  /// How far the angle is from the nearest whole number of turns.
+  /// The distance of the angle from the nearest whole number of turns.
   Quantity<si::angle, S> distance_from_singularity() const {
     using std::abs;
     const S half = this->coordinates()(0) / S(2);
@@ -40,12 +40,12 @@ class AxisAngle : public detail::AttitudeParameters<AxisAngle<A, B, S>, A, B, S,
                                               detail::arc_tangent(S(abs(turn.sine)), S(abs(turn.cosine))));
   }
 
-  /// Turning b by it gives a: the opposite axis.
+  /// The inverse, with the opposite axis: turning b by it gives a.
   AxisAngle<B, A, S> operator-() const {
     return {detail::trusted, this->coordinates()(0), -in_turned().coordinates()};
   }
 
-  /// Angle times axis, not brought to the shortest turn.
+  /// Angle times axis, not reduced to the shortest turn.
   RotationVector<A, B, S> rotation_vector() const {
     return {detail::trusted, this->coordinates()(0) * this->coordinates().template tail<3>()};
   }
@@ -66,8 +66,9 @@ class AxisAngle : public detail::AttitudeParameters<AxisAngle<A, B, S>, A, B, S,
 
 template <class A, class B, class S> inline constexpr bool detail::is_framed<AxisAngle<A, B, S>> = true;
 
-/// Claims that turning a by the angle about the axis, expressed in a or in b, gives b. Throws BadInput when
-/// the angle is not finite, or the axis is not of length 1 to unit_norm_tolerance. Any finite angle is valid.
+/// Claims that turning a by the angle about the axis, expressed in a or in b, gives b. Any finite angle is
+/// valid. Throws BadInput when the angle is not finite, or the length of the axis differs from 1 by more than
+/// unit_norm_tolerance.
 template <Frame B, Frame A, class C, class S>
 detail::OfTwo<B, A, detail::InOneOf<C, A, B, AxisAngle<A, B, S>>> axis_angle(
     Of<B>, RelativeTo<A>, const Vector<C, si::dimensionless, S>& axis, const Quantity<si::angle, S>& angle) {
@@ -100,7 +101,7 @@ template <class A, class B, class S> AxisAngle<A, B, S> axis_angle_of(const Quat
       refuse_singular<AxisAngle<A, B, S>>(without_derivatives(largest), "axis_angle");
     }
   }
-  // Scaled, and so free of underflow; none of x, y and z where the largest is none.
+  // Scaled against underflow. For zero rotation the axis is x.
   const S scale = select<S>(none, S(1), largest);
   const Column<S> scaled(select<S>(none, S(1), S(v.x() / scale)), S(v.y() / scale), S(v.z() / scale));
   const S norm = scaled.norm();
@@ -109,9 +110,9 @@ template <class A, class B, class S> AxisAngle<A, B, S> axis_angle_of(const Quat
 
 }  // namespace detail
 
-/// The shortest turn of a quaternion q_b^a or of R_b^a, 0 <= phi <= pi; at half a turn, where n and -n are
-/// the same, the first non-zero component of n is positive. No turn, where any axis does, is given that of x
-/// by choice; numbers with derivatives throw BadInput there, since the axis has none.
+/// The shortest turn of a quaternion q_b^a or of R_b^a, 0 <= phi <= pi. At half a turn, where n and -n are
+/// the same rotation, the first non-zero component of n is positive. For zero rotation the axis is arbitrary;
+/// x is chosen. Numbers with derivatives throw BadInput there, because the axis has no derivative.
 template <class Rotation>
 auto axis_angle(const Rotation& R_a_from_b)
     -> decltype(detail::axis_angle_of(detail::as_quaternion(R_a_from_b))) {
@@ -119,7 +120,7 @@ auto axis_angle(const Rotation& R_a_from_b)
 }
 
 /// Claims that the numbers, rad/s and then 1/s, are the derivative of angle and axis. Throws BadInput when
-/// one is not finite, or the axis would not stay a unit vector: n . n' = 0 to unit_norm_tolerance of |n'|.
+/// one is not finite, or the axis would not stay a unit vector: |n . n'| exceeds unit_norm_tolerance |n'|.
 template <class A, class B, class S, class Derived>
   requires(std::same_as<typename Derived::PlainObject, Eigen::Matrix<S, 4, 1>>)
 ParameterRate<AxisAngle<A, B, S>> parameter_rate(const AxisAngle<A, B, S>& x_ab,
@@ -141,7 +142,7 @@ namespace detail {
 /// With the upper sign for a rate expressed in b, the lower for one in a:
 ///     phi' = n . w        n' = 1/2 (+- n x w + cot(phi/2) (w - n (n . w)))
 ///     w = n phi' + sin phi n' -+ (1 - cos phi) n x n'
-/// and their derivatives. An n'' by which n would not stay a unit vector throws BadInput.
+/// and their derivatives. Throws BadInput for an n'' that does not keep n a unit vector.
 template <class A, class B, class S, bool expressed_in_turned>
 struct KinematicsOf<AxisAngle<A, B, S>, expressed_in_turned> {
   using Numbers = Eigen::Matrix<S, 4, 1>;
@@ -180,7 +181,7 @@ struct KinematicsOf<AxisAngle<A, B, S>, expressed_in_turned> {
   }
 
  private:
-  // n . n'' = -|n'|^2, as of every unit vector.
+  // n . n'' = -|n'|^2 for every unit vector.
   static void require_unit_axis(const S& along, const S& square, const S& largest) {
     const S apart = along + square;
     const S allowed = number<S>(door_tolerance<S>(unit_norm_tolerance)) * (square + largest);

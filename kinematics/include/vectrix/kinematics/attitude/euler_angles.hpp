@@ -19,11 +19,12 @@ template <int axis, class S> Eigen::Quaternion<S> turn_about(const S& angle) {
 
 }  // namespace detail
 
-/// Three angles, rad, by which turning a about the axes of the sequence gives b:
+/// Three angles, rad: turning a by them about the axes of the sequence gives b:
 ///     R_b^a = R_i(t1) R_j(t2) R_k(t3)        EulerAngles<Intrinsic<i, j, k>, A, B>
 ///     R_b^a = R_k(t3) R_j(t2) R_i(t1)        EulerAngles<Extrinsic<i, j, k>, A, B>
-/// in the order of the turns: of Intrinsic<3, 2, 1> the first is the yaw. Singular where the first and the
-/// third axis are parallel: the second angle a quarter turn, or in a proper sequence, as 3-1-3, none or half.
+/// The angles are in the order of the turns: the first of Intrinsic<3, 2, 1> is the yaw. Singular where the
+/// first and the third axis are parallel: at a second angle of a quarter turn, or in a proper sequence, such
+/// as 3-1-3, of zero or half a turn.
 template <EulerSequence Sequence, Frame A, Frame B, class S = double>
 class EulerAngles : public detail::AttitudeParameters<EulerAngles<Sequence, A, B, S>, A, B, S, 3> {
  public:
@@ -33,7 +34,8 @@ class EulerAngles : public detail::AttitudeParameters<EulerAngles<Sequence, A, B
   Quantity<si::angle, S> first() const { return Quantity<si::angle, S>::from_value(this->coordinates()(0)); }
   Quantity<si::angle, S> second() const { return Quantity<si::angle, S>::from_value(this->coordinates()(1)); }
   Quantity<si::angle, S> third() const { return Quantity<si::angle, S>::from_value(this->coordinates()(2)); }
-  /// How far the second angle is from the nearest at which the third axis is parallel to the first.
+  /// The distance of the second angle from the nearest singular one, where the third axis is parallel to the
+  /// first.
   Quantity<si::angle, S> distance_from_singularity() const {
     using std::abs;
     const auto [sine, cosine] = detail::sine_cosine(this->coordinates()(1));
@@ -42,7 +44,7 @@ class EulerAngles : public detail::AttitudeParameters<EulerAngles<Sequence, A, B
                                                                : detail::arc_tangent(c, s));
   }
 
-  /// Entries that are products of sines and cosines alone keep all their digits near the singularity.
+  /// Entries that are only products of sines and cosines stay accurate near the singularity.
   friend Dcm<A, B, S> dcm(const EulerAngles& x_ab) {
     // In the axes i, j, l, as in euler_angles_of().
     constexpr int i = Sequence::first, j = Sequence::second, l = Sequence::other;
@@ -67,7 +69,7 @@ class EulerAngles : public detail::AttitudeParameters<EulerAngles<Sequence, A, B
     if constexpr (!Sequence::intrinsic) R.transposeInPlace();
     return {detail::trusted, R};
   }
-  /// Of either sign.
+  /// The sign of the quaternion is arbitrary.
   friend Quaternion<A, B, S> quaternion(const EulerAngles& x_ab) {
     const auto q1 = detail::turn_about<Sequence::first, S>(x_ab.coordinates()(0));
     const auto q2 = detail::turn_about<Sequence::second, S>(x_ab.coordinates()(1));
@@ -117,8 +119,8 @@ namespace detail {
 template <EulerSequence Sequence, class A, class B, class S>
 EulerAngles<Sequence, A, B, S> euler_angles_of(const Dcm<A, B, S>& R_a_from_b) {
   constexpr int i = Sequence::first, j = Sequence::second, l = Sequence::other;
-  // In the axes i, j, l, with the angles times their handedness, all 12 products have two forms. The inverse
-  // of an extrinsic product is the intrinsic one of the opposite angles.
+  // In the axes i, j, l, with the angles multiplied by the handedness, the 12 sequences have only two forms.
+  // The inverse of an extrinsic product is the intrinsic product of the opposite angles.
   const S sign(Sequence::handedness * (Sequence::intrinsic ? 1 : -1));
   Square<S> R = R_a_from_b.matrix();
   if constexpr (!Sequence::intrinsic) R = R_a_from_b.matrix().transpose().eval();
@@ -147,12 +149,12 @@ EulerAngles<Sequence, A, B, S> euler_angles_of(const Dcm<A, B, S>& R_a_from_b) {
 
 }  // namespace detail
 
-/// The angles of R_b^a, or of a quaternion q_b^a: the first and the third from -pi to pi, the second from
-/// -pi/2 to pi/2, or in a proper sequence from 0 to pi. Each is an arc tangent of two entries, the first of
-/// the matrix with the third turn undone: near the singularity their sum keeps its digits where the rounding
-/// of R has spoilt each. At the singularity, within eight roundings, the third angle is zero by choice:
-/// x.distance_from_singularity() says how near. There numbers with derivatives throw BadInput, since the
-/// angles have none.
+/// The angles of R_b^a, or of a quaternion q_b^a. The first and third are from -pi to pi; the second is from
+/// -pi/2 to pi/2, or from 0 to pi in a proper sequence. Each is an arc tangent of two entries; for the first,
+/// the third turn is undone before. Near the singularity rounding of R spoils the first and third angle, but
+/// their sum (or difference) stays accurate. Within eight roundings of the singularity the third angle is set
+/// to zero, and numbers with derivatives throw BadInput, because the angles have no derivative there.
+/// x.distance_from_singularity() gives the distance.
 template <EulerSequence Sequence, class Rotation>
 auto euler_angles(Sequence, const Rotation& R_a_from_b)
     -> decltype(detail::euler_angles_of<Sequence>(detail::as_dcm(R_a_from_b))) {

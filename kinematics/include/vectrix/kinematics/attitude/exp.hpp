@@ -14,8 +14,9 @@ template <class S> struct HalfTurn {
   S scalar;
   S factor;
 };
-/// Up to which |theta|^2 the series takes over, and by how many terms: the first left out are below 1e-19 of
-/// doubles, 1e-22 of others.
+/// Whether the long series is used. It serves double and float up to |theta|^2 = 0.25; its first omitted
+/// terms are below 1e-19. Other scalars use the short series up to 1e-4; its first omitted terms are below
+/// 1e-22.
 template <class S> inline constexpr bool long_series = std::is_same_v<S, double> || std::is_same_v<S, float>;
 template <class S> [[gnu::always_inline]] inline HalfTurn<S> half_turn_series(const S& square) {
   const S h2 = square / S(4);
@@ -34,7 +35,7 @@ template <class S> [[gnu::always_inline]] inline HalfTurn<S> half_turn_by_sine(c
   const auto [sine, cosine] = sine_cosine<S>(angle / S(2));
   return {cosine, sine / angle};
 }
-/// Accurate to rounding for every angle; no numbers where |theta|^2 is infinite or none.
+/// Accurate to rounding for every angle. NaN if |theta|^2 is infinite or NaN.
 template <class S> [[gnu::always_inline]] inline HalfTurn<S> half_turn(const S& square) {
   const auto small = square < number<S>(long_series<S> ? 0.25 : 1e-4);
   if constexpr (Batch<S>) {
@@ -57,8 +58,8 @@ template <class B, class A, class S> [[noreturn, gnu::cold, gnu::noinline]] void
 }  // namespace detail
 
 /// The quaternion of a rotation vector, q_b^a = (cos |theta|/2, sin(|theta|/2) theta/|theta|), maps b to a.
-/// Accurate to rounding for every angle; for small ones a series in |theta|^2 takes over, so that underflow
-/// of the square costs nothing. Throws BadInput when theta is not finite or |theta|^2 overflows.
+/// Accurate to rounding for every angle; small angles use a series in |theta|^2, so that underflow of the
+/// square does no harm. Throws BadInput when theta is not finite or |theta|^2 overflows.
 template <class A, class B, class S>
 Quaternion<A, B, S> exp_quaternion(const RotationVector<A, B, S>& theta_ab) {
   const detail::Column<S>& theta = theta_ab.coordinates();

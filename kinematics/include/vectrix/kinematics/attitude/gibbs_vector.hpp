@@ -8,14 +8,14 @@ namespace vectrix {
 /// g_ab, of type GibbsVector<A, B>, the classical Rodrigues parameters: g = n tan(phi/2), where turning a by
 /// phi about n gives b.
 ///     q_b^a = (1, g) / sqrt(1 + |g|^2)
-/// Each rotation has one, but a half turn none, where g is infinite: within eight roundings of it every door
-/// throws BadInput, and says how near.
+/// Each rotation has one Gibbs vector, except a half turn, where g is infinite. Within eight roundings of it
+/// every door throws BadInput with the distance.
 template <Frame A, Frame B, class S = double>
 class GibbsVector : public detail::AlongAxis<GibbsVector<A, B, S>, A, B, S> {
  public:
   using detail::AlongAxis<GibbsVector<A, B, S>, A, B, S>::AlongAxis;
 
-  /// How far the turn is from half a turn: pi - phi.
+  /// The distance of the turn from half a turn, pi - phi.
   Quantity<si::angle, S> distance_from_singularity() const {
     return Quantity<si::angle, S>::from_value(
         S(2) * detail::arc_tangent<S>(S(1), detail::scaled_norm(this->coordinates())));
@@ -63,7 +63,7 @@ template <class A, class B, class S> GibbsVector<A, B, S> gibbs_of(const Quatern
 }  // namespace detail
 
 /// g = v / q_w of a quaternion q_b^a = (q_w, v) or of R_b^a; the sign of q does not matter. Throws BadInput
-/// within eight roundings of half a turn, and says how near.
+/// with the distance within eight roundings of half a turn.
 template <class Rotation>
 auto gibbs_vector(const Rotation& R_a_from_b)
     -> decltype(detail::gibbs_of(detail::as_quaternion(R_a_from_b))) {
@@ -91,7 +91,7 @@ struct KinematicsOf<GibbsVector<A, B, S>, expressed_in_turned> {
                                const Column<S>& alpha) {
     return rate(x, alpha) + drift(x, gdot, w);
   }
-  // g'' is linear in alpha, so that its other part is taken off.
+  // g'' is linear in alpha; the part without alpha is subtracted.
   static Column<S> acceleration(const Parameters& x, const Column<S>& gdot, const Column<S>& gddot) {
     return velocity(x, gddot - drift(x, gdot, velocity(x, gdot)));
   }

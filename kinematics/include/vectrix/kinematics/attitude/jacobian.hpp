@@ -8,7 +8,7 @@
 namespace vectrix {
 namespace detail {
 
-/// theta with what its Jacobians take: Stumpff's functions of |theta|^2.
+/// theta, and Stumpff's functions of |theta|^2, from which its Jacobians are computed.
 template <class S> struct Turn {
   Column<S> theta;
   Stumpff<S> c;
@@ -17,7 +17,7 @@ template <class X, class S>
 [[noreturn, gnu::cold, gnu::noinline]] void refuse_square(const S& square, const char* action) {
   throw BadInput(parameters_name<X>(action) + "|theta|^2 is " + text(square));
 }
-/// Of X, a rotation vector or a screw. Throws BadInput where |theta|^2 overflows.
+/// X is a rotation vector or a screw. Throws BadInput where |theta|^2 overflows.
 template <class X, class S> Turn<S> turn(const Column<S>& theta, const char* action) {
   const S square = theta.squaredNorm();
   if (!all(square - square == S(0))) refuse_square<X>(square, action);
@@ -48,7 +48,7 @@ Column<S> left_jacobian_change_times(const Turn<S>& turn, const Column<S>& rho, 
          along * (c.d2 * cross + c.d3 * theta.cross(cross));
 }
 
-/// The matrix of x -> f(x).
+/// The matrix of the linear map x -> f(x).
 template <class S, class Function> Square<S> matrix_of(const Function& f) {
   Square<S> matrix;
   matrix << f(Column<S>(Column<S>::UnitX())), f(Column<S>(Column<S>::UnitY())),
@@ -56,8 +56,7 @@ template <class S, class Function> Square<S> matrix_of(const Function& f) {
   return matrix;
 }
 
-/// The same where J^-1 is asked for. Throws BadInput at a full turn, at two, ..., within the rounding of
-/// |theta|.
+/// As turn(), for J^-1. Throws BadInput when |theta| is within rounding of a non-zero whole number of turns.
 template <class X, class S> Turn<S> invertible_turn(const Column<S>& theta, const char* action) {
   const Turn<S> result = turn<X>(theta, action);
   // 2 c_2 = (2 sin(|theta|/2) / |theta|)^2; near a full turn that is the relative distance from it, squared.
@@ -72,7 +71,7 @@ template <class X, class S> Turn<S> invertible_turn(const Column<S>& theta, cons
 
 }  // namespace detail
 
-/// The left Jacobian of SO(3), three by three bare numbers:
+/// The left Jacobian of SO(3), a bare 3x3 matrix:
 ///     J_l = I + (1 - cos t)/t^2 [theta]x + (t - sin t)/t^3 ([theta]x)^2,    t = |theta|
 /// w_ab^a = J_l(theta_ab) theta_dot, and r_ab^a = J_l(theta_ab) rho of exp(screw). Accurate to rounding for
 /// every angle. Throws BadInput where |theta|^2 overflows.
@@ -88,8 +87,8 @@ detail::Square<S> right_jacobian(const RotationVector<A, B, S>& theta_ab) {
       detail::turn<RotationVector<A, B, S>>(detail::Column<S>(-theta_ab.coordinates()), "right_jacobian");
   return detail::matrix_of<S>([&](const auto& x) { return detail::left_jacobian_times(turn, x); });
 }
-/// J_l^-1 = I - 1/2 [theta]x + (1 - t/2 cot t/2)/t^2 ([theta]x)^2. Its digits get lost as |theta| comes near
-/// to a full turn, where the Jacobian is singular: throws BadInput, and says how near, when none is left.
+/// J_l^-1 = I - 1/2 [theta]x + (1 - t/2 cot t/2)/t^2 ([theta]x)^2. It loses digits near a full turn, where
+/// the Jacobian is singular. Throws BadInput with the distance when no digit is correct.
 template <class A, class B, class S>
 detail::Square<S> inverse_left_jacobian(const RotationVector<A, B, S>& theta_ab) {
   using X = RotationVector<A, B, S>;
@@ -107,9 +106,9 @@ detail::Square<S> inverse_right_jacobian(const RotationVector<A, B, S>& theta_ab
 
 namespace detail {
 
-/// With J the right Jacobian for a rate expressed in b, the left one in a (Bortz 1971 has the first):
+/// J is the right Jacobian for a rate expressed in b, the left one for a rate in a (the first in Bortz 1971):
 ///     theta' = J^-1 w        theta'' = J^-1 (alpha - J' theta')
-/// Singular at a full turn; w and alpha from theta' and theta'' are not.
+/// theta' and theta'' are singular at a full turn; w and alpha from them are not.
 template <class A, class B, class S, bool expressed_in_turned>
 struct KinematicsOf<RotationVector<A, B, S>, expressed_in_turned> {
   using Parameters = RotationVector<A, B, S>;
@@ -132,7 +131,7 @@ struct KinematicsOf<RotationVector<A, B, S>, expressed_in_turned> {
   }
 
  private:
-  // J_r(theta) = J_l(-theta), whose argument changes by -theta'.
+  // J_r(theta) = J_l(-theta); the rate of its argument is -theta'.
   static Column<S> of_jacobian(const Column<S>& x) { return expressed_in_turned ? Column<S>(-x) : x; }
 };
 

@@ -14,7 +14,7 @@ template <class S> S turn_factor(const S& scalar, const S& square) {
   const S length = square_root(square);
   return S(2) * arc_tangent(length, scalar) / length;
 }
-/// The same for |v|^2 < 1e-4, 2 atan(t)/t / w with t^2 = |v|^2 / w^2; the first term left out is below 1e-17.
+/// The same for |v|^2 < 1e-4, 2 atan(t)/t / w with t^2 = |v|^2 / w^2; the first omitted term is below 1e-17.
 template <class S> S turn_factor_series(const S& scalar, const S& square) {
   const S inverse = S(1) / scalar;
   const S t2 = square * inverse * inverse;
@@ -26,8 +26,8 @@ template <class S> S turn_factor_series(const S& scalar, const S& square) {
 }  // namespace detail
 
 /// log: the rotation vector theta_ab of the shortest turn, |theta| <= pi, with exp(theta_ab) = q_a_from_b.
-/// Accurate to rounding from 1e-300 rad to pi. At exactly pi, where +n and -n are the same turn, the axis is
-/// the one whose first non-zero component is positive. The identity gives zero. Any unit quaternion is valid.
+/// Accurate to rounding from 1e-300 rad to pi. At exactly pi, where n and -n are the same rotation, the first
+/// non-zero component of the axis is positive. The identity gives zero. Any unit quaternion is valid.
 template <class A, class B, class S> RotationVector<A, B, S> log(const Quaternion<A, B, S>& q_a_from_b) {
   using detail::select;
   const auto& q = q_a_from_b.eigen();
@@ -42,8 +42,8 @@ template <class A, class B, class S> RotationVector<A, B, S> log(const Quaternio
   return {detail::trusted, select<S>(flipped, -factor, factor) * v};
 }
 
-/// log of a DCM; the same range, accuracy and choice of axis. By way of its quaternion, but where cos |theta|
-/// is above -1/2: there tan |theta| = |vee(R - R^T)| / (tr R - 1) will do.
+/// log of a DCM, with the same range, accuracy and choice of axis. If cos |theta| > -1/2 it uses tan |theta|
+/// = |vee(R - R^T)| / (tr R - 1), else the quaternion.
 template <class A, class B, class S> RotationVector<A, B, S> log(const Dcm<A, B, S>& R_a_from_b) {
   if constexpr (!detail::Batch<S>) {
     const auto& m = R_a_from_b.matrix();

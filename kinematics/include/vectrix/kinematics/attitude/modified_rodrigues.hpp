@@ -8,21 +8,21 @@ namespace vectrix {
 /// sigma_ab, of type ModifiedRodrigues<A, B>, the modified Rodrigues parameters: sigma = n tan(phi/4), where
 /// turning a by phi about n gives b.
 ///     q_b^a = (1 - |sigma|^2, 2 sigma) / (1 + |sigma|^2)
-/// sigma and its shadow -sigma / |sigma|^2 are the same rotation, the shadow the longer way round as |sigma|
-/// is less than 1. Singular at a full turn, where sigma is infinite: within eight roundings of it every door
-/// throws BadInput, and says how near. switch_to_shadow() keeps away from it.
+/// sigma and its shadow -sigma / |sigma|^2 are the same rotation; for |sigma| < 1 the shadow is the longer
+/// turn. Singular at a full turn, where sigma is infinite: within eight roundings of it every door throws
+/// BadInput with the distance. switch_to_shadow() avoids it.
 template <Frame A, Frame B, class S = double>
 class ModifiedRodrigues : public detail::AlongAxis<ModifiedRodrigues<A, B, S>, A, B, S> {
  public:
   using detail::AlongAxis<ModifiedRodrigues<A, B, S>, A, B, S>::AlongAxis;
 
-  /// How far the turn is from a full one: 2 pi - phi.
+  /// The distance of the turn from a full turn, 2 pi - phi.
   Quantity<si::angle, S> distance_from_singularity() const {
     return Quantity<si::angle, S>::from_value(
         S(4) * detail::arc_tangent<S>(S(1), detail::scaled_norm(this->coordinates())));
   }
-  /// The other parameters of the same rotation, -sigma / |sigma|^2. Throws BadInput for those of no turn,
-  /// whose shadow is at the singularity.
+  /// The other parameters of the same rotation, -sigma / |sigma|^2. Throws BadInput near sigma = 0, whose
+  /// shadow is at the singularity.
   ModifiedRodrigues shadow() const {
     const S norm = detail::scaled_norm(this->coordinates());
     detail::require_regular<ModifiedRodrigues>(S(4) * norm, "shadow");
@@ -31,7 +31,7 @@ class ModifiedRodrigues : public detail::AlongAxis<ModifiedRodrigues<A, B, S>, A
   /// sigma_ba = -sigma_ab
   ModifiedRodrigues<B, A, S> operator-() const { return {detail::trusted, -this->coordinates()}; }
 
-  /// Its scalar is negative when |sigma| > 1.
+  /// The scalar part is negative when |sigma| > 1.
   friend Quaternion<A, B, S> quaternion(const ModifiedRodrigues& sigma_ab) {
     const detail::Column<S>& sigma = sigma_ab.coordinates();
     const S square = sigma.squaredNorm();
@@ -51,8 +51,8 @@ class ModifiedRodrigues : public detail::AlongAxis<ModifiedRodrigues<A, B, S>, A
 template <class A, class B, class S>
 inline constexpr bool detail::is_framed<ModifiedRodrigues<A, B, S>> = true;
 
-/// Claims that the vector, expressed in a or in b, is n tan(phi/4) of the turn from a to b, of any length.
-/// Throws BadInput when it is not finite, or at the singularity.
+/// Claims that the vector, expressed in a or in b, is n tan(phi/4) of the turn from a to b. Any length is
+/// valid. Throws BadInput when it is not finite, or at the singularity.
 template <Frame B, Frame A, class C, class S>
 detail::OfTwo<B, A, detail::InOneOf<C, A, B, ModifiedRodrigues<A, B, S>>> modified_rodrigues(
     Of<B>, RelativeTo<A>, const Vector<C, si::dimensionless, S>& sigma) {
@@ -66,13 +66,13 @@ auto modified_rodrigues(  // of<B>, relative_to<A>: two frames; numbers without 
 
 template <class A, class B, class S> struct SwitchedRodrigues {
   ModifiedRodrigues<A, B, S> parameters;
-  /// Whether they are the shadow of those given; of a batch, in which lanes.
+  /// Whether these are the shadow of the given parameters; for a batch, a mask of the lanes.
   decltype(std::declval<const S&>() > std::declval<const S&>()) switched;
 };
 
-/// The parameters of the shorter way, |sigma| <= 1, and whether they are the shadow of those given, which
-/// they are when |sigma| > 1. Nothing else switches. The derivative of sigma jumps as sigma does: take it
-/// anew from the rate, which does not, or by shadow_rate().
+/// The parameters of the shorter turn, |sigma| <= 1, and whether they are the shadow of the given ones: this
+/// is so when |sigma| > 1. No other function switches. The derivative of sigma jumps together with sigma.
+/// Compute it again from the rate, which does not jump, or by shadow_rate().
 template <class A, class B, class S>
 [[nodiscard]] SwitchedRodrigues<A, B, S> switch_to_shadow(const ModifiedRodrigues<A, B, S>& sigma_ab) {
   const detail::Column<S>& sigma = sigma_ab.coordinates();
@@ -103,8 +103,8 @@ ModifiedRodrigues<A, B, S> modified_rodrigues_of(const Quaternion<A, B, S>& q_a_
 
 }  // namespace detail
 
-/// sigma = v / (1 + q_w) of a quaternion q_b^a = (q_w, v) or (-q_w, -v), or of R_b^a: those of the shorter
-/// way, |sigma| <= 1. At half a turn, where both have length 1, those whose first non-zero component is
+/// sigma = v / (1 + q_w) of a quaternion q_b^a = (q_w, v) or (-q_w, -v), or of R_b^a: the shorter turn,
+/// |sigma| <= 1. At half a turn, where sigma and its shadow have length 1, the first non-zero component is
 /// positive. Any rotation is valid.
 template <class Rotation>
 auto modified_rodrigues(const Rotation& R_a_from_b)
@@ -136,7 +136,7 @@ struct KinematicsOf<ModifiedRodrigues<A, B, S>, expressed_in_turned> {
                                const Column<S>& alpha) {
     return rate(x, alpha) + drift(x, sigmadot, w);
   }
-  // sigma'' is linear in alpha, so that its other part is taken off.
+  // sigma'' is linear in alpha; the part without alpha is subtracted.
   static Column<S> acceleration(const Parameters& x, const Column<S>& sigmadot, const Column<S>& sigmaddot) {
     return velocity(x, sigmaddot - drift(x, sigmadot, velocity(x, sigmadot)));
   }

@@ -9,10 +9,10 @@ template <class X> class SecondParameterRate;
 
 namespace detail {
 
-/// How the derivatives of parameters X and the rate belong together, on bare numbers; specialised beside
-/// each.
+/// The equations between the rate and the derivatives of parameters X, on bare numbers; specialised beside
+/// each X.
 ///     rate(x, w), velocity(x, xdot), second_rate(x, xdot, w, alpha), acceleration(x, xdot, xddot)
-/// of a rate expressed in b, or else in a.
+/// for a rate expressed in b if expressed_in_turned, else in a.
 template <class X, bool expressed_in_turned> struct KinematicsOf;
 
 template <class C, class... Fs> inline constexpr bool is_one_of = (std::same_as<C, Fs> || ...);
@@ -20,7 +20,7 @@ template <class C, class A, class B, class Result>
 using InOneOf = std::enable_if_t<is_one_of<C, A, B>, Result>;
 
 /// x_ab, parameters of the attitude of b relative to a: turning a by them gives b, dcm(x_ab) is R_a_from_b.
-/// The base of their class X.
+/// This is the base of their class X.
 template <class X, class A, class B, class S, int count> class AttitudeParameters {
  public:
   using reference = A;
@@ -45,7 +45,7 @@ concept Parameters =
     std::derived_from<X, AttitudeParameters<X, typename X::reference, typename X::turned, typename X::scalar,
                                             X::numbers::RowsAtCompileTime>>;
 
-/// What the rates of X are, expressed in C.
+/// The type of the rates of X, expressed in C.
 template <class X, class C>
 using RateOf = InOneOf<C, typename X::reference, typename X::turned,
                        AngularVelocity<typename X::reference, typename X::turned, In<C>, typename X::scalar>>;
@@ -71,8 +71,8 @@ template <class A, class B, class S> Dcm<A, B, S> as_dcm(const Quaternion<A, B, 
   return dcm(q_a_from_b);
 }
 
-/// Nearer than this to its singularity, in radians, a parametrisation is at it: its derivatives have no right
-/// digit left, and which of the attitude's numbers are which is rounding.
+/// The distance, rad, within which a parametrisation counts as singular: there no derivative digit is
+/// correct, and rounding decides how the turn is divided among the parameters.
 template <class S> S singular_angle() {
   return number<S>(8 * static_cast<double>(Eigen::NumTraits<S>::epsilon()));
 }
@@ -86,7 +86,7 @@ template <class X, class S>
   throw BadInput(parameters_name<X>(action) + text(select(distance < S(0), S(-distance), distance)) +
                  " rad from the singularity, " + X::singularity());
 }
-/// Whether a distance from the singularity, of either sign, is beyond its roundings.
+/// Whether a distance from the singularity, of either sign, exceeds singular_angle().
 template <class S> bool is_regular(const S& distance) {
   return all(distance > singular_angle<S>() || distance < -singular_angle<S>());
 }
@@ -103,9 +103,9 @@ template <class X> void require_finite(const typename X::numbers& numbers, const
 
 }  // namespace detail
 
-/// xdot_ab, the time derivative of the parameters x_ab; not parameters. In rad/s where they are angles, else
-/// in 1/s. Of X = EulerAngles, ModifiedRodrigues, GibbsVector, AxisAngle or RotationVector; made by
-/// rate(x_ab, w_ab_c), or from numbers by parameter_rate().
+/// xdot_ab, the time derivative of the parameters x_ab; not parameters itself. In rad/s where they are
+/// angles, else in 1/s. X is EulerAngles, ModifiedRodrigues, GibbsVector, AxisAngle or RotationVector. Made
+/// by rate(x_ab, w_ab_c), or from numbers by parameter_rate().
 template <class X> class ParameterRate {
  public:
   using scalar = typename X::scalar;
@@ -141,15 +141,15 @@ template <class X> class SecondParameterRate {
 template <class X> inline constexpr bool detail::is_framed<ParameterRate<X>> = true;
 template <class X> inline constexpr bool detail::is_framed<SecondParameterRate<X>> = true;
 
-/// Claims that the bare numbers, in 1/s or rad/s, are the derivative of those of x_ab. Throws BadInput when
-/// one is not finite.
+/// Claims that the bare numbers, in 1/s or rad/s, are the derivatives of the numbers of x_ab. Throws BadInput
+/// when one is not finite.
 template <detail::Parameters X, class Derived>
   requires(std::same_as<typename Derived::PlainObject, typename X::numbers>)
 ParameterRate<X> parameter_rate(const X&, const Eigen::MatrixBase<Derived>& numbers) {
   detail::require_finite<X>(numbers, "parameter_rate");
   return {detail::trusted, numbers};
 }
-/// The same of the second derivative, in 1/s^2 or rad/s^2.
+/// The same for the second derivative, in 1/s^2 or rad/s^2.
 template <detail::Parameters X, class Derived>
   requires(std::same_as<typename Derived::PlainObject, typename X::numbers>)
 SecondParameterRate<X> second_parameter_rate(const X&, const Eigen::MatrixBase<Derived>& numbers) {
@@ -157,8 +157,8 @@ SecondParameterRate<X> second_parameter_rate(const X&, const Eigen::MatrixBase<D
   return {detail::trusted, numbers};
 }
 
-// What rate(x_ab, w_ab_c) is: the derivative of the parameters, the rate expressed in b or in a. Throws
-// BadInput at the singularity, and says how near.
+// Implements rate(x_ab, w_ab_c): the derivative of the parameters, for a rate expressed in b or in a. Throws
+// BadInput with the distance at the singularity.
 template <detail::Parameters X, class A, class B, class C, class S>
   requires(std::same_as<AngularVelocity<A, B, In<C>, S>, detail::RateOf<X, C>>)
 ParameterRate<X> attitude_rate(const X& x_ab, const AngularVelocity<A, B, In<C>, S>& w_ab_c) {
@@ -166,16 +166,16 @@ ParameterRate<X> attitude_rate(const X& x_ab, const AngularVelocity<A, B, In<C>,
   return {detail::trusted, Kinematics::rate(x_ab, w_ab_c.coordinates())};
 }
 
-/// The inverse of rate(): w_ab^c from the derivative of x_ab, c being b or a. At the singularity too, any
-/// finite input is valid.
+/// The inverse of rate(): w_ab^c from the derivative of x_ab, where c is b or a. Any finite input is valid,
+/// also at the singularity.
 template <detail::Parameters X, class C>
 detail::RateOf<X, C> angular_velocity(const X& x_ab, const ParameterRate<X>& xdot_ab, In<C>) {
   using Kinematics = detail::KinematicsOf<X, std::same_as<C, typename X::turned>>;
   return detail::RateOf<X, C>{detail::trusted, Kinematics::velocity(x_ab, xdot_ab.coordinates())};
 }
 
-/// The inverse of second_rate(): alpha_ab^c from both derivatives of x_ab, c being b or a. At the singularity
-/// too, any finite input is valid.
+/// The inverse of second_rate(): alpha_ab^c from both derivatives of x_ab, where c is b or a. Any finite
+/// input is valid, also at the singularity.
 template <detail::Parameters X, class C>
 detail::AccelerationOf<X, C> angular_acceleration(const X& x_ab, const ParameterRate<X>& xdot_ab,
                                                   const SecondParameterRate<X>& xddot_ab, In<C>) {
@@ -184,7 +184,7 @@ detail::AccelerationOf<X, C> angular_acceleration(const X& x_ab, const Parameter
       detail::trusted, Kinematics::acceleration(x_ab, xdot_ab.coordinates(), xddot_ab.coordinates())};
 }
 
-// What second_rate(x_ab, w_ab_c, alpha_ab_c) is. Throws BadInput at the singularity, and says how near.
+// Implements second_rate(x_ab, w_ab_c, alpha_ab_c). Throws BadInput with the distance at the singularity.
 template <class X, class A, class B, class C, class S>
 detail::SecondRateOf<X, AngularVelocity<A, B, In<C>, S>, C> attitude_second_rate(
     const X& x_ab, const AngularVelocity<A, B, In<C>, S>& w_ab_c,

@@ -8,7 +8,7 @@
 
 namespace vectrix {
 
-/// Largest | |q| - 1 | that the checked doors let in: ten printed digits pass.
+/// Largest | |q| - 1 | that the checked doors accept: numbers printed with ten digits pass.
 inline constexpr double unit_norm_tolerance = 1e-9;
 
 /// q_a^b, `q_b_from_a`, of type Quaternion<B, A>: a unit quaternion (Hamilton's product) that maps
@@ -16,7 +16,7 @@ inline constexpr double unit_norm_tolerance = 1e-9;
 ///     1.  r^b = q_a^b r^a (q_a^b)*          q_b_from_a * r_a
 ///     2.  q_a^c = q_b^c q_a^b               q_c_from_b * q_b_from_a
 ///     3.  q and -q are the same rotation
-/// Made from numbers only by doors that name the place of the scalar.
+/// Made from numbers only by doors whose name says where the scalar is.
 template <Frame ToFrame, Frame FromFrame, class S = double> class Quaternion {
  public:
   using to = ToFrame;
@@ -45,8 +45,8 @@ template <class B, class A, class S> inline constexpr bool detail::is_framed<Qua
 
 namespace detail {
 
-/// Of q and -q, which are the same rotation, the library takes the one with q_w >= 0, and at q_w = 0 with the
-/// first non-zero of x, y and z positive. Whether that is -q.
+/// Of q and -q, which are the same rotation, the library takes the one with q_w >= 0. At q_w = 0 the first
+/// non-zero of x, y and z is positive. Returns whether that one is -q.
 template <class S> auto is_longer_way(const Eigen::Quaternion<S>& q) {
   const S first = select<S>(q.x() != S(0), q.x(), select<S>(q.y() != S(0), q.y(), q.z()));
   return q.w() < S(0) || (q.w() == S(0) && first < S(0));
@@ -103,7 +103,7 @@ auto quaternion_scalar_last(  // to<B>, from<A>: two frames; four numbers of one
 
 template <class B, class A, class S> struct NearestQuaternion {
   Quaternion<B, A, S> quaternion;
-  /// How far the norm was from 1.
+  /// | |q| - 1 | before the projection.
   S distance;
 };
 
@@ -113,7 +113,7 @@ template <class B, class A, class S>
 NearestQuaternion<B, A, S> nearest_quaternion(const Eigen::Quaternion<S>& q, const char* door) {
   using std::abs;
   const S norm = checked_norm<B, A>(q, door);
-  // Scaled first: the square of a tiny or huge component is not a number that can be divided by.
+  // Scaled first: the square of a tiny or huge component underflows or overflows.
   const Eigen::Matrix<S, 4, 1> scaled = q.coeffs() / q.coeffs().cwiseAbs().maxCoeff();
   const Eigen::Quaternion<S> unit(scaled / scaled.norm());
   return {Quaternion<B, A, S>{trusted, unit}, abs(norm - S(1))};
@@ -121,8 +121,7 @@ NearestQuaternion<B, A, S> nearest_quaternion(const Eigen::Quaternion<S>& q, con
 
 }  // namespace detail
 
-/// The projecting doors: q / |q|, and how far |q| was from 1. Throw BadInput for a zero or not finite
-/// quaternion.
+/// The projected doors: q / |q|, and | |q| - 1 |. Throw BadInput when q is zero or not finite.
 template <Frame B, Frame A, class S>
   requires(!std::integral<S>)
 detail::OfTwo<B, A, NearestQuaternion<B, A, S>> nearest_quaternion_scalar_first(To<B>, From<A>, S w, S x, S y,
@@ -165,12 +164,12 @@ template <class B, class A, class S> Dcm<B, A, S> dcm(const Quaternion<B, A, S>&
 
 namespace detail {
 
-/// A quaternion times a number, one component after the other: four that are stored one by one and loaded in
-/// pairs would wait.
+/// A quaternion times a number, in four scalars. Stored one by one in an array and loaded in pairs, they
+/// would cause a store-forwarding stall.
 template <class S> struct QuaternionMultiple {
   S x, y, z, w;
 
-  /// Over its norm, with this sign.
+  /// Divided by its norm, times the sign.
   [[gnu::always_inline]] Eigen::Quaternion<S> unit(const S& sign) const {
     if constexpr (std::same_as<S, double>) {
       using Two = double __attribute__((vector_size(16)));
@@ -184,10 +183,10 @@ template <class S> struct QuaternionMultiple {
       return {w * scale, x * scale, y * scale, z * scale};
     }
   }
-  /// Of the first of w, x, y, z that is not zero.
+  /// The sign of the first non-zero of w, x, y, z.
   [[gnu::always_inline]] S sign() const {
     if constexpr (Batch<S>) {
-      const S first = select(w != S(0), w, select(x != S(0), x, y));  // else z, the largest and so positive
+      const S first = select(w != S(0), w, select(x != S(0), x, y));  // else z, the largest and positive
       return select(first < S(0), S(-1), S(1));
     } else {
       return S((w != S(0) ? w > S(0) : x != S(0) ? x > S(0) : y != S(0) ? y > S(0) : z > S(0)) ? 1 : -1);
@@ -195,7 +194,7 @@ template <class S> struct QuaternionMultiple {
   }
 };
 
-/// 4 q_i q, from the i-th of the vector part's components, which must not be small.
+/// 4 q_i q, where q_i is the i-th component of the vector part. It must not be small.
 template <Eigen::Index i, class S> QuaternionMultiple<S> multiple_by_diagonal(const Square<S>& m) {
   constexpr Eigen::Index j = (i + 1) % 3;
   constexpr Eigen::Index k = (i + 2) % 3;
@@ -218,8 +217,8 @@ template <class S> Eigen::Quaternion<S> unit_quaternion_of(const Square<S>& m) {
   const QuaternionMultiple<S> q = largest_by_diagonal(m);
   return q.unit(q.sign());
 }
-/// Of a batch: which of w, x and of y, z holds half the norm, and which of the two its larger part, as two
-/// choices of every lane.
+/// For a batch, two choices in each lane: the pair (w, x) or (y, z) that holds at least half of |q|^2, then
+/// the larger component of that pair.
 template <Batch S> [[gnu::always_inline]] inline Eigen::Quaternion<S> unit_quaternion_of(const Square<S>& m) {
   const S x = m(0, 0), y = m(1, 1), z = m(2, 2);
   const S wx = m(2, 1) - m(1, 2), wy = m(0, 2) - m(2, 0), wz = m(1, 0) - m(0, 1);
@@ -241,7 +240,7 @@ template <Batch S> [[gnu::always_inline]] inline Eigen::Quaternion<S> unit_quate
 }  // namespace detail
 
 /// q_a^b of R_a^b, with q_w >= 0, and at q_w = 0 the first non-zero of x, y, z positive. Accurate for every
-/// rotation: a component of at least 1/2 is taken from the diagonal (after Shepperd 1978), the others by
+/// rotation: a component of at least 1/2 is computed from the diagonal (after Shepperd 1978), the others by
 /// division.
 template <class B, class A, class S> Quaternion<B, A, S> quaternion(const Dcm<B, A, S>& R_b_from_a) {
   return {detail::trusted, [&] { return detail::unit_quaternion_of<S>(R_b_from_a.matrix()); }};

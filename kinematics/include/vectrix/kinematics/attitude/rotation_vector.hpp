@@ -8,8 +8,8 @@
 
 namespace vectrix {
 
-/// theta_ab, of type RotationVector<A, B>: angle times axis, rad. Turning a by it gives b; its coordinates
-/// are the same in a and in b, because the axis is. exp(theta_ab) is R_a_from_b.
+/// theta_ab, of type RotationVector<A, B>: angle times axis, rad. Turning a by it gives b. Its coordinates
+/// are the same in a and in b, because those of the axis are. exp(theta_ab) is R_a_from_b.
 template <Frame A, Frame B, class S = double>
 class RotationVector : public detail::AttitudeParameters<RotationVector<A, B, S>, A, B, S, 3> {
  public:
@@ -19,7 +19,7 @@ class RotationVector : public detail::AttitudeParameters<RotationVector<A, B, S>
   Quantity<si::angle, S> angle() const {
     return Quantity<si::angle, S>::from_value(detail::scaled_norm(this->coordinates()));
   }
-  /// How far |theta| is from the nearest full turn, or two, ...
+  /// The distance of |theta| from the nearest non-zero whole number of turns.
   Quantity<si::angle, S> distance_from_singularity() const {
     using std::abs;
     const S size = detail::scaled_norm(this->coordinates());

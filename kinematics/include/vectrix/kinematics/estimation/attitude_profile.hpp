@@ -4,10 +4,10 @@
 
 namespace vectrix::detail {
 
-/// The rotation that an attitude profile matrix asks for, and how surely.
+/// The rotation that fits an attitude profile matrix best, and how well it is determined.
 template <class S> struct ProfileRotation {
   Square<S> rotation;
-  /// sigma_2 + d sigma_3: what the profile loses, to second order, in a turn about the axis that costs least.
+  /// sigma_2 + d sigma_3: the second-order loss coefficient of a small turn about the least determined axis.
   S margin;
   Column<S> least_axis;
 };

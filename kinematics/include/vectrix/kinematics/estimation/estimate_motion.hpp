@@ -11,24 +11,24 @@
 
 namespace vectrix {
 
-/// The largest turn, rad, from the middle of a window to its ends that estimate_motion() lets in: beyond half
-/// a turn a rotation vector is that of another turn.
+/// The largest turn, rad, from the middle of a window to its ends that estimate_motion() accepts. Beyond half
+/// a turn the shortest rotation vector belongs to another turn.
 inline constexpr double widest_window_turn = 2.0;
 
-/// Smallest part of its time's power that a window's polynomial must find to itself: below it rounding would
-/// choose the derivatives.
+/// Smallest share of the sum of squares of a polynomial term that the other terms must leave unexplained.
+/// Below it rounding decides the derivatives.
 inline constexpr double nearly_undetermined = 1e-10;
 
-/// R_b^a, w_ab^b and alpha_ab^b at one instant, estimated from noisy samples, with the covariance of each
-/// error: of the small turn from the true attitude to the found one, and of the two vectors.
+/// R_b^a, w_ab^b and alpha_ab^b at one instant, estimated from noisy samples, with the covariances of the
+/// errors: the small turn from the true to the estimated attitude, and the errors of the two vectors.
 template <Frame A, Frame B, class S = double> struct MotionEstimate {
   AcceleratingDcm<A, B, S> motion;
   Covariance<B, si::angle, S> attitude_covariance;
   Covariance<B, si::angular_velocity, S> rate_covariance;
   Covariance<B, si::angular_acceleration, S> acceleration_covariance;
-  /// Half the sum of squares of what the polynomial leaves, in standard deviations. Twice the loss has the
-  /// chi-square distribution of `freedom` degrees of freedom; much more says that the motion is no polynomial
-  /// over the window, or that sigma is too small.
+  /// Half the sum of the squared residuals, in units of sigma. Twice the loss has the chi-square distribution
+  /// of `freedom` degrees of freedom. A much larger value means that the motion is not a polynomial over the
+  /// window, or that sigma is too small.
   S loss;
   std::size_t freedom;
 };
@@ -43,16 +43,16 @@ template <int degree, class S> struct LogPolynomial {
 
   Coefficients p;
   Normal covariance;  // for errors of variance 1
-  S squares;          // of what is left
-  S least_share;      // of a pivot, of what the other coefficients leave open
+  S squares;          // of the residuals
+  S least_share;      // smallest pivot: what the others leave unexplained
 
   Column<S> coefficient(Eigen::Index k) const { return p.template segment<3>(3 * k); }
   Square<S> block(Eigen::Index k, Eigen::Index l) const {
     return covariance.template block<3, 3>(3 * k, 3 * l);
   }
 
-  /// An error e of the sample's attitude in b moves theta by J^-1 e: J (theta - polynomial) is what is
-  /// squared.
+  /// An error e of the sample's attitude, in b, changes theta by J^-1 e, so the residual is J (theta -
+  /// polynomial).
   LogPolynomial(const std::vector<S>& u, const std::vector<Column<S>>& theta) {
     Normal normal = Normal::Zero();
     Coefficients right = Coefficients::Zero();
@@ -91,13 +91,13 @@ template <class S> Square<S> symmetric(const Square<S>& P) {
 
 }  // namespace detail
 
-/// The motion at t by least squares: a polynomial of rotation vectors through the samples no further than
-/// `half_width` from t, each of which is wrong by a small turn of the standard deviation sigma about each
-/// axis, independently of the others. In the middle of a window of n samples a step h apart the standard
-/// deviation of w is about sigma/h sqrt(12/n^3) for degree 2 (and sqrt(75/n^3) for 3 and 4). The covariances
-/// are of first order in sigma and know nothing of what the polynomial cannot follow. Throws BadInput when t
-/// is outside the samples, when the window has fewer samples than the polynomial has coefficients, or turns
-/// by more than widest_window_turn to either side, and for sigma that is not positive.
+/// The motion at t by least squares: a polynomial of rotation vectors through the samples within `half_width`
+/// of t. The error of a sample is a small turn of standard deviation sigma about each axis, independent of
+/// the others. In the middle of a window of n samples a step h apart the standard deviation of w is about
+/// sigma/h sqrt(12/n^3) for degree 2 (and sqrt(75/n^3) for 3 and 4). The covariances are of first order in
+/// sigma and do not include the error of the polynomial model. Throws BadInput when t is outside the samples,
+/// the window has fewer samples than the polynomial has coefficients, it turns by more than
+/// widest_window_turn to either side, or sigma is not positive.
 template <int degree = 3, class A, class B, class I, class S = InstantScalar<I>>
   requires(degree >= 2 && degree <= 6 && detail::SingleNumber<S>)
 MotionEstimate<A, B, S> estimate_motion(const std::vector<AttitudeSample<A, B, I>>& samples,
@@ -152,7 +152,7 @@ MotionEstimate<A, B, S> estimate_motion(const std::vector<AttitudeSample<A, B, I
     const auto increment = exp_quaternion(RotationVector<A, B, S>{detail::trusted, theta});
     return Quaternion<A, B, S>{detail::trusted, q0.eigen() * increment.eigen()};
   };
-  // Once about the sample in the middle; then about what that finds, where theta is nearly zero.
+  // First about the middle sample, then about the attitude found, where theta is nearly zero.
   const Polynomial coarse = fit_about(middle->q_a_from_b);
   if (!(coarse.least_share > S(detail::door_tolerance<S>(nearly_undetermined))))
     refuse("the times of the " + text(count) + " samples in the window do not fix a polynomial of degree " +

@@ -9,7 +9,7 @@
 
 namespace vectrix {
 
-/// Smallest agreement of rotations that mean_rotation() lets in: below it rounding would choose their mean.
+/// Smallest agreement of rotations that mean_rotation() accepts. Below it rounding decides the mean.
 inline constexpr double nearly_without_mean = 1e-10;
 
 template <Frame B, Frame A, class S = double> struct WeightedRotation {
@@ -17,8 +17,8 @@ template <Frame B, Frame A, class S = double> struct WeightedRotation {
   S weight;
 };
 
-/// A rotation that counts `weight` times as much as one of weight 1 in mean_rotation(). Throws BadInput
-/// unless the weight is positive and finite.
+/// A rotation with a weight for mean_rotation(); the weight is relative to the others. Throws BadInput unless
+/// the weight is positive and finite.
 template <class B, class A, class S>
 WeightedRotation<B, A, S> weighted(const Dcm<B, A, S>& R_b_from_a, const std::type_identity_t<S>& weight) {
   return {R_b_from_a, detail::checked_weight<S>(weight, [] { return detail::dcm_door<B, A>("weighted"); })};
@@ -31,10 +31,10 @@ WeightedRotation<B, A, S> weighted(const Quaternion<B, A, S>& q_b_from_a,
 
 template <Frame B, Frame A, class S = double> struct MeanRotation {
   Dcm<B, A, S> rotation;
-  /// sum_i w_i e_i e_i^T / sum_i w_i of the turns e_i between the mean and each, expressed in b.
+  /// sum_i w_i e_i e_i^T / sum_i w_i, where e_i is the turn between the mean and rotation i, expressed in b.
   Covariance<B, si::angle, S> scatter;
-  /// 1 when all are the same rotation; 0 when no rotation is nearest to all of them, as of two that are half
-  /// a turn apart.
+  /// 1 if all rotations are the same; 0 if no single rotation is nearest to all, as for two rotations half a
+  /// turn apart.
   S agreement;
 };
 
@@ -91,10 +91,10 @@ concept HasMean = requires {
 }  // namespace detail
 
 /// The rotation with the least sum_i w_i |R_a^b - R_i|^2 (Frobenius), which is the dominant eigenvector of
-/// sum_i w_i q_i q_i^T: Markley, Cheng, Crassidis and Oshman, Averaging Quaternions (2007). Of a std::vector
-/// of weighted(R, w), or of a Dcm or Quaternion each, which count the same. The signs of quaternions and the
-/// order do not matter; a change of either frame turns the mean with it.
-/// Throws BadInput for no rotation, and when their agreement is below nearly_without_mean.
+/// sum_i w_i q_i q_i^T: Markley, Cheng, Crassidis and Oshman, Averaging Quaternions (2007). Takes a
+/// std::vector of weighted(R, w), or of Dcm or Quaternion with equal weights. The signs of quaternions and
+/// the order do not matter. A constant rotation of frame a or b rotates the mean by the same.
+/// Throws BadInput for no rotation, and when the agreement is below nearly_without_mean.
 template <Frame B, Frame A, class Given>
 detail::MeanOf<B, A, Given> mean_rotation(To<B>, From<A>, const std::vector<Given>& rotations) {
   return detail::mean_of<B, A>(rotations);

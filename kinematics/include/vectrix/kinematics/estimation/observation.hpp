@@ -5,7 +5,7 @@
 namespace vectrix {
 namespace detail {
 
-/// What an iteration that stops by its values can work on: a number, neither with derivatives nor a batch.
+/// A number without derivatives, not a batch: needed by an iteration that stops by its values.
 template <class S>
 concept SingleNumber = !Differentiated<S> && !Batch<S>;
 
@@ -42,9 +42,9 @@ template <class B, class A> std::string observation_door(const char* door) {
 
 }  // namespace detail
 
-/// One direction seen in two frames, as unit vectors: b = R_a^b a but for an error of known size. The error
-/// is that of Shuster's QUEST model: two independent small turns, each of the standard deviation sigma, about
-/// the axes across the direction; those of the measured and of the reference direction together.
+/// One direction in two frames, as unit vectors: b = R_a^b a, except for an error of known size. The error
+/// model is Shuster's QUEST model: two independent small turns, each of standard deviation sigma, about the
+/// two axes normal to the direction. sigma covers the errors of the measured and the reference direction.
 /// Made by observation(r_b, r_a, sigma); its weight is 1/sigma^2 unless another is given.
 template <Frame B, Frame A, class S = double> class Observation : public detail::DirectionPair<B, A, S> {
  public:
@@ -58,14 +58,15 @@ template <Frame B, Frame A, class S = double> class Observation : public detail:
   S deviation_;
 };
 
-/// The same with a weight and an error of unknown size: what is found from it has no covariance.
+/// The same with a weight and an error of unknown size. Results from it have no covariance.
 template <Frame B, Frame A, class S = double>
 class WeightedObservation : public detail::DirectionPair<B, A, S> {
  public:
   using detail::DirectionPair<B, A, S>::DirectionPair;
 };
 
-/// Claims that r_b and r_a are one vector, in b and in a; its length does not matter. sigma as above.
+/// Claims that r_b and r_a are the same vector in b and in a; its length does not matter. sigma as in
+/// Observation.
 /// Throws BadInput for a zero vector, and unless sigma and 1/sigma^2 are positive and finite.
 template <Frame B, Frame A, class U, class S>
   requires detail::SingleNumber<S> detail::OfTwo<B, A, Observation<B, A, S>> observation(
@@ -78,7 +79,7 @@ template <Frame B, Frame A, class U, class S>
     }
     return {detail::trusted, direction(r_b), direction(r_a), weight, sigma.value()};
   }
-/// With a weight of one's own choice, as of a robust fit; sigma still says how large the error is.
+/// With a given weight, for example of a robust fit. sigma remains the size of the error.
 template <Frame B, Frame A, class U, class S, std::convertible_to<S> Weight>
   requires detail::SingleNumber<S> detail::OfTwo<B, A, Observation<B, A, S>> observation(
       const Vector<B, U, S>& r_b, const Vector<A, U, S>& r_a, const Quantity<si::angle, S>& sigma,
@@ -92,7 +93,8 @@ template <class Measured, class Reference, class Deviation, class... Weight>
 auto observation(  // r_b, r_a, sigma: one direction in two frames, in one unit; an angle in rad
     const Measured&, const Reference&, const Deviation&, const Weight&...) -> Refused = delete;
 
-/// The same when only the weight is known, in any unit. Throws BadInput unless it is positive and finite.
+/// An observation of which only the weight is known, in any unit. Throws BadInput unless it is positive and
+/// finite.
 template <Frame B, Frame A, class U, class S, std::convertible_to<S> Weight>
   requires detail::SingleNumber<S> detail::OfTwo<B, A, WeightedObservation<B, A, S>> weighted_observation(
       const Vector<B, U, S>& r_b, const Vector<A, U, S>& r_a, const Weight& weight) {

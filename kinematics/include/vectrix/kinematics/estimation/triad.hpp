@@ -6,22 +6,22 @@
 
 namespace vectrix {
 
-/// Smallest sine of the angle between two directions that triad() lets in: below it rounding would choose the
-/// turn about them.
+/// Smallest sine of the angle between two directions that triad() accepts. Below it rounding decides the turn
+/// about them.
 inline constexpr double nearly_parallel = 1e-9;
 
-/// What triad() finds of two observations.
+/// The result of triad() for two observations.
 template <Frame B, Frame A, class S = double> struct TriadEstimate {
   Dcm<B, A, S> rotation;
-  /// Of the small turn from the true attitude to the found one.
+  /// Of the small turn from the true to the estimated attitude.
   Covariance<B, si::angle, S> covariance;
-  /// How much wider the two directions are apart in b than in a; its variance is sigma_1^2 + sigma_2^2.
+  /// The angle between the two directions in b minus that in a; its variance is sigma_1^2 + sigma_2^2.
   Quantity<si::angle, S> mismatch;
 };
 
 namespace detail {
 
-/// The axes r, t, n of two directions, in columns: t is across r in their plane, on the side of s.
+/// The axes r, t, n of two directions, in columns: t is normal to r in their plane, on the side of s.
 template <class F, class B, class A, class S>
 Square<S> triad_axes(const Vector<F, si::dimensionless, S>& r, const Vector<F, si::dimensionless, S>& s) {
   const Column<S>& first = r.coordinates();
@@ -32,7 +32,7 @@ Square<S> triad_axes(const Vector<F, si::dimensionless, S>& r, const Vector<F, s
                    frame_name<F>() + " is " + text(sine) + "; parallel directions fix no rotation");
   }
   Column<S> t = across / sine;
-  t -= first * first.dot(t);  // once more: the first difference may have cancelled
+  t -= first * first.dot(t);  // again, because the first difference may have lost digits
   t /= t.norm();
   Square<S> axes;
   axes << first, t, first.cross(t);
@@ -49,7 +49,7 @@ Dcm<B, A, S> triad_of(const Vector<B, si::dimensionless, S>& r_b, const Vector<A
 }  // namespace detail
 
 /// R_a^b from two vectors given in both frames: r_b = R_a^b r_a in direction, and s_b in the half plane of
-/// R_a^b s_a (Black 1964). r counts fully; of s only the side on which it is of r. Of any scalar.
+/// R_a^b s_a (Black 1964). r is matched exactly; s only fixes the turn about r. Works for any scalar.
 /// Throws BadInput for a zero vector, and when the two are parallel to nearly_parallel in either frame.
 template <Frame B, Frame A, class U, class V, class S>
 detail::OfTwo<B, A, Dcm<B, A, S>> triad(To<B>, From<A>, const Vector<B, U, S>& r_b,
@@ -58,7 +58,7 @@ detail::OfTwo<B, A, Dcm<B, A, S>> triad(To<B>, From<A>, const Vector<B, U, S>& r
   return detail::triad_of(direction(r_b), direction(r_a), direction(s_b), direction(s_a));
 }
 
-/// The same of two observations, the more exact one first, with the covariance of the answer:
+/// The same from two observations, the more accurate one first, with the covariance of the result:
 ///     P = s1^2 I + ((s2^2 - s1^2) b1 b1^T + s1^2 (b1 . b2) (b1 b2^T + b2 b1^T)) / |b1 x b2|^2
 /// for standard deviations s1, s2, to first order in the errors.
 /// Shuster and Oh, Three-Axis Attitude Determination from Vector Observations (1981).
@@ -74,7 +74,8 @@ detail::OfTwo<B, A, TriadEstimate<B, A, S>> triad(To<B>, From<A>, const Observat
   const S cosine = b1.dot(b2), sine = b1.cross(b2).norm();
   const S sigma1 = first.deviation().value(), sigma2 = second.deviation().value();
   const detail::Column<S> t = (b2 - cosine * b1) / sine;
-  // The same P with b2 = (b1 . b2) b1 + |b1 x b2| t, as a sum of squares: a turn about b1 comes from both.
+  // The same P with b2 = (b1 . b2) b1 + |b1 x b2| t, as a sum of squares; both observations contribute to the
+  // turn about b1.
   const detail::Column<S> both = t + (cosine / sine) * b1;
   const detail::Column<S> n = b1.cross(t), alone = (sigma2 / sine) * b1;
   const detail::Square<S> P =

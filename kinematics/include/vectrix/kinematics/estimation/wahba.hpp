@@ -9,23 +9,23 @@
 
 namespace vectrix {
 
-/// Smallest observability that wahba() lets in: below it rounding would choose the turn about the axis that
-/// is seen least.
+/// Smallest observability that wahba() accepts. Below it rounding decides the turn about the least observed
+/// axis.
 inline constexpr double nearly_unobservable = 1e-10;
 
-/// The rotation that fits observations best.
+/// The rotation that fits the observations best.
 template <Frame B, Frame A, class S = double> struct AttitudeFit {
   Dcm<B, A, S> rotation;
   /// sum_i w_i |b_i - R_a^b a_i|^2 / 2. With w_i = 1/sigma_i^2 twice the loss of n observations has the
   /// chi-square distribution of 2 n - 3 degrees of freedom.
   S loss;
-  /// The share of the weights that a turn about the least observed axis feels: 2/3 at best, for directions
-  /// all around; 0 when that turn changes nothing.
+  /// The share of the weights that a turn about the least observed axis changes: at most 2/3, for directions
+  /// evenly distributed in space; 0 if that turn does not change the loss.
   S observability;
   Vector<B, si::dimensionless, S> least_observed;
 };
 
-/// The same with the covariance of the small turn from the true attitude to the found one.
+/// The same with the covariance of the small turn from the true to the estimated attitude.
 template <Frame B, Frame A, class S = double> struct AttitudeEstimate : AttitudeFit<B, A, S> {
   Covariance<B, si::angle, S> covariance;
 };
@@ -106,11 +106,13 @@ concept WahbaSolves = requires {
 }  // namespace detail
 
 /// Wahba's problem: the R_a^b with the least sum_i w_i |b_i - R_a^b a_i|^2 / 2, by Markley's singular value
-/// method; no first guess is needed, and no attitude is special. Of Observations an AttitudeEstimate, with
+/// method. It needs no first guess and has no singular attitude. For Observations it returns an
+/// AttitudeEstimate, with
 ///     P = M^-1 (sum_i w_i^2 sigma_i^2 (I - c_i c_i^T)) M^-1,    M = sum_i w_i (I - c_i c_i^T)
-/// with the fitted directions c_i = R_a^b a_i, to first order in the errors; for w_i = 1/sigma_i^2 the
-/// inverse of Fisher's information, M^-1 (Shuster 1989). Of WeightedObservations an AttitudeFit, without it.
-/// Throws BadInput for fewer than two observations and when the observability is below nearly_unobservable.
+/// with the fitted directions c_i = R_a^b a_i, to first order in the errors; for w_i = 1/sigma_i^2 it is the
+/// inverse of the Fisher information, M^-1 (Shuster 1989). For WeightedObservations it returns an
+/// AttitudeFit, without covariance. Throws BadInput for fewer than two observations and when the
+/// observability is below nearly_unobservable.
 template <Frame B, Frame A, class Given>
 detail::WahbaOf<B, A, Given> wahba(To<B>, From<A>, const std::vector<Given>& observations) {
   return detail::solve_wahba<B, A>(observations);

@@ -5,11 +5,11 @@
 
 namespace vectrix {
 
-/// R_a^b between two frames known at run time; the laws of Dcm, checked when they are used:
+/// R_a^b between two frames known at run time. Its laws are those of Dcm, checked at run time:
 ///     1.  R_a^c = R_b^c R_a^b                 R_c_from_b * R_b_from_a
 ///     2.  R_b^a = (R_a^b)^T                   inverse(R_b_from_a)
 /// A product whose inner frames differ throws BadInput that names both. Made by the doors in
-/// named_dcm_doors.hpp and by the queries of a NamedGraph; no default. Must not outlive the graph.
+/// named/dcm_doors.hpp and by the queries of a NamedGraph; there is no default. Must not outlive the graph.
 class NamedDcm {
  public:
   template <class Derived>
@@ -40,7 +40,7 @@ inline std::string described(const NamedDcm& R_b_from_a) {
   return "R" + to_from(R_b_from_a.to(), R_b_from_a.from());
 }
 
-/// Throws BadInput unless both are one frame: `action` says what was done with which operands.
+/// Throws BadInput unless both are the same frame. action() describes the operation and its operands.
 template <class Action> void require_same(NamedFrame one, NamedFrame other, const Action& action) {
   if (one == other) [[likely]]
     return;

@@ -6,7 +6,7 @@
 namespace vectrix {
 namespace detail {
 
-// What stands for a run-time frame in a typed door.
+// The types that stand for run-time frames in a typed door.
 struct FirstNamed : moving_frame {};
 struct SecondNamed : moving_frame {};
 
@@ -21,7 +21,7 @@ inline void require_two(NamedFrame first, NamedFrame second) {
                    ": a door takes two frames, and these are one");
   }
 }
-/// Goes through a typed door: `make()` returns what it makes. Its errors then name the run-time frames.
+/// Calls make(), which uses a typed door. In its errors the run-time frames replace the types.
 template <class Make> auto through_door(NamedFrame first, NamedFrame second, const Make& make) {
   require_two(first, second);
   try {
@@ -45,7 +45,7 @@ concept Matrix3x3d = Matrix3x3<Derived> && std::same_as<typename Derived::Scalar
 
 }  // namespace detail
 
-// The doors of dcm_doors.hpp for frames known at run time: the same checks, the same errors.
+// The doors of frames/dcm_doors.hpp for frames known at run time, with the same checks and errors.
 
 /// Checked: throws BadInput unless `matrix` is finite, orthonormal to 1e-9 and right-handed.
 template <detail::Matrix3x3d Matrix>
@@ -55,11 +55,11 @@ NamedDcm dcm(To<NamedFrame> b, From<NamedFrame> a, const Matrix& matrix) {
 
 struct NearestNamedDcm {
   NamedDcm dcm;
-  /// Frobenius norm of what was changed.
+  /// Frobenius norm of the change.
   double distance;
 };
 
-/// Projecting: the nearest rotation, and how far it was.
+/// Projected: the nearest rotation, and its distance.
 template <detail::Matrix3x3d Matrix>
 NearestNamedDcm nearest_dcm(To<NamedFrame> b, From<NamedFrame> a, const Matrix& matrix) {
   double distance = 0.0;
@@ -71,7 +71,7 @@ NearestNamedDcm nearest_dcm(To<NamedFrame> b, From<NamedFrame> a, const Matrix& 
   return {nearest, distance};
 }
 
-/// Trusted: no check of the matrix.
+/// Trusted: does not check the matrix.
 template <detail::Matrix3x3d Matrix>
 NamedDcm trust_dcm(To<NamedFrame> b, From<NamedFrame> a, const Matrix& matrix) {
   detail::require_two(b.frame, a.frame);
@@ -84,7 +84,7 @@ inline NamedDcm aligned(To<NamedFrame> b, From<NamedFrame> a) {
   return {detail::trusted, b.frame, a.frame, detail::Square<double>::Identity()};
 }
 
-/// R_b_from_a when turning a by `angle` about its x axis (y, z) gives b. Any finite angle is valid.
+/// R_b_from_a, where turning a by `angle` about its x axis (y, z) gives b. Any finite angle is valid.
 inline NamedDcm turned_x(To<NamedFrame> b, From<NamedFrame> a, const Quantity<si::angle>& angle) {
   return detail::named(b.frame, a.frame,
                        [&](auto to_b, auto from_a) { return turned_x(to_b, from_a, angle); });

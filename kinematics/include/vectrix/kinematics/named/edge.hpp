@@ -10,7 +10,7 @@
 namespace vectrix {
 namespace detail {
 
-/// What is known of frame b relative to a: R_b^a, and as far as the level goes w_ab^b and alpha_ab^b.
+/// The motion of frame b relative to a: R_b^a, and depending on the level w_ab^b and alpha_ab^b.
 struct EdgeMotion {
   Square<double> R;
   Column<double> w, alpha;
@@ -25,10 +25,10 @@ class EdgeFunction {
   virtual ~EdgeFunction() = default;
 
   Level level() const { return level_; }
-  /// The rotation that holds at all times, if there is one.
+  /// The rotation, if it is constant; else null.
   virtual const Square<double>* constant() const { return nullptr; }
   virtual Square<double> rotation(double t) const = 0;
-  /// Whether the rotation comes as a quaternion, which a product of several is cheaper with.
+  /// Whether the rotation is given as a quaternion. Products of several quaternions are cheaper.
   virtual bool in_quaternions() const { return false; }
   virtual Eigen::Quaterniond quaternion(double t) const { return Eigen::Quaterniond(rotation(t)); }
   virtual EdgeMotion motion(double t) const = 0;
@@ -40,8 +40,8 @@ class EdgeFunction {
 }  // namespace detail
 
 /// An edge before it is added to a NamedGraph: static_edge(R_a_from_b), rigid_edge(R_a_from_b), edge(To(a),
-/// From(b), f), sampled_edge(samples, longest_gap). What it knows is a level, as in a FrameGraph; nothing is
-/// ever raised by a default of zero.
+/// From(b), f), sampled_edge(samples, longest_gap). It has a level, as in a FrameGraph; no edge is raised to
+/// a higher level with zeros by default.
 class NamedEdge {
  public:
   NamedEdge(detail::Trusted, NamedFrame a, NamedFrame b, std::unique_ptr<const detail::EdgeFunction> function)
@@ -75,7 +75,7 @@ class ConstantFunction final : public EdgeFunction {
   EdgeMotion motion_;
 };
 
-// What a value of any level, typed or named, says in numbers.
+// The numbers of a value of any level, typed or named.
 template <class Value> inline constexpr Level level_of = LevelOf<Value>::level;
 template <> inline constexpr Level level_of<NamedDcm> = Level::rotation;
 template <> inline constexpr Level level_of<NamedMovingDcm> = Level::rate;
@@ -109,8 +109,8 @@ template <class Value> EdgeMotion motion_of(const Value& value) {
   return motion;
 }
 
-/// f(t), whose value is typed or named. A named value must carry the frames of the edge each time, and each
-/// rotation must be finite: a trusted door may have let in what is not.
+/// f(t), whose value is typed or named. Each call checks that a named value has the frames of the edge, and
+/// that the rotation is finite, because a trusted door checks nothing.
 template <class Function, class Value> class FunctionOfTime final : public EdgeFunction {
  public:
   FunctionOfTime(NamedFrame a, NamedFrame b, Function function)
@@ -157,7 +157,7 @@ inline NamedEdge constant_edge(Level level, const NamedDcm& R_a_from_b) {
 
 }  // namespace detail
 
-/// A fixed rotation and nothing more: no rate can be asked across it.
+/// A fixed rotation of unknown rate: no rate can be asked across it.
 inline NamedEdge static_edge(const NamedDcm& R_a_from_b) {
   return detail::constant_edge(Level::rotation, R_a_from_b);
 }
@@ -171,7 +171,8 @@ inline NamedEdge rigid_edge(const NamedDcm& R_a_from_b) {
 /// relative to a. Threads may call f at the same time.
 ///     edge(To(body), From(wheel), [=](Quantity<si::time> t) { return turned_z(To(body), From(wheel), rate *
 ///     t); })
-/// What f throws reaches the one who asks the graph. A value of other frames, or not finite, is BadInput.
+/// An exception of f passes to the caller of the query. The query throws BadInput when the value has other
+/// frames or is not finite.
 template <class Function>
   requires detail::NamedEdgeValue<
       std::remove_cvref_t<std::invoke_result_t<const Function&, Quantity<si::time>>>>

@@ -9,28 +9,28 @@
 
 namespace vectrix {
 
-/// The motion property of a frame known at run time: what inertial_frame and moving_frame are of a type.
+/// The motion property of a frame known at run time, as inertial_frame and moving_frame for a type.
 enum class FrameMotion { inertial, moving };
 
 namespace detail {
 
 struct TreeNode;
 
-/// What a graph keeps of one of its frames, at one address until the graph is destroyed.
+/// The data of a frame in its graph. The address is constant until the graph is destroyed.
 struct FrameRecord {
   const void* graph;
   std::string name;
   FrameMotion motion;
   std::uint32_t number;
-  /// Its place in its tree. Replaced when two trees are joined.
+  /// Its node in its tree. Replaced when two trees are joined.
   std::atomic<const TreeNode*> node{nullptr};
 };
 
 }  // namespace detail
 
-/// A frame of a NamedGraph, known at run time: wheel k of a file. Made by `graph.add_frame("wheel 3", ...)`
-/// or `graph.frame("wheel 3")`; it belongs to that graph, and neither it nor a value that carries it may
-/// outlive the graph.
+/// A frame of a NamedGraph, known at run time, for example wheel k of a file. Made by `graph.add_frame("wheel
+/// 3", ...)` or `graph.frame("wheel 3")`. It belongs to that graph. Neither it nor a value that carries it
+/// may outlive the graph.
 class NamedFrame {
  public:
   explicit NamedFrame(const detail::FrameRecord& record) : record_(&record) {}
@@ -64,8 +64,9 @@ inline std::string in_quotes(NamedFrame frame) {
 
 }  // namespace detail
 
-// The words of doors and queries for frames known at run time, by handle or by name: To(camera),
-// From("itrf"). Capitals, because a variable template, to<Camera>, and a function cannot share a name.
+// The arguments of doors and queries for frames known at run time, by handle or by name: To(camera),
+// From("itrf"). They are capitalised because the variable template to<Camera> and a function cannot share a
+// name.
 template <detail::RunTimeFrame F> struct To<F> : detail::Word<F> { using detail::Word<F>::Word; };
 template <detail::RunTimeFrame F> struct From<F> : detail::Word<F> { using detail::Word<F>::Word; };
 template <detail::RunTimeFrame F> struct In<F> : detail::Word<F> { using detail::Word<F>::Word; };

@@ -8,7 +8,7 @@
 namespace vectrix {
 namespace detail {
 
-/// What a graph answers, as the function of an edge of a FrameGraph.
+/// An answer of a graph as the function of an edge of a FrameGraph.
 template <class V> struct AnswerOfGraph {
   const NamedGraphCore* core;
 
@@ -23,7 +23,7 @@ template <class V> struct AnswerOfGraph {
   }
 
  private:
-  // From a snapshot that keeps the values of its edges.
+  // The snapshot keeps the values of its edges.
   template <class A, class B> static V with_motion(const NamedSnapshot& now, To<A> a, From<B> b) {
     const auto moving = moving_dcm(now.rotation(a, b), now.angular_velocity(of<B>, relative_to<A>, in<B>));
     if constexpr (LevelOf<V>::level == Level::rate) {
@@ -35,7 +35,7 @@ template <class V> struct AnswerOfGraph {
   }
 };
 
-/// Throws BadInput unless the graph has a path from a to b that knows the level.
+/// Throws BadInput unless the graph has a path from a to b of at least that level.
 inline void require_answer(const NamedGraphCore& core, const FrameRecord& b, const FrameRecord& a,
                            Level level) {
   const NamedQuery query{"typed_edge", b, a, a, level};
@@ -45,29 +45,31 @@ inline void require_answer(const NamedGraphCore& core, const FrameRecord& b, con
   });
 }
 
-/// The result of adding a typed edge: one of time, without a place, which a NamedGraph would forget.
+/// The result of adding a typed edge. The edge must be a function of time. It must have no position, because
+/// a NamedGraph does not keep positions.
 template <class Edge>
 using KeptWhole =
     std::enable_if_t<!LevelOf<typename Edge::value_type>::placed && Edge::template takes<Quantity<si::time>>>;
 
 }  // namespace detail
 
-/// A tree of frames known at run time: those of a file, wheel k of N. The words, levels and errors of a
-/// FrameGraph; what that refuses to compile, this refuses with BadInput.
+/// A tree of frames known at run time, for example from a file, or wheel k of N. Queries and levels are those
+/// of a FrameGraph. Where a FrameGraph does not compile, it throws BadInput.
 ///     NamedGraph graph;
 ///     const NamedFrame body = graph.add_frame("body", FrameMotion::moving);
 ///     graph.add_edge(rigid_edge(turned_x(To(body), From(camera), angle)));
 ///     graph.at(t).angular_velocity(Of(camera), RelativeTo("gcrf"), In(body))
-/// Threads may ask while others add, without waiting for them; only who asks for a pair of frames for the
-/// first time may wait while their trees are joined. Frames and edges are never removed.
+/// Threads may query while others add, without waiting. Only the first query for a pair of frames may wait
+/// while their trees are joined. Frames and edges are never removed.
 class NamedGraph {
  public:
-  /// Keeps the paths of the first `cached_paths` pairs of frames that are asked for; the others are found
-  /// each time.
+  /// Keeps the paths of the first `cached_paths` pairs of frames that are queried. Other paths are searched
+  /// at each query.
   explicit NamedGraph(std::size_t cached_paths = 1024)
       : core_(std::make_unique<detail::NamedGraphCore>(cached_paths)) {}
 
-  /// Adds a frame; throws BadInput when the name is empty or taken. With a type F, that type is bound to it.
+  /// Adds a frame, and with a type F binds that type to it. Throws BadInput when the name is empty or taken,
+  /// or F is bound already.
   NamedFrame add_frame(std::string name, FrameMotion motion) {
     return core_->add_frame(std::move(name), motion, nullptr);
   }
@@ -75,17 +77,17 @@ class NamedGraph {
     return core_->add_frame(std::move(name), motion_of_type<F>, &typeid(F));
   }
 
-  /// Claims that the type F and a frame of the graph are one. Throws BadInput when either is bound already,
-  /// the frame is unknown, or one is inertial and the other not.
+  /// Claims that the type F and a frame of the graph are the same frame. Throws BadInput when either is bound
+  /// already, the frame is unknown, or only one of them is inertial.
   template <Frame F> void bind(NamedFrame frame) { bind_to<F>(core_->record(frame)); }
   template <Frame F> void bind(std::string_view name) { bind_to<F>(core_->record(name)); }
 
-  /// Adds an edge. Throws BadInput when its frames are of another graph, are joined already, by an edge or by
-  /// a path, or its fixed rotation is not finite.
+  /// Adds an edge. Throws BadInput when its frames belong to another graph, are already joined by an edge or
+  /// a path, or the fixed rotation is not finite.
   void add_edge(NamedEdge edge) { core_->add_edge(std::move(edge)); }
 
   /// Adds an edge of a FrameGraph, static_edge(R_a_from_b), rigid_edge(R_a_from_b) or edge(f), between the
-  /// frames that its types are bound to.
+  /// frames to which its types are bound.
   template <class Edge> detail::KeptWhole<Edge> add_edge(Edge edge) {
     using V = typename Edge::value_type;
     const NamedFrame a = frame<detail::FirstOf<Edge>>();
@@ -109,11 +111,12 @@ class NamedGraph {
   NamedSnapshot at(  // the snapshot refers to the graph: give the graph a name first
       const Quantity<si::time>&) const&& = delete;
 
-  /// The frame of that name, or bound to that type. Throws BadInput, with the nearest name, for none.
+  /// The frame of that name, or bound to that type. Throws BadInput with the nearest name if there is none.
   NamedFrame frame(std::string_view name) const { return NamedFrame{core_->record(name)}; }
   template <Frame F> NamedFrame frame() const { return NamedFrame{core_->record<F>()}; }
-  /// An answer of this graph as an edge of a FrameGraph; V, a Dcm<A, B>, MovingDcm or AcceleratingDcm, says
-  /// its frames and level. Throws BadInput now when the graph cannot answer. Must not outlive the graph.
+  /// An answer of this graph as an edge of a FrameGraph; V, a Dcm<A, B>, MovingDcm or AcceleratingDcm, gives
+  /// its frames and level. Throws BadInput in this call when the graph cannot answer. The edge must not
+  /// outlive the graph.
   template <EdgeValue V>
     requires(!LevelOf<V>::placed)
   auto typed_edge() const& {
@@ -125,7 +128,7 @@ class NamedGraph {
   template <EdgeValue V>
   void typed_edge() const&& = delete;  // the edge refers to the graph: give the graph a name first
 
-  /// A typed value with the names that its types are bound to.
+  /// Converts a typed value to a named one, with the frames to which its types are bound.
   template <class B, class A> NamedDcm named(const Dcm<B, A>& R_b_from_a) const {
     return {detail::trusted, frame<B>(), frame<A>(), R_b_from_a.matrix()};
   }
@@ -141,7 +144,7 @@ class NamedGraph {
     return {detail::trusted, frame<B>(), frame<A>(), named(alpha_ab_c.vector())};
   }
 
-  /// A named value with the types that its frames are bound to. Throws BadInput when they are others.
+  /// Converts a named value to a typed one. Throws BadInput when its frames are not bound to these types.
   template <Frame B, Frame A> Dcm<B, A> typed(To<B>, From<A>, const NamedDcm& R_b_from_a) const {
     require_bound<B>(R_b_from_a.to());
     require_bound<A>(R_b_from_a.from());

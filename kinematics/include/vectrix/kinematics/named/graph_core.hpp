@@ -8,8 +8,8 @@
 
 namespace vectrix::detail {
 
-/// The state of a NamedGraph. Additions hold the mutex; readers go without it through what additions
-/// publish, and take it only to add a path to the cache and to make sure that there is no path.
+/// The state of a NamedGraph. Additions hold the mutex. Readers use atomically published data without it;
+/// they lock it only to add a path to the cache and to confirm that there is no path.
 class NamedGraphCore {
  public:
   explicit NamedGraphCore(std::size_t cached_paths) : cache_(cached_paths) {}
@@ -60,7 +60,7 @@ class NamedGraphCore {
     trees_.join(edges_.emplace_back(std::move(edge)));
   }
 
-  // The frame that a word says, by handle, by name or by type.
+  // The frame given by a handle, a name or a type.
   const FrameRecord& record(NamedFrame frame) const { return of_this_graph(frame); }
   const FrameRecord& record(std::string_view name) const {
     const FrameRecord* found = names_.find(name);
@@ -83,7 +83,7 @@ class NamedGraphCore {
     return cache_.size();
   }
 
-  /// Does `use(path)` with the path from start to goal; null when they are in two trees.
+  /// Calls `use(path)` with the path from start to goal; null if they are in two trees.
   template <class Use>
   decltype(auto) with_path(const FrameRecord& start, const FrameRecord& goal, const Use& use) const {
     if (const NamedPath* kept = cache_.find(start.number, goal.number)) [[likely]]
@@ -98,7 +98,7 @@ class NamedGraphCore {
     const TreeNode* from = start.node.load(std::memory_order_acquire);
     const TreeNode* until = goal.node.load(std::memory_order_acquire);
     if (from->root != until->root) {
-      // Two trees, or nodes of before and after a joining: nobody joins under the lock.
+      // Two trees, or nodes from before and after a join: the lock excludes a join.
       const std::lock_guard lock(mutex_);
       from = start.node.load(std::memory_order_relaxed);
       until = goal.node.load(std::memory_order_relaxed);
@@ -145,7 +145,7 @@ class NamedGraphCore {
 
   mutable std::mutex mutex_;
   std::deque<FrameRecord> frames_;
-  std::vector<bool> bound_;  // to a type, by the frames' numbers
+  std::vector<bool> bound_;  // whether bound to a type, by frame number
   std::deque<NamedEdge> edges_;
   NamedTrees trees_;
   FrameIndex<std::string_view> names_;

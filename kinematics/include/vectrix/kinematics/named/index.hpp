@@ -9,14 +9,14 @@
 
 namespace vectrix::detail {
 
-/// From a key (a name, a type) to a frame, by open addressing. Any number of threads read while one adds;
-/// nothing is ever removed. A table that is half full is replaced by one of twice the size, and kept for
-/// those who still read it: all the old ones together are no larger than the last.
+/// Maps a key (a name, a type) to a frame, by open addressing. Any number of threads may read while one adds;
+/// nothing is removed. A table that is half full is replaced by one of twice the size. Old tables are kept
+/// for readers that still use them; together they are no larger than the current one.
 template <class Key> class FrameIndex {
  public:
   FrameIndex() { publish(16); }
 
-  /// The frame of that key; null when there is none yet.
+  /// The frame of that key; null if there is none.
   const FrameRecord* find(const Key& key) const {
     const std::size_t hash = std::hash<Key>{}(key);
     const Table& table = *table_.load(std::memory_order_acquire);
@@ -27,7 +27,7 @@ template <class Key> class FrameIndex {
     }
   }
 
-  /// Adds a key that is not there. One thread at a time.
+  /// Adds a new key. Only one thread may call it at a time.
   void add(const Key& key, const FrameRecord& frame) {
     if (2 * (entries_.size() + 1) > tables_.back()->mask + 1) publish(2 * (tables_.back()->mask + 1));
     insert(*tables_.back(), entries_.emplace_back(Entry{key, std::hash<Key>{}(key), &frame}));

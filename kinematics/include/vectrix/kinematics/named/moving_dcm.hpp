@@ -5,7 +5,7 @@
 
 namespace vectrix {
 
-/// The rotation and the rate of b relative to a at one instant, R_b^a and w_ab^b: MovingDcm of frames known
+/// The rotation and the rate of b relative to a at one instant, R_b^a and w_ab^b: MovingDcm for frames known
 /// at run time. Made by moving_dcm().
 class NamedMovingDcm {
  public:
@@ -56,7 +56,7 @@ void require_motion(const NamedDcm& R_a_from_b, const NamedRate<U>& rate, const 
 }  // namespace detail
 
 /// Joins a rotation and its rate; the rate may be expressed in b or in a. Throws BadInput when the frames of
-/// the two do not belong together.
+/// the two do not match.
 inline NamedMovingDcm moving_dcm(const NamedDcm& R_a_from_b, const NamedAngularVelocity& w_ab) {
   detail::require_motion(R_a_from_b, w_ab, "moving_dcm");
   if (w_ab.in() == R_a_from_b.from()) return {detail::trusted, R_a_from_b, w_ab};

@@ -8,7 +8,8 @@
 
 namespace vectrix::detail {
 
-/// How many characters to insert, remove or replace to make one of the other (Levenshtein), case aside.
+/// The number of characters to insert, remove or replace to turn one into the other (Levenshtein), ignoring
+/// case.
 inline std::size_t edits(std::string_view one, std::string_view other) {
   const auto same = [](char a, char b) {
     return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
@@ -26,7 +27,7 @@ inline std::size_t edits(std::string_view one, std::string_view other) {
   return row.back();
 }
 
-/// The name that is worth suggesting instead: at least half of it is right. Empty when none is.
+/// The nearest name, if at least half of its characters are right; else empty.
 template <class Names> std::string_view nearest_name(std::string_view wanted, const Names& names) {
   std::string_view nearest;
   std::size_t fewest = static_cast<std::size_t>(-1);

@@ -5,14 +5,14 @@
 
 namespace vectrix::detail {
 
-/// A part of a path as a rotation is walked: one edge to evaluate, or the product of fixed ones.
+/// A part of a path, for rotations: one edge to evaluate, or the product of consecutive constant edges.
 struct PathLeg {
   const EdgeFunction* function;  // null for a fixed rotation
   bool against, in_quaternions;
   Square<double> fixed;
 };
 
-/// What is to be done between two frames, found once.
+/// The path between two frames, prepared once.
 struct NamedPath {
   std::vector<PathStep> steps;
   std::vector<PathLeg> legs;
@@ -35,7 +35,7 @@ struct NamedPath {
     }
   }
 
-  /// The first edge that knows less than `level`; null when all know enough.
+  /// The first edge below `level`; null if there is none.
   const NamedEdge* edge_below(Level level) const {
     for (const PathStep& step : steps)
       if (step.edge->level() < level) return step.edge;
@@ -43,8 +43,8 @@ struct NamedPath {
   }
 };
 
-/// Paths by their two ends. Bounded: it takes in what it has room for, and then no more. Never stale: a path,
-/// once there, cannot change, and that there is none is not kept. Any number of threads read while one adds.
+/// Paths by their two ends. Bounded: when it is full it takes no more paths. Never stale: an existing path
+/// cannot change, and a missing path is not cached. Any number of threads may read while one adds.
 class PathCache {
  public:
   explicit PathCache(std::size_t capacity) : capacity_(capacity) {
@@ -61,7 +61,8 @@ class PathCache {
     }
   }
 
-  /// The path as kept, by this call or an earlier one; null when there is no room. One thread at a time.
+  /// The cached path, from this call or an earlier one; null if the cache is full. Only one thread may call
+  /// it at a time.
   const NamedPath* add(std::uint32_t start, std::uint32_t goal, const NamedPath& path) {
     if (const NamedPath* kept = find(start, goal)) return kept;
     if (entries_.size() == capacity_) return nullptr;

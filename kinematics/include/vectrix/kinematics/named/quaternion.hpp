@@ -5,8 +5,8 @@
 
 namespace vectrix {
 
-/// q_a^b between two frames known at run time: a line of an attitude file. The doors are those of Quaternion,
-/// with the same checks and errors.
+/// q_a^b between two frames known at run time, for example from a line of an attitude file. The doors are
+/// those of Quaternion, with the same checks and errors.
 class NamedQuaternion {
  public:
   NamedQuaternion(detail::Trusted, NamedFrame to, NamedFrame from, const Eigen::Quaterniond& value)

@@ -4,9 +4,9 @@
 
 namespace vectrix {
 
-/// w_ab^c, rad/s, or alpha_ab^c, rad/s^2, between frames known at run time: the unit U says which. The laws
-/// of AngularVelocity and AngularAcceleration, checked when they are used; a pair of frames that does not
-/// chain throws BadInput that names both.
+/// w_ab^c, rad/s, or alpha_ab^c, rad/s^2, between frames known at run time; the unit U distinguishes them.
+/// Its laws are those of AngularVelocity and AngularAcceleration, checked at run time. An operation on frames
+/// that do not chain throws BadInput that names both.
 template <VectorUnit U> class NamedRate {
  public:
   NamedRate(detail::Trusted, NamedFrame of, NamedFrame relative_to, const NamedVector<U>& vector)
@@ -20,7 +20,7 @@ template <VectorUnit U> class NamedRate {
   const detail::Column<double>& coordinates() const& { return vector_.coordinates(); }
   detail::Column<double> coordinates() && { return vector_.coordinates(); }
 
-  /// w_ba^c = -w_ab^c, and so alpha
+  /// w_ba^c = -w_ab^c, and the same for alpha
   NamedRate operator-() const { return {detail::trusted, relative_to_, of_, -vector_}; }
 
  private:
@@ -52,7 +52,7 @@ inline void require_other(NamedFrame b, NamedFrame a) {
 
 }  // namespace detail
 
-// A chain is a rate of other frames: w_ad = w_ab + w_bd.
+// The sum has other frames than its operands: w_ad = w_ab + w_bd.
 template <class U> auto operator+=(NamedRate<U>&, const NamedRate<U>&) -> Refused = delete;
 
 /// Claims that the vector is the angular velocity (acceleration) of b relative to a.
@@ -67,7 +67,7 @@ inline NamedAngularAcceleration angular_acceleration(
   return {detail::trusted, b.frame, a.frame, alpha_ab_c};
 }
 
-// w_ab^d = R_c^d w_ab^c, and so alpha
+// w_ab^d = R_c^d w_ab^c, and the same for alpha
 template <class U> NamedRate<U> product(const NamedDcm& R_d_from_c, const NamedRate<U>& ab_c) {
   detail::require_same(R_d_from_c.from(), ab_c.in(), [&] {
     return "product of " + detail::described(R_d_from_c) + " and " + detail::described(ab_c);

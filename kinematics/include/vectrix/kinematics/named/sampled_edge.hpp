@@ -17,7 +17,7 @@ struct NamedSample {
 
 namespace detail {
 
-/// The named edge of an attitude file: SampledAttitude in numbers.
+/// The function of a sampled_edge: SampledAttitude in numbers.
 class SampledFunction final : public EdgeFunction {
  public:
   SampledFunction(const std::string& place, const std::vector<NamedSample>& samples, double longest_gap)
@@ -52,11 +52,11 @@ inline void require_one_pair(const std::string& place, const std::vector<NamedSa
 
 }  // namespace detail
 
-/// The edge that interpolates an attitude file: slerp from sample to sample, by the shortest way. Its rate is
-/// that of the interpolation, constant from one sample up to the next, where it jumps; no acceleration.
-/// Samples exactly half a turn apart are joined as by Slerp: which of the two ways, the data do not say.
-/// Throws BadInput for fewer than two samples, times that do not increase, or frames that differ; and, when
-/// asked, outside the samples or inside a step longer than `longest_gap`.
+/// The edge that interpolates an attitude file by slerp, the shortest turn from sample to sample. Its rate is
+/// that of the interpolation, constant between samples, with jumps at them. It has no acceleration. For
+/// samples exactly half a turn apart the data do not determine the axis; it is chosen as by Slerp.
+/// Throws BadInput for fewer than two samples, times that do not increase, or frames that differ. A query
+/// throws BadInput outside the samples or inside a step longer than `longest_gap`.
 inline NamedEdge sampled_edge(const std::vector<NamedSample>& samples,
                               const Quantity<si::time>& longest_gap) {
   if (samples.empty()) throw BadInput("sampled_edge: the number of samples is 0, at least 2 are needed");

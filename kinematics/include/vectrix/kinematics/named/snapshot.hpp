@@ -9,7 +9,7 @@ namespace detail {
 template <class F>
 concept AnyFrame = Frame<F> || RunTimeFrame<F>;
 
-/// The record of the frame in a word: to<Body>, To(camera), To("camera").
+/// The record of the frame in an argument: to<Body>, To(camera), To("camera").
 template <template <class> class Word, class F>
 const FrameRecord& record_in(const NamedGraphCore& core, const Word<F>& word) {
   if constexpr (Frame<F>) {
@@ -67,10 +67,10 @@ Column<double> rate(const NamedGraphCore& core, const FrameRecord& b, const Fram
 
 }  // namespace detail
 
-/// A NamedGraph at one instant. Frames are asked for by handle, by name, or by the type that is bound to
-/// them; when all are types the answer is typed. An edge is evaluated at most once: a snapshot with a name
-/// keeps the values, one without, `graph.at(t).rotation(...)`, needs each once only. Must not outlive the
-/// graph. Not for use by two threads at once: take one snapshot per thread.
+/// A NamedGraph at one instant. A query takes frames by handle, by name, or by the type bound to them; if all
+/// are types, the answer is typed. Each edge is evaluated at most once: a named snapshot keeps the values, a
+/// temporary one, `graph.at(t).rotation(...)`, uses each value only once. It must not outlive the graph. Two
+/// threads must not share a snapshot: take one per thread.
 class NamedSnapshot {
  public:
   NamedSnapshot(const detail::NamedGraphCore& core, double t) : core_(&core), t_(t) {
@@ -78,8 +78,8 @@ class NamedSnapshot {
       throw BadInput("NamedGraph: the time is " + detail::text(t) + " s");
   }
 
-  /// R_a^b between any two joined frames. Throws BadInput for an unknown frame, one of another graph, or two
-  /// frames without a path.
+  /// R_a^b between any two joined frames. Throws BadInput for an unknown frame, a frame of another graph, or
+  /// two frames without a path.
   template <detail::AnyFrame B, detail::AnyFrame A> auto rotation(To<B> b, From<A> a) const& {
     return rotation(b, a, kept());
   }
@@ -87,8 +87,8 @@ class NamedSnapshot {
     return rotation(b, a, fresh());
   }
 
-  /// w_ab^c, of b relative to a, expressed in c. Throws BadInput as rotation() does, and when b is a or an
-  /// edge from a to b has no rate.
+  /// w_ab^c, of b relative to a, expressed in c. Throws BadInput as rotation() does, and also when b is a, or
+  /// an edge from a to b has no rate.
   template <detail::AnyFrame B, detail::AnyFrame A, detail::AnyFrame C>
   auto angular_velocity(Of<B> b, RelativeTo<A> a, In<C> c) const& {
     return velocity(b, a, c, kept());
@@ -98,7 +98,8 @@ class NamedSnapshot {
     return velocity(b, a, c, fresh());
   }
 
-  /// alpha_ab^c, of b relative to a, expressed in c. Throws BadInput likewise.
+  /// alpha_ab^c, of b relative to a, expressed in c. Throws BadInput as angular_velocity(), for the
+  /// acceleration.
   template <detail::AnyFrame B, detail::AnyFrame A, detail::AnyFrame C>
   auto angular_acceleration(Of<B> b, RelativeTo<A> a, In<C> c) const& {
     return acceleration(b, a, c, kept());
@@ -143,7 +144,7 @@ class NamedSnapshot {
     }
   }
 
-  // The answer as a typed vector, when all frames are types, or as a NamedRate.
+  // The answer, a typed vector if all frames are types, else a NamedRate.
   template <Level level, class U, class B, class A, class C, class Motions>
   auto rate(Of<B> b, RelativeTo<A> a, In<C> c, const Motions& motions) const {
     using namespace detail;

@@ -8,8 +8,8 @@
 
 namespace vectrix::detail {
 
-/// A frame in its tree, at one rooting of that tree. Immutable: when a tree is joined to another, its frames
-/// get new nodes, and the old ones stay for those who still read them.
+/// A frame in a rooted tree. Immutable: when its tree is joined to another, its frame gets a new node. The
+/// old node remains for threads that still read it.
 struct TreeNode {
   const FrameRecord* frame;
   const NamedEdge* edge;  // to the parent; null at the root
@@ -18,7 +18,7 @@ struct TreeNode {
   std::size_t depth;
 };
 
-/// An edge as it is walked; `against` when from its second frame, `from()`, to its first.
+/// An edge and its direction on the path; `against` if from its second frame, `from()`, to its first.
 struct PathStep {
   const NamedEdge* edge;
   bool against;
@@ -29,8 +29,8 @@ inline bool is_against(const NamedEdge& edge, const FrameRecord& start) {
   return &edge.from().record() == &start;
 }
 
-/// The steps between two nodes of one rooting. Edges are only ever added, and never close a cycle: a path,
-/// once found, stays the only one.
+/// The steps between two nodes with the same root. Edges are only added and never close a cycle, so a path
+/// stays the only one.
 inline std::vector<PathStep> steps_between(const TreeNode* start, const TreeNode* goal) {
   std::vector<PathStep> steps(start->depth + goal->depth);
   auto front = steps.begin();
@@ -48,8 +48,8 @@ inline std::vector<PathStep> steps_between(const TreeNode* start, const TreeNode
   return steps;
 }
 
-/// The trees of a graph. One thread at a time changes them, while others read the nodes that the frames'
-/// records point to.
+/// The trees of a graph. Only one thread changes them at a time; others may read the nodes in the frame
+/// records.
 class NamedTrees {
  public:
   void add(FrameRecord& frame) {
@@ -60,7 +60,7 @@ class NamedTrees {
     frame.node.store(&node, std::memory_order_release);
   }
 
-  /// The edge that joins these two frames, if one does.
+  /// The edge between these two frames; null if there is none.
   const NamedEdge* find(const FrameRecord& a, const FrameRecord& b) const {
     const bool at_a = places_[a.number].edges.size() <= places_[b.number].edges.size();
     const FrameRecord& end = at_a ? a : b;
@@ -69,7 +69,8 @@ class NamedTrees {
     return nullptr;
   }
 
-  /// Joins two trees. The smaller is rooted anew at its end of the edge: n edges make at most n log2 n nodes.
+  /// Joins two trees. The smaller gets a new root, at its end of the edge, so n edges make at most n log2 n
+  /// nodes.
   void join(const NamedEdge& edge) {
     const FrameRecord* below = &edge.to().record();
     const FrameRecord* above = &edge.from().record();
@@ -109,7 +110,7 @@ class NamedTrees {
   }
 
   std::deque<TreeNode> nodes_;
-  std::vector<Place> places_;      // by the frames' numbers
+  std::vector<Place> places_;      // by frame number
   std::vector<std::size_t> size_;  // of the tree whose root has that number
 };
 

@@ -4,8 +4,8 @@
 
 namespace vectrix {
 
-/// r^a: coordinates in a frame known at run time, in the unit U. The frames are checked when it is used, the
-/// unit when it is compiled. Made by `vector(In(a), ...)`; no default.
+/// r^a: coordinates in a frame known at run time, in the unit U. The frames are checked at run time, the unit
+/// at compile time. Made by `vector(In(a), ...)`; there is no default.
 template <VectorUnit U> class NamedVector {
  public:
   template <class Derived>

@@ -6,7 +6,7 @@
 
 namespace vectrix::detail {
 
-/// The values of the edges at one instant, evaluated whenever they are asked for.
+/// The values of the edges at one instant, evaluated at each request.
 struct FreshMotions {
   static constexpr bool fresh = true;
   double t;
@@ -14,7 +14,7 @@ struct FreshMotions {
   EdgeMotion motion(const EdgeFunction& function) const { return function.motion(t); }
 };
 
-/// The same, kept from one query to the next.
+/// The same, but the values are kept between queries.
 struct KeptMotions {
   static constexpr bool fresh = false;
   double t;
@@ -27,7 +27,7 @@ struct KeptMotions {
   }
 };
 
-/// A product of rotations, from the left; quaternions that follow each other are multiplied as such.
+/// A product of rotations, from the left. Consecutive quaternions are multiplied as quaternions.
 class RotationProduct {
  public:
   void times(const Square<double>& R) {
@@ -82,8 +82,8 @@ struct RatePair {
   Column<double> w = Column<double>::Zero(), alpha = Column<double>::Zero();
 };
 
-/// w_am^m, and at that level alpha_am^m, of the frame m at the end of the steps from a; `turned` when the
-/// steps come from a path that leads the other way. From m to n:
+/// w_am^m, and at the acceleration level alpha_am^m, where m is the frame at the end of the steps from a.
+/// `turned` if the steps belong to the reversed path. From m to n:
 ///     along an edge:   w_an^n = R_m^n w_am^m + w_mn^n,    alpha_an^n = R_m^n alpha_am^m + alpha_mn^n
 ///                                                                      + (R_m^n w_am^m) x w_mn^n
 ///     against one:     w_an^n = R_m^n (w_am^m - w_nm^m),  alpha_an^n = R_m^n (alpha_am^m - alpha_nm^m
@@ -107,7 +107,7 @@ RatePair rate_along(Iterator step, Iterator end, bool turned, const Motions& mot
   return rate;
 }
 
-/// w_ab^c or alpha_ab^c. The paths from a to b and from a to c part at m; each edge is asked once:
+/// w_ab^c or alpha_ab^c. The paths from a to b and from a to c part at m; each edge is used once:
 ///     w_ab^m = w_am^m - w_bm^m,    alpha_ab^m = alpha_am^m - alpha_bm^m - w_am^m x w_bm^m
 template <Level level, class Motions>
 Column<double> rate_between(const NamedPath& to_b, const NamedPath& to_c, const Motions& motions) {

@@ -8,6 +8,7 @@ namespace vectrix {
 
 /// a_pq|a^c, `a_pq_a_c`, of type Acceleration<P, Q, ObservedFrom<A>, In<C>>: the acceleration of the point q
 /// relative to the point p, the second derivative of r_pq for an observer fixed in a, expressed in c, m/s^2.
+/// Its laws:
 ///     1.  a_pq|a^c + a_qs|a^c = a_ps|a^c
 ///     2.  a_qp|a^c = -a_pq|a^c
 ///     3.  a_pq|a^d = R_c^d a_pq|a^c
@@ -34,7 +35,7 @@ template <class P, class Q, class A, class C, class S>
 struct QuestionOf<Acceleration<P, Q, ObservedFrom<A>, In<C>, S>>
     : std::type_identity<AskAcceleration<Q, P, A, C>> {};
 
-/// Claims that the vector is the acceleration of q relative to p as a sees it.
+/// Claims that the vector is the acceleration of q relative to p, observed from a.
 template <Point Q, Point P, Frame A, class C, class S>
 detail::OfTwo<P, Q, Acceleration<P, Q, ObservedFrom<A>, In<C>, S>> acceleration(
     Of<Q>, RelativeTo<P>, ObservedFrom<A>, const Vector<C, si::acceleration, S>& a_pq_a_c) {
@@ -45,13 +46,13 @@ template <class Q, class P, class A, class C, class UnitGiven, class S>
 auto acceleration(  // of<Q>, relative_to<P>: two points; in m/s^2
     Of<Q>, RelativeTo<P>, ObservedFrom<A>, const Vector<C, UnitGiven, S>&) -> Refused = delete;
 
-/// Claims that a sees no acceleration of q relative to p.
+/// Claims that q has no acceleration relative to p, observed from a.
 template <Point Q, Point P, Frame A, Frame C, class S = double>
 Acceleration<P, Q, ObservedFrom<A>, In<C>, S> unaccelerated(Of<Q>, RelativeTo<P>, ObservedFrom<A>, In<C>) {
   return Acceleration<P, Q, ObservedFrom<A>, In<C>, S>{detail::trusted, detail::Column<S>::Zero()};
 }
 
-// The apparent accelerations, which an observer in b sees because b turns relative to a:
+// The apparent accelerations for an observer in b, due to the rotation of b relative to a:
 //     a_pq|b = a_pq|a + Euler + Coriolis + centrifugal
 
 /// The Euler acceleration, -alpha_ab x r_pq.
@@ -60,7 +61,7 @@ Vector<C, si::acceleration, S> euler_acceleration(const AngularAcceleration<A, B
                                                   const Displacement<P, Q, In<C>, S>& r_pq_c) {
   return {detail::trusted, r_pq_c.coordinates().cross(alpha_ab_c.coordinates())};
 }
-/// The Coriolis acceleration, -2 w_ab x v_pq|b: of the velocity that b sees.
+/// The Coriolis acceleration, -2 w_ab x v_pq|b, where v_pq|b is the velocity observed from b.
 template <class A, class B, class P, class Q, class C, class S>
 Vector<C, si::acceleration, S> coriolis_acceleration(
     const AngularVelocity<A, B, In<C>, S>& w_ab_c,

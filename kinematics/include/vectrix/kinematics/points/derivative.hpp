@@ -4,9 +4,9 @@
 
 namespace vectrix {
 
-/// d/dt|_a r, expressed in c: how the vector r changes for an observer fixed in a. U is the unit of r; the
-/// derivative has that of U per second. d/dt|_a and d/dt|_b are different types; transport() takes one to the
-/// other.
+/// d/dt|_a r, expressed in c: the derivative of the vector r for an observer fixed in a. U is the unit of r;
+/// the unit of the derivative is U per second. d/dt|_a and d/dt|_b are different types; transport() converts
+/// one to the other.
 template <Frame A, Frame C, VectorUnit U, class S = double> class Derivative {
  public:
   using unit = unit_of_vector_quotient<U, si::time>;
@@ -51,7 +51,7 @@ concept Transports = requires {
 
 }  // namespace detail
 
-/// What an observer in a sees of what one in b does, all expressed in one frame c:
+/// Takes a derivative observed from b to the observer in a, all expressed in one frame c:
 ///     transport(observed_from<A>, rdot_c, r_c, w_ab_c)
 /// for a Derivative, and likewise for a Velocity or an Acceleration.
 template <class ToObserver, class Change, class... Operands>

@@ -11,13 +11,13 @@
 namespace vectrix {
 namespace detail {
 
-/// The derivative of f(s) at s = 0 by five points a step h apart; h^4/30 times its fifth derivative is left
-/// out.
+/// The derivative of f(s) at s = 0 from five points a step h apart; its error is h^4/30 times the fifth
+/// derivative.
 template <class F> auto central_difference(const F& f, double h) {
   return ((f(-2 * h) - f(2 * h) + 8.0 * (f(h) - f(-h))) / (12 * h)).eval();
 }
 
-/// Rounding of the values, of that size, shows in their difference as a part of size/h.
+/// Rounding error of a central difference, relative to size/h, for values of that size.
 inline constexpr double difference_rounding = 256 * std::numeric_limits<double>::epsilon();
 
 template <class A, class B, class F, class Claimed>
@@ -35,13 +35,13 @@ void require_law(const char* what, const char* of, const F& f, const Claimed& cl
 
 }  // namespace detail
 
-/// Checks a moving edge of one's own at one instant: what f returns must obey, as far as its level goes,
+/// Checks a moving edge of the user's at one instant. The value of f must obey these laws, up to its level:
 ///     R^T R = I    d/dt R_b^a = R_b^a [w_ab^b]x    d/dt w_ab^b = alpha_ab^b
 ///     d/dt r_ab^a = v_ab|a^a    d/dt v_ab|a^a = a_ab|a^a
-/// each to `tolerance` of its size. The derivatives are taken by differences over two steps to either side,
-/// where f must be smooth; they are wrong by (step/T)^4/30 of a motion that changes in the time T. It shows a
-/// rate in the other axes, of the other sign, in degrees, or left at zero. Throws BadInput that names the
-/// law, the frames, the instant and how far it is off.
+/// each to the relative error `tolerance`. The derivatives are central differences over two steps to either
+/// side, where f must be smooth; for a motion of time scale T their relative error is (step/T)^4/30. The
+/// check finds a rate in the wrong axes, of the wrong sign, in degrees, or left at zero. Throws BadInput that
+/// names the law, the frames, the instant and the error.
 template <class Function, Instant I>
 void require_motion_laws(const Function& f, const I& t, const Quantity<si::time>& step,
                          double tolerance = 1e-6) {

@@ -6,8 +6,8 @@
 
 namespace vectrix {
 
-/// How the frame b is placed and moves relative to a at one instant, as a sees it: R_b^a and w_ab^b, r_ab^a,
-/// and v_ab|a^a of b's origin. X_ad = X_ab X_bd for motions as for places:
+/// Position and motion of the frame b relative to a at one instant, observed from a: R_b^a and w_ab^b,
+/// r_ab^a, and v_ab|a^a of b's origin. Motions multiply as transforms do, X_ad = X_ab X_bd:
 ///     r_ad = r_ab + R_b^a r_bd,  v_ad|a = v_ab|a + R_b^a (v_bd|b + w_ab x r_bd)
 template <Frame A, Frame B, class S = double> struct MovingTransform {
   MovingDcm<A, B, S> turning;
@@ -34,7 +34,7 @@ AcceleratingTransform(const AcceleratingDcm<A, B, S>&, const Translation&, const
 template <class A, class B, class S>
 inline constexpr bool detail::is_framed<AcceleratingTransform<A, B, S>> = true;
 
-// What a frame graph asks of the values on its edges.
+// What a frame graph needs of the values on its edges.
 template <class A, class B, class S>
 struct LevelOf<MovingTransform<A, B, S>> : detail::PlacedLevel<A, B, S, Level::rate> {};
 template <class A, class B, class S>
@@ -59,7 +59,7 @@ template <class A, class B, class S>
 const AcceleratingDcm<A, B, S>& accelerating_part(const AcceleratingTransform<A, B, S>& value) {
   return value.turning;
 }
-/// The place without its motion.
+/// The rotation and the position, without their motion.
 template <class A, class B, class S> Transform<A, B, S> transform_of(const MovingTransform<A, B, S>& value) {
   return {value.turning.rotation, value.translation};
 }

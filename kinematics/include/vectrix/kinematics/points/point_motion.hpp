@@ -4,14 +4,14 @@
 
 namespace vectrix {
 
-/// r_pq^a and v_pq|a^a: where the point q is relative to the point p and how it moves, as an observer in a
-/// sees it; of an orbit, its state vector. point_motion() makes it of two vectors.
+/// r_pq^a and v_pq|a^a: position and velocity of the point q relative to the point p, observed from a. For an
+/// orbit this is the state vector. point_motion() makes it from two vectors.
 template <Point P, Point Q, Frame A, class S = double> struct PointMotion {
   Displacement<P, Q, In<A>, S> position;
   Velocity<P, Q, ObservedFrom<A>, In<A>, S> velocity;
 };
 
-/// Claims that the vectors are position and velocity of q relative to p, the velocity as a sees it.
+/// Claims that the vectors are the position and the velocity of q relative to p, observed from a.
 template <Point Q, Point P, Frame A, class S>
 detail::OfTwo<P, Q, PointMotion<P, Q, A, S>> point_motion(Of<Q>, RelativeTo<P>, ObservedFrom<A>,
                                                           const Vector<A, si::length, S>& r_pq_a,

@@ -33,7 +33,7 @@ inline constexpr bool detail::is_framed<Velocity<P, Q, A, C, S>> = true;
 template <class P, class Q, class A, class C, class S>
 struct QuestionOf<Velocity<P, Q, ObservedFrom<A>, In<C>, S>> : std::type_identity<AskVelocity<Q, P, A, C>> {};
 
-/// Claims that the vector is the velocity of q relative to p as a sees it.
+/// Claims that the vector is the velocity of q relative to p, observed from a.
 template <Point Q, Point P, Frame A, class C, class S>
 detail::OfTwo<P, Q, Velocity<P, Q, ObservedFrom<A>, In<C>, S>> velocity(
     Of<Q>, RelativeTo<P>, ObservedFrom<A>, const Vector<C, si::velocity, S>& v_pq_a_c) {
@@ -44,7 +44,7 @@ template <class Q, class P, class A, class C, class UnitGiven, class S>
 auto velocity(  // of<Q>, relative_to<P>: two points; in m/s
     Of<Q>, RelativeTo<P>, ObservedFrom<A>, const Vector<C, UnitGiven, S>&) -> Refused = delete;
 
-/// Claims that a sees q at rest relative to p.
+/// Claims that q is at rest relative to p, observed from a.
 template <Point Q, Point P, Frame A, Frame C, class S = double>
 Velocity<P, Q, ObservedFrom<A>, In<C>, S> at_rest(Of<Q>, RelativeTo<P>, ObservedFrom<A>, In<C>) {
   return Velocity<P, Q, ObservedFrom<A>, In<C>, S>{detail::trusted, detail::Column<S>::Zero()};

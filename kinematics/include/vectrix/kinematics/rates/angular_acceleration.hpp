@@ -5,12 +5,12 @@
 
 namespace vectrix {
 
-/// alpha_ab^c, `alpha_ab_c`: the angular acceleration of b relative to a, the derivative of w_ab seen from a
-/// (or from b: the two agree), expressed in c, rad/s^2. Its laws:
+/// alpha_ab^c, `alpha_ab_c`: the angular acceleration of b relative to a, the derivative of w_ab observed
+/// from a (or from b, which gives the same), expressed in c, rad/s^2. Its laws:
 ///     1.  alpha_ad = alpha_ab + alpha_bd + w_ab x w_bd    chain(alpha_ab_c, alpha_bd_c, w_ab_c, w_bd_c)
 ///     2.  alpha_ba^c = -alpha_ab^c
 ///     3.  alpha_ab^d = R_c^d alpha_ab^c
-/// A sum without the rates does not compile: the transport term would be lost.
+/// A sum without the rates does not compile, because it lacks the transport term.
 template <Frame A, Frame B, class Expressed, class S = double> class AngularAcceleration;
 
 template <Frame A, Frame B, Frame C, class S>
@@ -73,8 +73,8 @@ concept Chains = requires {
 }  // namespace detail
 
 /// alpha_ad^c = alpha_ab^c + alpha_bd^c + w_ab^c x w_bd^c
-/// All four expressed in c. The cross term is there because b turns while d turns on it. Likewise the rates
-/// of two twists: chain(Vdot_ab, Vdot_bd, V_ab, V_bd).
+/// All four are expressed in c. The cross term comes from the rotation of b, relative to which d rotates. The
+/// rates of two twists also chain: chain(Vdot_ab, Vdot_bd, V_ab, V_bd).
 template <class ChangeAb, class ChangeBd, class RateAb, class RateBd>
 detail::ChainOf<ChangeAb, ChangeBd, RateAb, RateBd> chain(const ChangeAb& change_ab,
                                                           const ChangeBd& change_bd, const RateAb& rate_ab,
@@ -93,7 +93,7 @@ Quantity<si::angular_acceleration, S> norm(const AngularAcceleration<A, B, C, S>
   return norm(alpha_ab_c.vector());
 }
 
-// alpha_ab^d = R_c^d alpha_ab^c, by the quaternion
+// alpha_ab^d = R_c^d alpha_ab^c, with a quaternion
 template <class D, class C, class A, class B, class S>
 AngularAcceleration<A, B, In<D>, S> product(const Quaternion<D, C, S>& q_d_from_c,
                                             const AngularAcceleration<A, B, In<C>, S>& alpha_ab_c) {

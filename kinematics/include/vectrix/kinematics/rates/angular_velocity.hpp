@@ -11,7 +11,7 @@ namespace vectrix {
 ///     1.  w_ab^c + w_bd^c = w_ad^c          sums chain, all expressed in one frame
 ///     2.  w_ba^c = -w_ab^c                  reversal
 ///     3.  w_ab^d = R_c^d w_ab^c             re-expression: R_d_from_c * w_ab_c, q_d_from_c * w_ab_c
-/// Made by angular_velocity(of<B>, relative_to<A>, ...); no default.
+/// Made by angular_velocity(of<B>, relative_to<A>, ...); there is no default.
 template <Frame A, Frame B, class Expressed, class S = double> class AngularVelocity;
 
 template <Frame A, Frame B, Frame C, class S>
@@ -53,13 +53,13 @@ template <class OfFrame, class RelativeToFrame, class InFrame>
 auto at_rest(  // of<B>, relative_to<A>, in<C>: b and a are two frames
     const OfFrame&, const RelativeToFrame&, const InFrame&) -> Refused = delete;
 
-// w_ab^c x r^c, with a position a velocity, with an angular momentum a torque.
+// w_ab^c x r^c: a velocity if r is a position, a torque if r is an angular momentum.
 template <class A, class B, class C, class U, class S>
 Vector<C, unit_of_vector_product<si::angular_velocity, U>, S> cross_product(
     const AngularVelocity<A, B, In<C>, S>& w_ab_c, const Vector<C, U, S>& r_c) {
   return cross(w_ab_c.vector(), r_c);
 }
-// w_ab^c . r^c, with an angular momentum an energy, with a torque a power.
+// w_ab^c . r^c: an energy if r is an angular momentum, a power if r is a torque.
 template <class A, class B, class C, class U, class S>
 Quantity<unit_product<si::angular_velocity, U>, S> dot_product(const AngularVelocity<A, B, In<C>, S>& w_ab_c,
                                                                const Vector<C, U, S>& r_c) {
@@ -77,7 +77,7 @@ Quantity<si::angular_velocity, S> norm(const AngularVelocity<A, B, C, S>& w_ab_c
   return norm(w_ab_c.vector());
 }
 
-// w_ab^d = R_c^d w_ab^c, by the quaternion
+// w_ab^d = R_c^d w_ab^c, with a quaternion
 template <class D, class C, class A, class B, class S>
 AngularVelocity<A, B, In<D>, S> product(const Quaternion<D, C, S>& q_d_from_c,
                                         const AngularVelocity<A, B, In<C>, S>& w_ab_c) {

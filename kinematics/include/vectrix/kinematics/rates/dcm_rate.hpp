@@ -28,7 +28,7 @@ template <Frame A, Frame B, class S = double> class DcmRate {
 template <class A, class B, class S> inline constexpr bool detail::is_framed<DcmRate<A, B, S>> = true;
 
 // d/dt R_b^a = R_b^a [w_ab^b]x = [w_ab^a]x R_b^a
-// Inlined by force: g++ finds its two dozen instructions long enough to call.
+// always_inline: g++ otherwise calls these two dozen instructions as a function.
 template <class A, class B, class S>
 [[gnu::always_inline]] inline DcmRate<A, B, S> attitude_rate(const Dcm<A, B, S>& R_a_from_b,
                                                              const AngularVelocity<A, B, In<B>, S>& w_ab_b) {
@@ -56,7 +56,7 @@ template <class A, class B> std::string derivative_of(const char* action) {
 
 }  // namespace detail
 
-/// The checked door for a derivative that comes as a matrix: Rdot_b^a = R_b^a [w]x for some w.
+/// The checked door for a derivative given as a matrix: Rdot_b^a = R_b^a [w]x for some w.
 /// Throws BadInput when the matrix is not finite, or R^T Rdot is not skew (see vee()).
 template <class A, class B, class Derived, class S>
 DcmRate<A, B, S> dcm_rate(const Dcm<A, B, S>& R_a_from_b, const Eigen::MatrixBase<Derived>& matrix) {
@@ -68,7 +68,7 @@ DcmRate<A, B, S> dcm_rate(const Dcm<A, B, S>& R_a_from_b, const Eigen::MatrixBas
 }
 
 /// The inverse of rate(): w_ab^b = vee(R^T Rdot) in b, w_ab^a = vee(Rdot R^T) in a, for R = R_b^a.
-/// Throws BadInput when the two do not belong together: the product is then not skew.
+/// Throws BadInput when R and Rdot are inconsistent: the product is then not skew.
 template <class A, class B, class S, class C>
   requires(std::same_as<C, A> || std::same_as<C, B>)
 AngularVelocity<A, B, In<C>, S> angular_velocity(const Dcm<A, B, S>& R_a_from_b,
@@ -84,7 +84,7 @@ AngularVelocity<A, B, In<C>, S> angular_velocity(const Dcm<A, B, S>& R_a_from_b,
                                          vector<si::angular_velocity>(in<C>, w).coordinates()};
 }
 
-// Rdot_b^a r^b, the part of d/dt (R_b^a r^b) that the turning of b makes.
+// Rdot_b^a r^b, the part of d/dt (R_b^a r^b) due to the rotation of b.
 template <class A, class B, class U, class S>
 Vector<A, unit_of_vector_quotient<U, si::time>, S> product(const DcmRate<A, B, S>& Rdot_a_from_b,
                                                            const Vector<B, U, S>& r_b) {
@@ -93,7 +93,8 @@ Vector<A, unit_of_vector_quotient<U, si::time>, S> product(const DcmRate<A, B, S
 
 namespace detail {
 
-/// That the symmetric part of R^T Rddot is [w]x^2; what is skew may be any angular acceleration.
+/// Throws BadInput unless the symmetric part of R^T Rddot is [w]x^2. The skew part may be any angular
+/// acceleration.
 template <class A, class B, class S> void require_centripetal(const Square<S>& turn, const Square<S>& w) {
   const double tolerance = door_tolerance<S>(1e-9);
   if (!all_finite(turn)) {
@@ -129,7 +130,7 @@ template <Frame A, Frame B, class S = double> class DcmSecondRate {
 template <class A, class B, class S> inline constexpr bool detail::is_framed<DcmSecondRate<A, B, S>> = true;
 
 /// The inverse of second_rate(): alpha_ab^b = vee(R^T Rddot - [w_ab^b]x^2), alpha_ab^a = vee(Rddot R^T -
-/// [w_ab^a]x^2). Throws BadInput when the three do not belong together: the symmetric part of R^T Rddot then
+/// [w_ab^a]x^2). Throws BadInput when the three are inconsistent: the symmetric part of R^T Rddot then
 /// differs from [w]x^2 by more than 1e-9 of the largest entry.
 template <class A, class B, class S, class C>
   requires(std::same_as<C, A> || std::same_as<C, B>)
@@ -166,8 +167,8 @@ DcmSecondRate<A, B, S> attitude_second_rate(const Dcm<A, B, S>& R_a_from_b,
   }
 }
 
-/// The checked door for a second derivative that comes as a matrix. Throws BadInput when it is not finite, or
-/// belongs to no angular acceleration of this rotation and rate.
+/// The checked door for a second derivative given as a matrix. Throws BadInput when it is not finite, or is
+/// inconsistent with this rotation and rate for every angular acceleration.
 template <class A, class B, class Derived, class S>
 DcmSecondRate<A, B, S> dcm_second_rate(const Dcm<A, B, S>& R_a_from_b, const DcmRate<A, B, S>& Rdot_a_from_b,
                                        const Eigen::MatrixBase<Derived>& matrix) {

@@ -16,11 +16,11 @@ template <int axis, class S> Column<S> turned_about(const Column<S>& x, const S&
   return y;
 }
 
-/// With u_n the axis of the n-th turn, which the turns before (intrinsic) or after (extrinsic) it have moved:
+/// u_n is the axis of the n-th turn, moved by the turns before it (intrinsic) or after it (extrinsic):
 ///     w_ab     = u1 t1' + u2 t2' + u3 t3'
 ///     alpha_ab = u1 t1'' + u2 t2'' + u3 t3'' +- (t1' t2' u1 x u2 + t1' t3' u1 x u3 + t2' t3' u2 x u3)
-/// with + for an intrinsic sequence, - for an extrinsic one. u2 is normal to u1 and u3; their triple product
-/// is the cosine of the second angle, its sine in a proper sequence, or the opposite.
+/// with + for an intrinsic sequence and - for an extrinsic one. u2 is normal to u1 and u3. The triple product
+/// of the three is plus or minus the cosine of the second angle, or its sine in a proper sequence.
 template <class Sequence, class A, class B, class S, bool expressed_in_turned>
 struct KinematicsOf<EulerAngles<Sequence, A, B, S>, expressed_in_turned> {
   using Angles = EulerAngles<Sequence, A, B, S>;
@@ -38,7 +38,7 @@ struct KinematicsOf<EulerAngles<Sequence, A, B, S>, expressed_in_turned> {
   }
 
  private:
-  // The three axes as columns, in the frame in which the rate is expressed.
+  // The three axes as columns, in the frame of the rate.
   static Square<S> axes(const Angles& x) {
     constexpr int i = Sequence::first, j = Sequence::second, k = Sequence::third;
     constexpr int sign = Sequence::intrinsic ? 1 : -1;
@@ -62,7 +62,7 @@ struct KinematicsOf<EulerAngles<Sequence, A, B, S>, expressed_in_turned> {
   }
   static Column<S> unit(int axis) { return Column<S>::Unit(axis); }
 
-  // The xdot with u xdot = w.
+  // Solves u xdot = w for xdot.
   static Column<S> solved(const Angles& x, const Square<S>& u, const Column<S>& w, const char* action) {
     const Column<S> n1 = u.col(1).cross(u.col(2));
     const Column<S> n3 = u.col(0).cross(u.col(1));
@@ -85,8 +85,8 @@ struct KinematicsOf<EulerAngles<Sequence, A, B, S>, expressed_in_turned> {
 
 }  // namespace detail
 
-/// Claims that the three rates, of the angles in their order, are the derivative of x_ab. Throws BadInput
-/// when one is not finite.
+/// Claims that the three rates, in the order of the angles, are the derivatives of x_ab. Throws BadInput when
+/// one is not finite.
 template <class Sequence, class A, class B, class S>
 ParameterRate<EulerAngles<Sequence, A, B, S>> parameter_rate(
     const EulerAngles<Sequence, A, B, S>& x_ab,

@@ -32,9 +32,9 @@ template <class Derived> std::string not_finite(const Eigen::MatrixBase<Derived>
   return "the entries, each finite, do not sum";
 }
 
-/// vee() of what place() names.
+/// vee(); place() begins the messages.
 template <class S, class Place> Column<S> vee_of(const Square<S>& m, const Place& place) {
-  // Far above the rounding of a product of rotations, far below any wrong matrix.
+  // Far above the rounding of a product of rotations, far below the error of a wrong matrix.
   const double skew_tolerance = door_tolerance<S>(1e-9);
   if (!all_finite(m)) throw BadInput(place() + not_finite(m));
   const S symmetric = ((m + m.transpose()) / S(2)).cwiseAbs().maxCoeff();

@@ -8,7 +8,7 @@ namespace vectrix {
 /// The rotation and the rate of b relative to a at one instant: R_b^a and w_ab^b. The second level of a graph
 /// edge.
 ///     (R_b^a, w_ab^b) * (R_d^b, w_bd^d) = (R_b^a R_d^b, R_b^d w_ab^b + w_bd^d)
-/// Any pair is valid, so it is an aggregate: `MovingDcm{turned_z(to<A>, from<B>, angle), w_ab_b}` builds its
+/// Any pair is valid, so it is an aggregate. `MovingDcm{turned_z(to<A>, from<B>, angle), w_ab_b}` builds its
 /// members in place.
 template <Frame A, Frame B, class S = double> struct MovingDcm {
   Dcm<A, B, S> rotation;
@@ -74,7 +74,7 @@ AcceleratingDcm<A, D, S> product(const AcceleratingDcm<A, B, S>& ab, const Accel
           chain(R_d_from_b * ab.angular_acceleration, bd.angular_acceleration, w_ab_d, bd.angular_velocity)};
 }
 
-// w_ba^a = -R_b^a w_ab^b, and so alpha
+// w_ba^a = -R_b^a w_ab^b, and the same for alpha
 template <class A, class B, class S> MovingDcm<B, A, S> inverse(const MovingDcm<A, B, S>& ab) {
   return {inverse(ab.rotation), -(ab.rotation * ab.angular_velocity)};
 }
@@ -83,8 +83,8 @@ template <class A, class B, class S> AcceleratingDcm<B, A, S> inverse(const Acce
           -(ab.rotation * ab.angular_acceleration)};
 }
 
-// Steps of a frame graph's walk between a and b: along an edge that says how b moves relative to a, R_b^a and
-// w_ab^b, or against one that says how a moves relative to b.
+// Steps of a frame graph's walk between a and b: along an edge with the motion of b relative to a, R_b^a and
+// w_ab^b, or against an edge with the motion of a relative to b.
 //
 // From x over a to b:    w_xb^b = R_a^b w_xa^a + w_ab^b      w_xb^b = R_a^b (w_xa^a - w_ba^a)
 template <class A, class B, class S>
@@ -134,7 +134,7 @@ AngularVelocity<A, Y, In<A>, S> rate_back_against(const Dcm<B, A, S>& R_b_from_a
                                          inverse(R_b_from_a) * w_by_b.vector() - w_ba_a.vector()};
 }
 
-// What a frame graph asks of the values on its edges.
+// What a frame graph needs of the values on its edges.
 template <class A, class B, class S>
 struct LevelOf<MovingDcm<A, B, S>> : detail::TurningLevel<A, B, S, Level::rate> {};
 template <class A, class B, class S>

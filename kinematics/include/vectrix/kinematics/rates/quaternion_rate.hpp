@@ -40,14 +40,14 @@ inline QuaternionRate<A, B, S> attitude_rate(const Quaternion<A, B, S>& q_a_from
 
 namespace detail {
 
-/// 2 q* x or 2 x q*: twice the pure part is the rate, or the acceleration, in b or in a.
+/// 2 q* x (in b) or 2 x q* (in a). Its vector part is the rate, or the angular acceleration.
 template <bool expressed_in_turned, class S>
 Eigen::Quaternion<S> turning_part(const Eigen::Quaternion<S>& q, const Eigen::Quaternion<S>& x) {
   const Eigen::Quaternion<S> product = expressed_in_turned ? q.conjugate() * x : x * q.conjugate();
   return Eigen::Quaternion<S>(product.coeffs() * S(2));
 }
 
-/// That the scalar part is what a quaternion of norm one allows; what is pure may be any turning.
+/// Throws BadInput unless the scalar part agrees with norm 1 of the quaternion. The vector part is free.
 template <class A, class B, class S>
 void require_on_sphere(const Eigen::Quaternion<S>& part, const S& scalar, const char* derivative) {
   const double tolerance = door_tolerance<S>(1e-9);
@@ -69,7 +69,7 @@ void require_on_sphere(const Eigen::Quaternion<S>& part, const S& scalar, const 
 }  // namespace detail
 
 /// The inverse of rate(), for q = q_b^a: (0, w_ab^b) = 2 q* qdot, (0, w_ab^a) = 2 qdot q*. Throws BadInput
-/// when the two do not belong together: the scalar part exceeds 1e-9 of the largest number.
+/// when the two are inconsistent: the scalar part then exceeds 1e-9 of the largest number.
 template <class A, class B, class S, class C>
   requires(std::same_as<C, A> || std::same_as<C, B>)
 AngularVelocity<A, B, In<C>, S> angular_velocity(const Quaternion<A, B, S>& q_a_from_b,
@@ -79,8 +79,8 @@ AngularVelocity<A, B, In<C>, S> angular_velocity(const Quaternion<A, B, S>& q_a_
   return AngularVelocity<A, B, In<C>, S>{detail::trusted, w.vec()};
 }
 
-/// The checked doors for a derivative that comes in numbers, 1/s. Throw BadInput when a number is not finite,
-/// or the derivative is along q: the norm would leave 1.
+/// The checked doors for a derivative given in numbers, 1/s. Throw BadInput when a number is not finite, or
+/// the derivative has a component along q, so that the norm would not stay 1.
 template <class A, class B, class S>
 QuaternionRate<A, B, S> quaternion_rate_scalar_first(const Quaternion<A, B, S>& q_a_from_b,
                                                      const std::type_identity_t<S>& w,
@@ -133,7 +133,7 @@ QuaternionSecondRate<A, B, S> attitude_second_rate(const Quaternion<A, B, S>& q_
 }
 
 /// The inverse of second_rate(): (-|w|^2/2, alpha_ab^b) = 2 q* qddot, and of 2 qddot q* in a. Throws BadInput
-/// when the three do not belong together: the scalar part is off by more than 1e-9 of the largest number.
+/// when the three are inconsistent: the error of the scalar part then exceeds 1e-9 of the largest number.
 template <class A, class B, class S, class C>
   requires(std::same_as<C, A> || std::same_as<C, B>)
 AngularAcceleration<A, B, In<C>, S> angular_acceleration(const Quaternion<A, B, S>& q_a_from_b,
@@ -146,8 +146,8 @@ AngularAcceleration<A, B, In<C>, S> angular_acceleration(const Quaternion<A, B, 
   return AngularAcceleration<A, B, In<C>, S>{detail::trusted, alpha.vec()};
 }
 
-/// The checked doors for a second derivative that comes in numbers, 1/s^2. Throw BadInput when a number is
-/// not finite, or the norm of q would leave 1 at this rate.
+/// The checked doors for a second derivative given in numbers, 1/s^2. Throw BadInput when a number is not
+/// finite, or the norm of q would not stay 1 at this rate.
 template <class A, class B, class S>
 QuaternionSecondRate<A, B, S> quaternion_second_rate_scalar_first(
     const Quaternion<A, B, S>& q_a_from_b, const QuaternionRate<A, B, S>& qdot_a_from_b,

@@ -44,8 +44,8 @@ auto angular_acceleration(  // angular_acceleration(x_ab, xdot_ab, xddot_ab, in<
 /// both in a:
 ///     d2/dt2 R_b^a = R_b^a ([w]x^2 + [alpha]x) in b, ([w]x^2 + [alpha]x) R_b^a in a
 ///     d2/dt2 q_b^a = q_b^a (-|w|^2/4, alpha/2) in b, (-|w|^2/4, alpha/2) q_b^a in a
-/// and xddot_ab of parameters x_ab. Any finite input is valid for R and q; throws BadInput at the singularity
-/// of parameters, and says how near.
+/// For parameters x_ab it is xddot_ab. Any finite input is valid for R and q. Throws BadInput with the
+/// distance at the singularity of parameters.
 template <class Attitude, class Rate, class Acceleration>
 detail::SecondDerivativeOf<Attitude, Rate, Acceleration> second_rate(const Attitude& attitude,
                                                                      const Rate& omega,

@@ -7,7 +7,7 @@
 
 namespace vectrix {
 
-/// One line of an attitude file, between two frames known to the compiler: q_b^a at a time, or at an instant
+/// One line of an attitude file, between two frames known at compile time: q_b^a at a time, or at an instant
 /// of another type. The sign of the quaternion does not matter.
 template <Frame A, Frame B, Instant I = Quantity<si::time>> struct AttitudeSample {
   I time;

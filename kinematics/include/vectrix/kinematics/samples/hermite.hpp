@@ -5,10 +5,11 @@
 
 namespace vectrix {
 
-/// Position and velocity at the time t after the sample `start`, with `end` a time h after it: the cubic that
-/// has both positions and velocities (Hermite), and its derivative. With s = t/h:
+/// Position and velocity at the time t after the sample `start`; `end` is a time h after `start`. The
+/// position is the cubic with the positions and velocities of both samples (Hermite), the velocity its
+/// derivative. With s = t/h:
 ///     r = r0 + s^2 (3 - 2s) (r1 - r0) + s (1 - s) h ((1 - s) v0 - s v1)
-/// In the middle it is h^4/384 times the fourth derivative of r away.
+/// In the middle its error is h^4/384 times the fourth derivative of r.
 /// Throws BadInput when h is not positive and finite, or t is outside [0, h].
 template <class P, class Q, class A, class S>
 PointMotion<P, Q, A, S> hermite(const PointMotion<P, Q, A, S>& start, const PointMotion<P, Q, A, S>& end,

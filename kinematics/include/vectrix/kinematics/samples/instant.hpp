@@ -14,8 +14,8 @@ template <class I> using DurationOf = decltype(std::declval<const I&>() - std::d
 
 }  // namespace detail
 
-/// What samples are ordered by: a time, or an instant such as an Epoch. One comes before another, and the
-/// difference of two is a duration.
+/// The type by which samples are ordered: a time, or an instant such as an Epoch. Instants have an order, and
+/// the difference of two is a duration.
 template <class I>
 concept Instant = requires(const I& a, const I& b) {
   a < b;
@@ -31,7 +31,7 @@ template <class U, class S> struct InstantScalarOf<Quantity<U, S>> { using type 
 
 }  // namespace detail
 
-/// The scalar in which durations are counted.
+/// The scalar of the durations.
 template <Instant I> using InstantScalar = typename detail::InstantScalarOf<I>::type;
 
 namespace detail {

@@ -10,21 +10,23 @@
 
 namespace vectrix {
 
-/// Neighbouring samples nearer to half a turn than this have two ways between them, and no spline.
+/// Smallest distance, rad, of the turn between neighbouring samples from half a turn. Nearer to it two turns
+/// are equally short, and RotationSpline throws BadInput.
 inline constexpr double nearly_half_a_turn = 1e-9;
 
-/// The ends of a spline of which nothing is known: claims that alpha is zero there, as it is for a beam.
+/// Ends of a spline at which no rate is known: claims that alpha is zero there, as the curvature is at the
+/// free ends of a beam.
 struct NaturalEnds {};
 inline constexpr NaturalEnds natural_ends{};
 
 /// The twice differentiable motion through samples: from t_i to t_(i+1)
 ///     q_b^a(t) = q_i exp(theta(t)),   theta a cubic, theta(t_i) = 0, theta(t_(i+1)) = log(q_i^-1 q_(i+1))
-/// The rates at the samples are those that make alpha_ab continuous there. It passes through every sample by
-/// the shortest turn; a constant change of a, of b, or of both turns it along, and the motion of a relative
-/// to b is the spline of the inverse samples. With a step h and given end rates the error is of order h^4 in
-/// q, h^3 in w and h^2 in alpha; with natural_ends of order h^2, h and 1 next to the ends, dying out by a
-/// factor of about four a sample. Throws BadInput for samples and times as SampledAttitude does, but for gaps
-/// when it is made; for neighbours half a turn apart; and for turns so large that the rates cannot be found.
+/// The rates at the samples are chosen so that alpha_ab is continuous there. The spline takes the shortest
+/// turn between samples. A constant rotation of a, of b or of both rotates it by the same; the motion of a
+/// relative to b is the spline of the inverse samples. For a step h and given end rates the error is of order
+/// h^4 in q, h^3 in w and h^2 in alpha. With natural_ends it is of order h^2, h and 1 near the ends, falling
+/// by about four per sample. Throws BadInput as SampledAttitude does, but for gaps at construction; also for
+/// neighbours half a turn apart, and when large turns keep the rates from converging.
 template <Frame A, Frame B, Instant I = Quantity<si::time>> class RotationSpline {
   using S = InstantScalar<I>;
 
@@ -32,7 +34,7 @@ template <Frame A, Frame B, Instant I = Quantity<si::time>> class RotationSpline
   RotationSpline(const std::vector<AttitudeSample<A, B, I>>& samples,
                  const Quantity<si::time, S>& longest_gap, NaturalEnds)
       : RotationSpline(detail::trusted, samples, longest_gap.value(), nullptr, nullptr) {}
-  /// With the rates w_ab^b at the first and at the last sample.
+  /// With the given rates w_ab^b at the first and at the last sample.
   RotationSpline(const std::vector<AttitudeSample<A, B, I>>& samples,
                  const Quantity<si::time, S>& longest_gap, const AngularVelocity<A, B, In<B>, S>& first,
                  const AngularVelocity<A, B, In<B>, S>& last)
@@ -93,10 +95,11 @@ template <Frame A, Frame B, Instant I = Quantity<si::time>> class RotationSpline
     }
   }
 
-  /// The w_i that make alpha continuous at every sample between the ends: with h before it and k after it,
-  ///     2/h J_(i-1) w_(i-1) + (4/h + 4/k) w_i + 2/k J_i^-1 w_(i+1) = 6/h^2 turn_(i-1) + 6/k^2 turn_i - J'
-  ///     theta'
-  /// The last term is of the order of h^2 w^2 of the others: it is taken from the round before.
+  /// The w_i that make alpha continuous at every inner sample, with the step h before it and k after it:
+  ///     2/h J_(i-1) w_(i-1) + (4/h + 4/k) w_i + 2/k J_i^-1 w_(i+1)
+  ///         = 6/h^2 turn_(i-1) + 6/k^2 turn_i - J' theta'
+  /// The last term is smaller than the others by the order of h^2 w^2; it is taken from the previous
+  /// iteration.
   std::vector<Column> rates_at_samples(const std::vector<S>& steps, const std::vector<Column>& turns,
                                        const Column* first, const Column* last) const {
     const std::size_t n = turns.size();  // samples 0 ... n

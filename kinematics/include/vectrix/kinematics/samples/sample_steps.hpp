@@ -10,14 +10,14 @@
 
 namespace vectrix::detail {
 
-/// The steps between the instants of samples, and the one in which an instant lies: [t_i, t_(i+1)), the last
-/// one closed. `place` begins the messages: what is sampled.
+/// The steps between the instants of samples, and the search for the step that contains an instant. Steps are
+/// [t_i, t_(i+1)); the last one is closed. `place` names the sampled quantity at the start of messages.
 template <Instant I> class SampleSteps {
  public:
   using Scalar = InstantScalar<I>;
 
-  /// Throws BadInput for fewer than two instants, or such as are not finite or do not increase; and for a
-  /// longest gap that is not positive and finite.
+  /// Throws BadInput for fewer than two instants, for instants that are not finite or do not increase, and
+  /// for a longest gap that is not positive and finite.
   SampleSteps(std::string place, const std::vector<I>& instants, const Scalar& longest_gap)
       : place_(std::move(place)), longest_gap_(longest_gap) {
     require_instants(place_, instants, 2);
@@ -31,7 +31,7 @@ template <Instant I> class SampleSteps {
     steps_per_second_ = Scalar(static_cast<double>(size())) / whole;
   }
 
-  /// Throws BadInput for fewer than `least` instants, or such as are not finite or do not increase.
+  /// Throws BadInput for fewer than `least` instants, or for instants that are not finite or do not increase.
   static void require_instants(const std::string& place, const std::vector<I>& instants, std::size_t least) {
     const auto refuse = [&](const std::string& why) { throw BadInput(place + ": " + why); };
     if (instants.size() < least)
@@ -48,7 +48,7 @@ template <Instant I> class SampleSteps {
         refuse("the time of sample " + text(i) + ", " + instant_text(t) + ", is before that of sample " +
                text(i - 1) + ", " + instant_text(before));
       if (!(before < t)) refuse(pair + " have one time, " + instant_text(t));
-      // Its inverse squared is a number, too.
+      // 1/step^2 must be finite, too.
       const Scalar inverse = Scalar(1) / (step * step);
       if (!(inverse - inverse == Scalar(0)) || !(step - step == Scalar(0)))
         refuse(pair + " are " + text(step) + " s apart");
@@ -60,15 +60,15 @@ template <Instant I> class SampleSteps {
 
   struct Found {
     std::size_t step;
-    Scalar since;  ///< s, since the step began
+    Scalar since;  ///< s, since the start of the step
   };
   /// Throws BadInput outside the samples and inside a step longer than the longest gap. The last sample
-  /// before a gap ends the step before it.
+  /// before a gap belongs to the step before it.
   Found at(const I& t) const {
     const Scalar since_first = (t - steps_.front().start).value();
     if (!(since_first >= Scalar(0)) || steps_.back().start < t) [[unlikely]]
       refuse_range(t);
-    // Samples at equal steps are found at once, others by bisection.
+    // Equal steps are found directly, others by bisection.
     const auto guess = static_cast<std::size_t>(
         static_cast<double>(without_derivatives(Scalar(since_first * steps_per_second_))));
     const std::size_t i = std::min(guess, size() - 1);
@@ -109,7 +109,7 @@ template <Instant I> class SampleSteps {
   std::string place_;
   Scalar longest_gap_;
   Scalar steps_per_second_;
-  std::vector<Step> steps_;  // and the last sample, as a step of no duration
+  std::vector<Step> steps_;  // the last sample is a step of zero duration
 };
 
 }  // namespace vectrix::detail

@@ -50,10 +50,10 @@ template <Instant I> class SampledTurns {
 
 }  // namespace detail
 
-/// The attitude between samples: the Slerp of the two beside t. Its rate is constant from one sample up to
-/// the next, where it jumps; it knows no acceleration: RotationSpline does. Throws BadInput for fewer than
-/// two samples or times that do not increase; and, when asked, outside the samples or inside a step longer
-/// than `longest_gap`.
+/// The attitude between samples: the Slerp of the two samples around t. Its rate is constant between samples
+/// and jumps at them. It has no acceleration; RotationSpline has one. The constructor throws BadInput for
+/// fewer than two samples or times that do not increase; a call does so outside the samples or inside a step
+/// longer than `longest_gap`.
 template <Frame A, Frame B, Instant I = Quantity<si::time>> class SampledAttitude {
   using S = InstantScalar<I>;
 
@@ -76,7 +76,7 @@ template <Frame A, Frame B, Instant I = Quantity<si::time>> class SampledAttitud
   detail::SampledTurns<I> turns_;
 };
 
-/// The edge of a frame graph that a SampledAttitude is; the same word as of a NamedGraph.
+/// A SampledAttitude as an edge of a frame graph. A NamedGraph has a function of the same name.
 template <class A, class B, class I>
 FunctionEdge<SampledAttitude<A, B, I>> sampled_edge(const std::vector<AttitudeSample<A, B, I>>& samples,
                                                     const Quantity<si::time, InstantScalar<I>>& longest_gap) {

@@ -10,8 +10,8 @@
 
 namespace vectrix {
 
-/// One line of an orbit file: where the origin of the frame q is in a, and how it moves as a sees it, at a
-/// time or at an instant of another type.
+/// One line of an orbit file: position and velocity of the origin of the frame q relative to a, observed from
+/// a, at a time or at an instant of another type.
 template <Frame A, Frame Q, Instant I = Quantity<si::time>> struct PositionSample {
   I time;
   PointMotion<A, Q, A, InstantScalar<I>> motion;
@@ -19,8 +19,8 @@ template <Frame A, Frame Q, Instant I = Quantity<si::time>> struct PositionSampl
 template <class I, class A, class Q, class S>
 PositionSample(const I&, const PointMotion<A, Q, A, S>&) -> PositionSample<A, Q, I>;
 
-/// The position between samples: hermite() of the two beside t. Claims that the axes of q are parallel to
-/// those of a: q is carried along and does not turn. Its acceleration is not known. Throws BadInput as
+/// The position between samples: hermite() of the two samples around t. Claims that the axes of q are
+/// parallel to those of a, so that q does not rotate. Its acceleration is not known. Throws BadInput as
 /// SampledAttitude does.
 template <Frame A, Frame Q, Instant I = Quantity<si::time>> class SampledPosition {
   using S = InstantScalar<I>;
@@ -49,7 +49,7 @@ template <Frame A, Frame Q, Instant I = Quantity<si::time>> class SampledPositio
   detail::SampleSteps<I> steps_;
 };
 
-/// The edge of a frame graph that a SampledPosition is.
+/// A SampledPosition as an edge of a frame graph.
 template <class A, class Q, class I>
 FunctionEdge<SampledPosition<A, Q, I>> sampled_edge(const std::vector<PositionSample<A, Q, I>>& samples,
                                                     const Quantity<si::time, InstantScalar<I>>& longest_gap) {

@@ -8,13 +8,13 @@
 namespace vectrix {
 namespace detail {
 
-/// The turn from one sample to the next in the axes of b, by the shortest way.
+/// The shortest turn from one sample to the next, in the axes of b.
 template <class A, class B, class S>
 Column<S> turn_between(const Quaternion<A, B, S>& from, const Quaternion<A, B, S>& until) {
   return log(Quaternion<A, B, S>{trusted, from.eigen().conjugate() * until.eigen()}).coordinates();
 }
 
-/// The numbers of a Slerp: q0 exp(s theta) for s from 0 to 1, with one sine and one cosine an instant.
+/// The numbers of a Slerp: q0 exp(s theta) for s from 0 to 1, with one sine and one cosine per evaluation.
 template <class S> class ConstantTurn {
  public:
   ConstantTurn(const Eigen::Quaternion<S>& q0, const Column<S>& theta)
@@ -34,11 +34,11 @@ template <class S> class ConstantTurn {
 
 }  // namespace detail
 
-/// The turn at constant rate from one attitude to another, by the shortest way (Shoemake 1985):
+/// The shortest turn at constant rate from one attitude to another (Shoemake 1985):
 ///     q_b^a(t) = q_b^a(t0) exp(s theta),  theta = log(q_b^a(t0)^-1 q_b^a(t1)),  s = (t - t0)/(t1 - t0)
-/// w_ab^b = theta / (t1 - t0) throughout. The sign of a quaternion does not matter. Of the two ways between
-/// attitudes exactly half a turn apart, the axis log() chooses.
-/// Throws BadInput when t0 < t1 does not hold, or when asked outside [t0, t1].
+/// w_ab^b = theta / (t1 - t0) throughout. The sign of a quaternion does not matter. For attitudes exactly
+/// half a turn apart log() chooses the axis.
+/// The constructor throws BadInput unless t0 < t1; a call does so outside [t0, t1].
 template <Frame A, Frame B, Instant I = Quantity<si::time>> class Slerp {
   using S = InstantScalar<I>;
 

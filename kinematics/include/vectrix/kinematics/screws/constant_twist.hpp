@@ -4,13 +4,13 @@
 
 namespace vectrix {
 
-// A twist held constant, which it can be in two ways:
+// A twist can be held constant in two ways:
 //     Body form:       V_ab(b)^b, at b's origin in b's axes:  X_b^a(t) = X_b^a(0) exp(V t)
 //     Reference form:  V_ab(a)^a, at a's origin in a's axes:  X_b^a(t) = exp(V t) X_b^a(0)
-// At another point, or in other axes, six constant numbers are another motion and no exponential of them.
+// Six numbers held constant at another point or in other axes give a motion that is not their exponential.
 
-/// xi_ab = V t. Claims that b set out from a, the two frames as one, a time t ago, V_ab being held since.
-/// From there both forms are the same motion. Throws BadInput when V t is not finite.
+/// xi_ab = V t. Claims that b coincided with a a time t ago, and that V_ab has been constant since then. Both
+/// forms then give the same motion. Throws BadInput when V t is not finite.
 template <class A, class B, class C, class S>
   requires(detail::is_one_of<C, A, B>)
 Screw<A, B, S> held(const Twist<A, B, At<C>, In<C>, S>& V_ab, const Quantity<si::time, S>& t) {
@@ -23,13 +23,14 @@ template <class A, class B, class TwistAt, class TwistIn, class S, class Duratio
 auto held(  // held(V_ab, t): V_ab held at b in b, or at a in a, for a time
     const Twist<A, B, TwistAt, TwistIn, S>&, const Duration&) -> Refused = delete;
 
-/// X_b^a a time t later, V_ab being held: X_b^a exp(V t) of V_ab(b)^b, exp(V t) X_b^a of V_ab(a)^a.
+/// X_b^a a time t later, for constant V_ab: X_b^a exp(V t) if V is V_ab(b)^b, exp(V t) X_b^a if it is
+/// V_ab(a)^a.
 /// Exact for any t, also negative. Throws BadInput when V t is not finite.
 template <class A, class B, class C, class S>
   requires(detail::is_one_of<C, A, B>)
 Transform<A, B, S> moved(const Transform<A, B, S>& X_a_from_b, const Twist<A, B, At<C>, In<C>, S>& V_ab,
                          const Quantity<si::time, S>& t) {
-  // b now and b a time t later have one type: the increment is taken as raw numbers.
+  // b now and b a time t later have the same type, so the increment is used as raw numbers.
   const Transform<A, B, S> increment = exp(held(V_ab, t));
   const auto composed = [](const Transform<A, B, S>& left, const Transform<A, B, S>& right) {
     return Transform<A, B, S>{

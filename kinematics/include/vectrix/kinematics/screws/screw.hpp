@@ -7,13 +7,13 @@
 
 namespace vectrix {
 
-/// xi_ab = (theta_ab, rho), of type Screw<A, B>: the twist, times the time, of a steady motion that carries b
-/// from where a is to where b is; what a RotationVector is to a Dcm, to a Transform:
+/// xi_ab = (theta_ab, rho), of type Screw<A, B>: the twist times the time of a steady motion that takes b
+/// from coincidence with a to b. It is to a Transform what a RotationVector is to a Dcm:
 ///     1.  X_b^a = exp(xi_ab):  R_b^a = exp([theta]x),  r_ab^a = J_l(theta) rho
 ///     2.  xi_ba = -xi_ab
 ///     3.  xi_ab = Ad(X_b^a) xi_ab
-/// By law 3 rho, m, has the same coordinates in a, as the way of the particle at a's origin, and in b, as
-/// that of b's origin. Screws do not add; their transforms multiply.
+/// By law 3 rho, m, has the same coordinates in a and in b: in a it is the velocity, times the time, of the
+/// particle at a's origin, in b that of b's origin. Screws do not add; their transforms multiply.
 template <Frame A, Frame B, class S = double> class Screw {
  public:
   using reference = A;
@@ -29,7 +29,7 @@ template <Frame A, Frame B, class S = double> class Screw {
   /// rho expressed in a or in b.
   Vector<A, si::length, S> in_reference() const { return {detail::trusted, rho_}; }
   Vector<B, si::length, S> in_turned() const { return {detail::trusted, rho_}; }
-  /// The bare six numbers, the rotation first.
+  /// The six bare numbers, the rotation first.
   Eigen::Matrix<S, 6, 1> coordinates() const {
     Eigen::Matrix<S, 6, 1> numbers;
     numbers << theta_.coordinates(), rho_;
@@ -74,10 +74,10 @@ template <class X, class S> const Column<S>& finite_motion(const Column<S>& r, c
 
 }  // namespace detail
 
-/// exp: X_b^a, by the series of the skew matrix, r_ab^a = (I + c_2 [theta]x + c_3 ([theta]x)^2) rho.
-/// With theta = w t and rho = v t that is
+/// exp: X_b^a, from the series of the skew matrix, r_ab^a = (I + c_2 [theta]x + c_3 ([theta]x)^2) rho.
+/// With theta = w t and rho = v t this equals
 ///     r = (I - R) (w x v)/|w|^2 + w (w . v) t/|w|^2,
-/// here without a division: accurate to rounding from the pure translation to any angle.
+/// but without division by |w|: accurate to rounding from pure translation to any angle.
 /// Throws BadInput when |theta|^2 or the translation overflows.
 template <class A, class B, class S> Transform<A, B, S> exp(const Screw<A, B, S>& xi_ab) {
   using X = Screw<A, B, S>;

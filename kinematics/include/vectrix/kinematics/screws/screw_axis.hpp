@@ -5,17 +5,18 @@
 
 namespace vectrix {
 
-/// A screw motion as one sees it (Mozzi, Chasles): a turn about a line fixed in a, and an advance along it.
+/// A screw motion in geometric form (Mozzi, Chasles): a turn about a line fixed in a, and an advance along
+/// it.
 template <Frame A, class S = double> struct ScrewAxis {
   Vector<A, si::dimensionless, S> direction;  // a unit vector
-  Vector<A, si::length, S> place;             // of a point of the line, from a's origin
+  Vector<A, si::length, S> place;             // a point of the line, from a's origin
   Quantity<si::angle, S> angle;
   Quantity<si::length, S> advance;
 };
 template <class A, class S, class... Rest>
 ScrewAxis(const Vector<A, si::dimensionless, S>&, const Rest&...) -> ScrewAxis<A, S>;
 
-/// Claims that this motion carries b from where a is to where b is:
+/// Claims that this motion takes b from coincidence with a to b:
 ///     theta = angle n,  rho = place x theta + advance n
 /// Throws BadInput when | |n| - 1 | exceeds unit_norm_tolerance, or the motion is not finite.
 template <Frame B, Frame A, class S>
@@ -37,9 +38,9 @@ template <class OfFrame, class RelativeToFrame, class Given>
 auto screw_along(  // of<B>, relative_to<A>: two frames; the axis of the motion in a
     const OfFrame&, const RelativeToFrame&, const Given&) -> Refused = delete;
 
-/// The axis of xi_ab, its point that is nearest to a's origin, angle > 0:
+/// The axis of xi_ab, with the point nearest to a's origin, and angle > 0:
 ///     n = theta/|theta|,  place = n x rho/|theta|,  advance = n . rho
-/// Throws BadInput for a pure translation, which has no axis, and where the axis is out of reach.
+/// Throws BadInput for a pure translation, which has no axis, and when the position of the axis overflows.
 template <class A, class B, class S> ScrewAxis<A, S> screw_axis(const Screw<A, B, S>& xi_ab) {
   const S angle = xi_ab.rotation_vector().angle().value();
   const detail::Column<S> rho = xi_ab.in_reference().coordinates();

@@ -5,8 +5,8 @@
 namespace vectrix {
 namespace detail {
 
-/// [J 0; Q J], J being J_l(theta) and Q its change along rho: where SO(3) has the number theta, SE(3) has the
-/// dual number theta + s rho, s^2 = 0 (the principle of transference).
+/// [J 0; Q J], where J is J_l(theta) and Q is its derivative along rho. By the principle of transference
+/// SE(3) has the dual number theta + s rho, s^2 = 0, where SO(3) has the number theta.
 template <class S> Eigen::Matrix<S, 6, 6> left_jacobian(const Turn<S>& turn, const Column<S>& rho) {
   Eigen::Matrix<S, 6, 6> matrix = Eigen::Matrix<S, 6, 6>::Zero();
   const Square<S> J = matrix_of<S>([&](const auto& x) { return left_jacobian_times(turn, x); });
@@ -29,7 +29,7 @@ template <class S> Eigen::Matrix<S, 6, 6> inverse_left_jacobian(const Turn<S>& t
   return matrix;
 }
 
-/// theta or rho of the Jacobian in a frame c: in a the left one, in b the right one, J_r(xi) = J_l(-xi).
+/// theta or rho for the Jacobian in the frame c: the left one in a, the right one in b, J_r(xi) = J_l(-xi).
 template <class C, class A, class B, class S> Column<S> rotation_in(const Screw<A, B, S>& xi_ab) {
   const Column<S>& theta = xi_ab.rotation_vector().coordinates();
   return std::same_as<C, A> ? theta : Column<S>(-theta);
@@ -41,14 +41,14 @@ template <class C, class A, class B, class S> Column<S> translation_in(const Scr
 
 }  // namespace detail
 
-/// ad(xi), the bare six by six numbers, rotation first: exp(ad(xi)) = Ad(exp(xi)).
+/// ad(xi), a bare 6x6 matrix, rotation first: exp(ad(xi)) = Ad(exp(xi)).
 template <class A, class B, class S> Eigen::Matrix<S, 6, 6> ad(const Screw<A, B, S>& xi_ab) {
   return detail::ad<S>(detail::rotation_in<A>(xi_ab), detail::translation_in<A>(xi_ab));
 }
 
-/// The left Jacobian of SE(3), I + ad(xi)/2! + ad(xi)^2/3! + ..., the bare six by six numbers, rotation
-/// first: V_ab(a)^a = J_l(xi_ab) xi_dot. In closed form, accurate to rounding for every angle (its lower left
-/// block is the Q of Barfoot and Furgale 2014). Throws BadInput where |theta|^2 overflows.
+/// The left Jacobian of SE(3), I + ad(xi)/2! + ad(xi)^2/3! + ..., a bare 6x6 matrix, rotation first:
+/// V_ab(a)^a = J_l(xi_ab) xi_dot. In closed form, accurate to rounding for every angle (its lower left block
+/// is the Q of Barfoot and Furgale 2014). Throws BadInput where |theta|^2 overflows.
 template <class A, class B, class S> Eigen::Matrix<S, 6, 6> left_jacobian(const Screw<A, B, S>& xi_ab) {
   const auto turn = detail::turn<Screw<A, B, S>>(detail::rotation_in<A>(xi_ab), "left_jacobian");
   return detail::left_jacobian(turn, detail::translation_in<A>(xi_ab));
@@ -58,7 +58,7 @@ template <class A, class B, class S> Eigen::Matrix<S, 6, 6> right_jacobian(const
   const auto turn = detail::turn<Screw<A, B, S>>(detail::rotation_in<B>(xi_ab), "right_jacobian");
   return detail::left_jacobian(turn, detail::translation_in<B>(xi_ab));
 }
-/// Throw BadInput, and say how near, where |theta| is at a full turn, as those of SO(3).
+/// The inverses. Throw BadInput with the distance at a full turn, as the inverses of SO(3).
 template <class A, class B, class S>
 Eigen::Matrix<S, 6, 6> inverse_left_jacobian(const Screw<A, B, S>& xi_ab) {
   const auto turn =

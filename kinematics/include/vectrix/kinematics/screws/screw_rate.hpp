@@ -4,8 +4,8 @@
 
 namespace vectrix {
 
-/// xi_dot = (theta_dot, rho_dot), the time derivative of xi_ab, rad/s and m/s: no twist, unless the axis
-/// rests.
+/// xi_dot = (theta_dot, rho_dot), the time derivative of xi_ab, rad/s and m/s. It is a twist only if the axis
+/// is at rest.
 ///     V_ab(b)^b = J_r(xi_ab) xi_dot,  V_ab(a)^a = J_l(xi_ab) xi_dot
 template <Frame A, Frame B, class S = double> class ScrewRate {
  public:
@@ -14,12 +14,12 @@ template <Frame A, Frame B, class S = double> class ScrewRate {
             const Eigen::MatrixBase<Translation>& rho_dot)
       : thetadot_(theta_dot), rhodot_(rho_dot) {}
 
-  /// theta_dot and rho_dot, of the same coordinates in a and in b.
+  /// theta_dot and rho_dot; their coordinates are the same in a and in b.
   const detail::Column<S>& rotation() const& { return thetadot_; }
   detail::Column<S> rotation() && { return thetadot_; }
   const detail::Column<S>& translation() const& { return rhodot_; }
   detail::Column<S> translation() && { return rhodot_; }
-  /// The bare six numbers, the rotation first.
+  /// The six bare numbers, the rotation first.
   Eigen::Matrix<S, 6, 1> coordinates() const {
     Eigen::Matrix<S, 6, 1> numbers;
     numbers << thetadot_, rhodot_;
@@ -35,7 +35,7 @@ template <Frame A, Frame B, class S = double> class ScrewRate {
 
 template <class A, class B, class S> inline constexpr bool detail::is_framed<ScrewRate<A, B, S>> = true;
 
-/// Claims that the two are the derivative of xi_ab, both expressed in a or both in b.
+/// Claims that the two vectors are the derivative of xi_ab, both expressed in a or both in b.
 template <Frame B, Frame A, class C, class S>
   requires(detail::is_one_of<C, A, B>)
 detail::OfTwo<B, A, ScrewRate<A, B, S>> screw_rate(Of<B>, RelativeTo<A>,
@@ -47,7 +47,8 @@ template <class OfFrame, class RelativeToFrame, class Rotation, class Translatio
 auto screw_rate(  // of<B>, relative_to<A>: two frames; rad/s and m/s expressed in one of them
     const OfFrame&, const RelativeToFrame&, const Rotation&, const Translation&) -> Refused = delete;
 
-/// V_ab(b)^b = J_r(xi_ab) xi_dot in<B>, V_ab(a)^a = J_l(xi_ab) xi_dot in<A>. Throws as left_jacobian().
+/// V_ab(b)^b = J_r(xi_ab) xi_dot for in<B>, V_ab(a)^a = J_l(xi_ab) xi_dot for in<A>. Throws as
+/// left_jacobian().
 template <class A, class B, class C, class S>
   requires(detail::is_one_of<C, A, B>)
 Twist<A, B, At<C>, In<C>, S> twist(const Screw<A, B, S>& xi_ab, const ScrewRate<A, B, S>& xidot_ab, In<C>) {

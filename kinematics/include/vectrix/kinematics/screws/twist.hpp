@@ -11,13 +11,13 @@ namespace vectrix {
 template <Point P> struct At {};
 template <Point P> inline constexpr At<P> at{};
 
-/// V_ab(p)^c, of type Twist<A, B, At<P>, In<C>>: the motion of the rigid frame b relative to a, as the rate
-/// w_ab^c and the velocity v, as a sees it, of the particle of b that is at the point p now. Its laws:
+/// V_ab(p)^c, of type Twist<A, B, At<P>, In<C>>: the motion of the rigid frame b relative to a: the rate
+/// w_ab^c, and the velocity v, observed from a, of the particle of b that is now at the point p. Its laws:
 ///     1.  V_ab(p)^c + V_bd(p)^c = V_ad(p)^c          twists chain at one point
 ///     2.  V_ba(p)^c = -V_ab(p)^c
 ///     3.  V_ab(p)^d = R_c^d V_ab(p)^c
 ///     4.  v(q) = v(p) + w_ab x r_pq                  shift(V_c, r_pq_c) to another point
-///     5.  V_ab(c)^c = Ad(X_b^c) V_ab(b)^b            X_c_from_b * V: 3 and 4 at once
+///     5.  V_ab(c)^c = Ad(X_b^c) V_ab(b)^b            X_c_from_b * V: laws 3 and 4 together
 template <Frame A, Frame B, class Place, class ExpressedIn, class S = double> class Twist;
 
 template <Frame A, Frame B, Point P, Frame C, class S> class Twist<A, B, At<P>, In<C>, S> {
@@ -28,10 +28,10 @@ template <Frame A, Frame B, Point P, Frame C, class S> class Twist<A, B, At<P>, 
   AngularVelocity<A, B, In<C>, S> angular_velocity() const {
     return AngularVelocity<A, B, In<C>, S>{detail::trusted, rate_};
   }
-  /// Of the particle of b at p, as a sees it.
+  /// The velocity of the particle of b at p, observed from a.
   const Vector<C, si::velocity, S>& velocity() const& { return velocity_; }
   Vector<C, si::velocity, S> velocity() && { return velocity_; }
-  /// The bare six numbers, the rate first.
+  /// The six bare numbers, the rate first.
   Eigen::Matrix<S, 6, 1> coordinates() const {
     Eigen::Matrix<S, 6, 1> numbers;
     numbers << rate_.coordinates(), velocity_.coordinates();
@@ -50,7 +50,7 @@ template <Frame A, Frame B, Point P, Frame C, class S> class Twist<A, B, At<P>, 
 template <class A, class B, class P, class C, class S>
 inline constexpr bool detail::is_framed<Twist<A, B, P, C, S>> = true;
 
-/// Claims that v_c is the velocity, as a sees it, of the particle of b at p.
+/// Claims that v_c is the velocity, observed from a, of the particle of b at p.
 template <class P, class A, class B, class C, class S>
 Twist<A, B, At<P>, In<C>, S> twist(At<P>, const AngularVelocity<A, B, In<C>, S>& w_ab_c,
                                    const Vector<C, si::velocity, S>& v_c) {
@@ -104,7 +104,7 @@ template <class S> Eigen::Matrix<S, 6, 6> ad(const Column<S>& w, const Column<S>
 
 }  // namespace detail
 
-/// ad(V), the bare six by six numbers, rates first, [[w]x 0; [v]x [w]x]. Its laws:
+/// ad(V), a bare 6x6 matrix, rates first, [[w]x 0; [v]x [w]x]. Its laws:
 ///     1.  d/dt Ad(X_b^a) = Ad(X_b^a) ad(V_ab(b)^b) = ad(V_ab(a)^a) Ad(X_b^a)
 ///     2.  ad(Ad(X) V) = Ad(X) ad(V) Ad(X)^-1
 ///     3.  ad(V) W = -ad(W) V, so that ad(V) V = 0
@@ -113,7 +113,7 @@ Eigen::Matrix<S, 6, 6> ad(const Twist<A, B, P, C, S>& V_ab) {
   return detail::ad<S>(V_ab.angular_velocity().coordinates(), V_ab.velocity().coordinates());
 }
 
-/// Ad(X_a^b), the bare six by six numbers, rates first: [R_a^b 0; [r_ba^b]x R_a^b R_a^b]. Its inverse is
+/// Ad(X_a^b), a bare 6x6 matrix, rates first: [R_a^b 0; [r_ba^b]x R_a^b R_a^b]. Its inverse is
 /// adjoint(inverse(X_b_from_a)).
 template <class B, class A, class S> Eigen::Matrix<S, 6, 6> adjoint(const Transform<B, A, S>& X_b_from_a) {
   const detail::Square<S>& R = X_b_from_a.rotation.matrix();

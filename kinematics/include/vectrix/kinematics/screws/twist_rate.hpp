@@ -7,8 +7,8 @@
 namespace vectrix {
 
 /// Vdot_ab(p)^c, of type TwistRate<A, B, At<P>, In<C>>: the time derivative of the twist V_ab at a point and
-/// in axes that rest in a (or in b: the two agree, by law 3 of the bracket, ad(V) V = 0): alpha_ab^c, and the
-/// rate at which the velocities of the particles of b that pass the point p change. Its laws:
+/// in axes fixed in a (or fixed in b, which gives the same because ad(V) V = 0). It consists of alpha_ab^c
+/// and of the rate of change of the velocity at the point p, through which the particles of b pass. Its laws:
 ///     1.  Vdot_ad = Vdot_ab + Vdot_bd + ad(V_ab) V_bd     chain(Vdot_ab, Vdot_bd, V_ab, V_bd)
 ///     2.  Vdot_ba(p)^c = -Vdot_ab(p)^c
 ///     3.  Vdot_ab(p)^d = R_c^d Vdot_ab(p)^c
@@ -25,10 +25,10 @@ template <Frame A, Frame B, Point P, Frame C, class S> class TwistRate<A, B, At<
   AngularAcceleration<A, B, In<C>, S> angular_acceleration() const {
     return AngularAcceleration<A, B, In<C>, S>{detail::trusted, alpha_};
   }
-  /// vdot(p): of the velocity at p, not of a particle.
+  /// vdot(p): the rate of the velocity at p, not the acceleration of a particle.
   const Vector<C, si::acceleration, S>& velocity_rate() const& { return change_; }
   Vector<C, si::acceleration, S> velocity_rate() && { return change_; }
-  /// The bare six numbers, the angular acceleration first.
+  /// The six bare numbers, the angular acceleration first.
   Eigen::Matrix<S, 6, 1> coordinates() const {
     Eigen::Matrix<S, 6, 1> numbers;
     numbers << alpha_.coordinates(), change_.coordinates();
@@ -47,7 +47,8 @@ template <Frame A, Frame B, Point P, Frame C, class S> class TwistRate<A, B, At<
 template <class A, class B, class P, class C, class S>
 inline constexpr bool detail::is_framed<TwistRate<A, B, P, C, S>> = true;
 
-/// Claims that a_c is the acceleration, as a sees it, of the particle of b at p: vdot(p) = a - w_ab x v(p).
+/// Claims that a_c is the acceleration, observed from a, of the particle of b at p: vdot(p) = a - w_ab x
+/// v(p).
 template <class A, class B, class P, class C, class S>
 TwistRate<A, B, At<P>, In<C>, S> twist_rate(const Twist<A, B, At<P>, In<C>, S>& V_ab,
                                             const AngularAcceleration<A, B, In<C>, S>& alpha_ab_c,
@@ -60,8 +61,8 @@ template <class Motion, class Change, class AccelerationOf>
 auto twist_rate(  // twist_rate(V_ab, alpha_ab_c, a_c): of one pair, expressed in one frame
     const Motion&, const Change&, const AccelerationOf&) -> Refused = delete;
 
-/// a, the acceleration of the particle of b at p as a sees it. At a's origin it is the linear part of
-/// dV^/dt + V^ V^, V^ the four by four matrix of V: rddot_ab - ([alpha]x + [w]x [w]x) r_ab.
+/// a, the acceleration of the particle of b at p, observed from a. At a's origin it is the linear part of
+/// dV^/dt + V^ V^, where V^ is the 4x4 matrix of V: rddot_ab - ([alpha]x + [w]x [w]x) r_ab.
 template <class A, class B, class P, class C, class S>
 Vector<C, si::acceleration, S> particle_acceleration(const Twist<A, B, At<P>, In<C>, S>& V_ab,
                                                      const TwistRate<A, B, At<P>, In<C>, S>& Vdot_ab) {
@@ -73,12 +74,12 @@ template <class Motion, class Change>
 auto particle_acceleration(  // particle_acceleration(V_ab, Vdot_ab): at one point, expressed in one frame
     const Motion&, const Change&) -> Refused = delete;
 
-/// Claims that q is fixed in b: its velocity relative to a's origin, as a sees it.
+/// The velocity of q relative to a's origin, observed from a. Claims that q is fixed in b.
 template <class Q, class A, class B, class C, class S>
 Velocity<A, Q, ObservedFrom<A>, In<C>, S> point_velocity(Of<Q>, const Twist<A, B, At<Q>, In<C>, S>& V_ab) {
   return Velocity<A, Q, ObservedFrom<A>, In<C>, S>{detail::trusted, V_ab.velocity()};
 }
-/// Claims that q is fixed in b: its acceleration relative to a's origin, as a sees it.
+/// The acceleration of q relative to a's origin, observed from a. Claims that q is fixed in b.
 template <class Q, class A, class B, class C, class S>
 Acceleration<A, Q, ObservedFrom<A>, In<C>, S> point_acceleration(
     Of<Q>, const Twist<A, B, At<Q>, In<C>, S>& V_ab, const TwistRate<A, B, At<Q>, In<C>, S>& Vdot_ab) {

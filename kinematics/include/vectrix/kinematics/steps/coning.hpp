@@ -4,8 +4,9 @@
 
 namespace vectrix {
 
-/// int w_ab^b dt over an interval, component by component in the turning b, rad: what an integrating gyro
-/// counts. Not a rotation vector unless w keeps its direction: coning_corrected() makes an increment of it.
+/// int w_ab^b dt over an interval, rad, component by component in the rotating axes of b: the count of an
+/// integrating gyro. It is a rotation vector only if w keeps its direction; coning_corrected() turns counts
+/// into an increment.
 ///     alpha over [t1, t2] + alpha over [t2, t3] = alpha over [t1, t3]
 template <Frame A, Frame B, class S = double>
 class AngleIncrement : public detail::RelativeVector<B, si::angle, S> {
@@ -16,7 +17,7 @@ class AngleIncrement : public detail::RelativeVector<B, si::angle, S> {
 
 template <class A, class B, class S> inline constexpr bool detail::is_framed<AngleIncrement<A, B, S>> = true;
 
-/// Claims that the vector is the integral of the rate of b relative to a, in b's own axes.
+/// Claims that the vector is the integral of the rate of b relative to a, in the axes of b.
 template <Frame B, Frame A, class S>
 detail::OfTwo<B, A, AngleIncrement<A, B, S>> angle_increment(Of<B>, RelativeTo<A>,
                                                              const Vector<B, si::angle, S>& alpha_b) {
@@ -26,13 +27,13 @@ template <class OfFrame, class RelativeToFrame, class Given>
 auto angle_increment(  // of<B>, relative_to<A>: two frames; an angle expressed in b
     const OfFrame&, const RelativeToFrame&, const Given&) -> Refused = delete;
 
-// of adjoining intervals
+// For adjoining intervals.
 template <class A, class B, class S>
 AngleIncrement<A, B, S> sum(const AngleIncrement<A, B, S>& first, const AngleIncrement<A, B, S>& second) {
   return AngleIncrement<A, B, S>{detail::trusted, first.coordinates() + second.coordinates()};
 }
 
-// The increment of a step from the angle increments of its parts, of equal duration.
+// The increment of a step from the angle increments of its parts, which have equal duration.
 template <class A, class B, class S>
 Increment<A, B, S> corrected_increment(const AngleIncrement<A, B, S>& first,
                                        const AngleIncrement<A, B, S>& second) {
@@ -61,11 +62,11 @@ concept Corrects = requires {
 
 }  // namespace detail
 
-/// The increment of a step whose two halves, or three thirds, were counted:
+/// The increment of a step from the counts of its two halves or three thirds:
 ///     theta = alpha1 + alpha2 + 2/3 alpha1 x alpha2
 ///     theta = alpha1 + alpha2 + alpha3 + 9/20 alpha1 x alpha3 + 27/40 alpha2 x (alpha3 - alpha1)
-/// The second has the coefficients that leave the smallest drift in coning (Miller 1983); the first is exact
-/// to order 4 for a rate of polynomial form, and the best of two samples in coning too (Ignagni 1990).
+/// The second has the coefficients with the smallest drift in coning (Miller 1983). The first is of order 4
+/// for a polynomial rate, and also the best two-sample rule in coning (Ignagni 1990).
 template <class... Parts> detail::CorrectedOf<Parts...> coning_corrected(const Parts&... alpha) {
   return corrected_increment(alpha...);
 }
@@ -74,10 +75,10 @@ template <class... Parts>
 auto coning_corrected(  // two or three angle increments of one b relative to one a
     const Parts&...) -> Refused = delete;
 
-/// The increment over the interval of one count, with the count of the interval before it (Savage 1998):
+/// The increment over the interval of one count, corrected with the previous count (Savage 1998):
 ///     theta = alpha + 1/12 alpha_before x alpha
-/// In coning as good as the two-sample rule, at every count; of a general motion the error of an interval is
-/// h^4/12 w x w'', and the order 3, where the two-sample rule's is 4.
+/// In coning it is as good as the two-sample rule, and gives an increment at every count. For a general
+/// motion the error of an interval is h^4/12 w x w'' and the order is 3; the two-sample rule has order 4.
 template <class A, class B, class S>
 Increment<A, B, S> coning_corrected_after(const AngleIncrement<A, B, S>& alpha_before,
                                           const AngleIncrement<A, B, S>& alpha) {

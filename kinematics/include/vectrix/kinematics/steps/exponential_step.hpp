@@ -6,8 +6,8 @@
 
 namespace vectrix {
 
-/// Nine numbers near R_b^a that the first-order rule gave: not a rotation, and not convertible to one.
-/// nearest_dcm() projects them, and says how far.
+/// The result of the first-order rule: a matrix near R_b^a, not a rotation and not convertible to one.
+/// nearest_dcm() projects it and returns the distance.
 template <Frame A, Frame B, class S = double> class FirstOrderAttitude {
  public:
   template <class Derived>
@@ -15,9 +15,9 @@ template <Frame A, Frame B, class S = double> class FirstOrderAttitude {
 
   const detail::Square<S>& matrix() const& { return matrix_; }
   detail::Square<S> matrix() && { return matrix_; }
-  /// The factor by which volumes have grown: the product of 1 + |theta|^2 over the steps.
+  /// The growth factor of volumes: the product of 1 + |theta|^2 over the steps.
   S determinant() const { return matrix_.determinant(); }
-  /// How far from the rotations: |M^T M - I|, Frobenius; sqrt(2) |theta|^2 after one step.
+  /// |M^T M - I|, Frobenius, the departure from a rotation; sqrt(2) |theta|^2 after one step.
   S departure() const { return (matrix_.transpose() * matrix_ - detail::Square<S>::Identity()).norm(); }
 
  private:
@@ -32,7 +32,7 @@ NearestDcm<A, B, S> nearest_dcm(const FirstOrderAttitude<A, B, S>& M_a_from_b) {
   return nearest_dcm(to<A>, from<B>, M_a_from_b.matrix());
 }
 
-// theta = w_ab^b dt, of a rate that keeps its direction in b
+// theta = w_ab^b dt, for a constant rate in b
 template <class A, class B, class S>
 Increment<A, B, S> turned_by(const AngularVelocity<A, B, In<B>, S>& w_ab_b, const Quantity<si::time, S>& dt) {
   detail::require_duration<A, B>(dt.value(), "exponential_step");
@@ -77,8 +77,8 @@ concept LawfulStep = requires {
 
 }  // namespace detail
 
-/// R_b^a(t + dt) = R_b^a(t) exp([w_ab^b dt]x), of a DCM or a quaternion. Exact while the rate is constant in
-/// b; else of order 1 with the rate at the start, and of order 2 with the rate in the middle of the step.
+/// R_b^a(t + dt) = R_b^a(t) exp([w_ab^b dt]x), for a DCM or a quaternion. Exact for a rate constant in b.
+/// Otherwise of order 1 with the rate at the start of the step, of order 2 with the rate in the middle.
 /// Throws BadInput when dt is not finite, and as exp().
 template <class Rotation, class Rate, class Duration>
 detail::ExponentialStepOf<Rotation, Rate, Duration> exponential_step(const Rotation& rotation,
@@ -91,8 +91,8 @@ template <class Rotation, class Rate, class Duration>
 auto exponential_step(  // exponential_step(R_a_from_b, w_ab_b, dt): the rate in b's own axes
     const Rotation&, const Rate&, const Duration&) -> Refused = delete;
 
-/// R_b^a (I + [w_ab^b dt]x), which is no rotation: its determinant is 1 + |theta|^2. Of a DCM, or of what
-/// the step before gave. Any finite input is valid.
+/// R_b^a (I + [w_ab^b dt]x). It is not a rotation: its determinant is 1 + |theta|^2. Takes a DCM, or the
+/// result of the previous step. Any finite input is valid.
 template <class Rotation, class Rate, class Duration>
 detail::FirstOrderStepOf<Rotation, Rate, Duration> first_order_step(const Rotation& rotation,
                                                                     const Rate& omega, const Duration& dt) {

@@ -7,8 +7,8 @@
 namespace vectrix {
 namespace detail {
 
-/// The result of a step, if the rate is one of b relative to a, expressed in b. Told by the type of the
-/// result and not by a constraint, which clang explains in six lines more.
+/// The result of a step, if the rate is of b relative to a, expressed in b. Checked by the result type: for a
+/// constraint clang prints six lines more.
 template <class Rate, class A, class B, class S, bool lawful = true>
 using StepBy = std::enable_if_t<
     lawful &&
@@ -16,10 +16,10 @@ using StepBy = std::enable_if_t<
                        AngularVelocity<A, B, In<B>, S>>,
     Dcm<A, B, S>>;
 
-/// The angle, rad, at which J_r^-1 makes ten of one error; at a full turn it is singular.
+/// The angle, rad, at which J_r^-1 amplifies an error by ten. At a full turn it is singular.
 inline constexpr double longest_stage = 5.7;
 
-/// h w at the time t + c h and at the attitude R exp([theta]x).
+/// h w at the time t + c h and the attitude R exp([theta]x).
 template <class A, class B, class S, class Rate> class StageRate {
  public:
   StageRate(const Rate& rate, const Dcm<A, B, S>& start, const Quantity<si::time, S>& t,

@@ -5,8 +5,8 @@
 
 namespace vectrix {
 
-/// What a gyro with errors says of X, an AngularVelocity or an AngleIncrement: not an X. GyroErrors turns one
-/// into the other.
+/// The reading of X, an AngularVelocity or an AngleIncrement, by a gyro with errors. It is not an X;
+/// GyroErrors converts between the two.
 template <class X> class Measured {
  public:
   using scalar = typename X::scalar;
@@ -24,7 +24,7 @@ template <class X> inline constexpr bool detail::is_framed<Measured<X>> = true;
 
 namespace detail {
 
-/// What a gyro fixed in b may measure.
+/// The quantities that a gyro fixed in b measures.
 template <class X> struct GyroQuantity {};
 template <class A, class B, class S> struct GyroQuantity<AngularVelocity<A, B, In<B>, S>> { using body = B; };
 template <class A, class B, class S> struct GyroQuantity<AngleIncrement<A, B, S>> { using body = B; };
@@ -35,15 +35,16 @@ template <class X> std::ostream& print_framed(std::ostream& out, const Measured<
   return out << "measured " << X{detail::trusted, reading.coordinates()};
 }
 
-/// Claims that the numbers of x are a gyro's, its errors included: measured(w_ab_b), measured(alpha).
+/// Claims that the numbers of x are gyro readings, which include its errors: measured(w_ab_b),
+/// measured(alpha).
 template <class X, class Body = typename detail::GyroQuantity<X>::body> Measured<X> measured(const X& x) {
   return {detail::trusted, x.coordinates()};
 }
 
 /// A gyro triad fixed in b that measures
 ///     w_measured = (I + diag(scale) + M) w_ab^b + bias
-/// M has no diagonal; M_ij is the angle, rad, by which the i-th sensitive axis leans towards the j-th of b.
-/// (Titterton, Weston, Strapdown Inertial Navigation Technology.)
+/// M has a zero diagonal; M_ij is the angle, rad, by which the i-th sensitive axis leans towards the j-th of
+/// b. (Titterton, Weston, Strapdown Inertial Navigation Technology.)
 template <Frame B, class S = double> class GyroErrors {
  public:
   GyroErrors(detail::Trusted, const detail::Column<S>& bias, const detail::Square<S>& sensitivity)
@@ -57,7 +58,7 @@ template <Frame B, class S = double> class GyroErrors {
   AngularVelocity<A, B, In<B>, S> corrected(const Measured<AngularVelocity<A, B, In<B>, S>>& reading) const {
     return AngularVelocity<A, B, In<B>, S>{detail::trusted, inverse_ * (reading.coordinates() - bias_)};
   }
-  /// Of the integrals over an interval of the length dt.
+  /// The same for integrals over an interval of length dt.
   template <class A>
   Measured<AngleIncrement<A, B, S>> applied(const AngleIncrement<A, B, S>& alpha,
                                             const Quantity<si::time, S>& dt) const {
@@ -79,8 +80,8 @@ template <Frame B, class S = double> class GyroErrors {
 };
 
 /// Bias, scale factor errors and misalignments (M_xy, M_xz; M_yx, M_yz; M_zx, M_zy), all small numbers.
-/// Throws BadInput when one is not finite, or the sensitivity I + diag(scale) + M is singular: a determinant
-/// below 1e-3 in size is no gyro triad's.
+/// Throws BadInput when one is not finite, or when |det(I + diag(scale) + M)| < 1e-3: this is not the
+/// sensitivity of a gyro triad.
 template <Frame B, class S>
 GyroErrors<B, S> gyro_errors(const Vector<B, si::angular_velocity, S>& bias_b,
                              const Vector<B, si::dimensionless, S>& scale_b,
@@ -105,15 +106,15 @@ GyroErrors<B, S> gyro_errors(const Vector<B, si::angular_velocity, S>& bias_b,
   return {detail::trusted, bias_b.coordinates(), sensitivity};
 }
 
-/// The attitude q_b^a carried along by the counts of a gyro triad in b: each count is freed of the errors,
-/// then corrected for coning with the one before it: of order 3, and as coning_corrected_after() in coning.
-/// Intervals are meant to be of equal length.
+/// The attitude q_b^a propagated with the counts of a gyro triad in b. The errors are removed from each
+/// count; then it is corrected for coning with the previous count. Order and coning drift as
+/// coning_corrected_after(), order 3. The intervals should have equal length.
 template <Frame A, Frame B, class S = double> class GyroAttitude {
  public:
   GyroAttitude(const Quaternion<A, B, S>& start_a_from_b, const GyroErrors<B, S>& errors)
       : q_a_from_b_(start_a_from_b), errors_(errors) {}
 
-  /// Takes the count of the next interval. Throws BadInput when it, or dt, is not a finite number.
+  /// Takes the count of the next interval. Throws BadInput when the count or dt is not finite.
   void add(const Measured<AngleIncrement<A, B, S>>& count, const Quantity<si::time, S>& dt) {
     detail::require_duration<A, B>(dt.value(), "GyroAttitude::add");
     const AngleIncrement<A, B, S> alpha = errors_.corrected(count, dt);
@@ -124,7 +125,7 @@ template <Frame A, Frame B, class S = double> class GyroAttitude {
   void add(  // measured(alpha): the measured angle increment of b relative to a, and its dt
       const Count&, const Quantity<si::time, S>&) = delete;
 
-  /// Its norm drifts by rounding alone, 1e-16 a count.
+  /// The norm drifts only by rounding, 1e-16 per count.
   const Quaternion<A, B, S>& attitude() const { return q_a_from_b_; }
 
  private:

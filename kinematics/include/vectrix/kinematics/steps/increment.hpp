@@ -5,11 +5,11 @@
 
 namespace vectrix {
 
-/// The frame b as it stood relative to a before a step of its motion, fixed in a since. It has a type of its
-/// own, so that what is composed across a step cancels as any chain of frames does.
+/// The frame b at the start of a step, fixed in a since then. It is a type of its own, so that the frames of
+/// a composition across a step cancel as in any chain.
 template <Frame A, Frame B> struct Before : moving_frame {};
 
-/// How b turned relative to a in a step, a rotation vector: turning b as it was gives b as it is.
+/// The rotation of b relative to a in a step, a rotation vector from b at the start to b at the end.
 ///     R_b^a(t + dt) = R_b^a(t) exp([theta]x)
 template <Frame A, Frame B, class S = double> using Increment = RotationVector<Before<A, B>, B, S>;
 
@@ -36,7 +36,7 @@ namespace detail {
 template <class Rotation, class Turn>
 using AdvancedOf = decltype(advanced(std::declval<const Rotation&>(), std::declval<const Turn&>()));
 
-/// That the duration of a step of b relative to a is finite.
+/// Throws BadInput unless the duration of a step of b relative to a is finite.
 template <class A, class B, class S> void require_duration(const S& dt, const char* action) {
   if (!all(dt - dt == S(0))) {
     throw BadInput(std::string{action} + "(of " + frame_name<B>() + " relative to " + frame_name<A>() +
@@ -44,7 +44,7 @@ template <class A, class B, class S> void require_duration(const S& dt, const ch
   }
 }
 
-/// A rate of b relative to a, expressed in b: what a step in b's own axes takes.
+/// The types for a rate of b relative to a, expressed in b; a step needs the rate in b's axes.
 template <class Rate> struct BodyRate {};
 template <class A, class B, class S> struct BodyRate<AngularVelocity<A, B, In<B>, S>> {
   using increment = Increment<A, B, S>;
@@ -55,8 +55,8 @@ template <class A, class B, class S> struct BodyRate<AngularVelocity<A, B, In<B>
 
 }  // namespace detail
 
-/// The attitude after the step: advance(R_a_from_b, theta), or of a quaternion. The result is a rotation
-/// whatever the increment; its errors are those of exp().
+/// The attitude after the step, for a DCM or a quaternion: advance(R_a_from_b, theta). The result is a
+/// rotation for every increment. Throws BadInput as exp().
 template <class Rotation, class Turn>
 detail::AdvancedOf<Rotation, Turn> advance(const Rotation& rotation, const Turn& theta) {
   return advanced(rotation, theta);

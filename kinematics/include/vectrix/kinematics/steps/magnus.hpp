@@ -15,7 +15,7 @@ concept GivesBodyRate = requires {
   typename IncrementOfRate<RateOfTime, S>;
 };
 
-// The series is written for Y' = A Y, here Y = (R_b^a)^T and A = -[w]x: commutators of -w are cross products.
+// The series is for Y' = A Y, here with Y = (R_b^a)^T and A = -[w]x. Commutators are cross products of -w.
 template <class S> Column<S> magnus_4(const Column<S>& w1, const Column<S>& w2, const S& h) {
   using std::sqrt;
   return h / S(2) * (w1 + w2) + h * h * sqrt(S(3)) / S(12) * w1.cross(w2);
@@ -36,8 +36,9 @@ Column<S> magnus_6(const Column<S>& w1, const Column<S>& w2, const Column<S>& w3
 /// The increment of a rate w_ab^b(t) that is a function of time alone, over [t, t + dt], by the Magnus series
 /// at Gauss points, of order 2, 4 or 6:
 ///     theta = int w + 1/2 int int_{s < t} w(s) x w(t) + ...
-/// One, two or three values of the rate (Iserles, Norsett 1999; Blanes, Casas, Ros 2000). The series is for
-/// steps that turn less than pi. The integral of w alone is not the increment, unless w keeps its direction.
+/// It takes one, two or three values of the rate (Iserles, Norsett 1999; Blanes, Casas, Ros 2000). The series
+/// is valid for steps that turn by less than pi. The integral of w alone is the increment only if w keeps its
+/// direction.
 template <int Order, class RateOfTime, class S>
   requires(detail::GivesBodyRate<RateOfTime, S> && (Order == 2 || Order == 4 || Order == 6))
 detail::IncrementOfRate<RateOfTime, S> magnus_increment(const RateOfTime& rate,
@@ -45,7 +46,7 @@ detail::IncrementOfRate<RateOfTime, S> magnus_increment(const RateOfTime& rate,
                                                         const Quantity<si::time, S>& dt) {
   using std::sqrt;
   const S h = dt.value();
-  // The value of the rate at the middle and c steps from it.
+  // The rate at c steps from the middle of the interval.
   const auto w = [&](const S& c) -> detail::Column<S> {
     return rate(Quantity<si::time, S>::from_value(t.value() + (S(1) / S(2) + c) * h)).coordinates();
   };
