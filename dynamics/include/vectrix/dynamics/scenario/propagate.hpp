@@ -27,9 +27,9 @@ template <InertialFrame I, Frame B> struct Root {
 };
 
 /// How a scenario is propagated, from its initial time to `end`. A torque that depends on time and is not
-/// piecewise constant needs a `maximum_step` below the time in which it changes: a step may otherwise pass
-/// over a short burst, and the error estimate of Fehlberg 7(8) does not see a rate that depends on time
-/// alone. So do roots with two zeros close together.
+/// piecewise constant needs a `maximum_step` shorter than the time in which it changes. Otherwise a step may
+/// skip a short burst, and the error estimate of Fehlberg 7(8) cannot detect a rate that depends on time
+/// alone. Roots with two zeros close together need it too.
 template <InertialFrame I, Frame B> struct Propagation {
   Quantity<si::time> end;
   ode::Method method = ode::Method::arkode_fehlberg_8;
@@ -41,9 +41,9 @@ template <InertialFrame I, Frame B> struct Propagation {
   Quantity<si::time> maximum_step = std::numeric_limits<double>::infinity() * si::second;
 };
 
-/// A propagation that could not be finished: time, step and flag of the solver, and the trajectory up to
-/// there. The ode::Failure is nested in it (std::rethrow_if_nested), and in that what a torque or a root
-/// function threw.
+/// A propagation that could not be finished: time, step and flag of the solver, and the trajectory until
+/// then. It nests the ode::Failure (std::rethrow_if_nested), which nests the exception of a torque or a root
+/// function, if there was one.
 template <InertialFrame I, Frame B> class PropagationFailure : public ode::Failure {
  public:
   PropagationFailure(const ode::Failure& failure, Trajectory<I, B> trajectory)
