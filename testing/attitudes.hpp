@@ -50,7 +50,7 @@ inline std::vector<Eigen::Quaterniond> hard_attitudes() {
   return list;
 }
 
-/// Uniform in [-1, 1], in steps of a millionth.
+/// Uniform in [-1, 1], in steps of 1e-6.
 inline rc::Gen<double> coordinate() {
   return rc::gen::map(rc::gen::inRange(-1'000'000, 1'000'001), [](int n) { return n / 1e6; });
 }

@@ -55,7 +55,7 @@ struct ComplementarySeries {
 struct FreeRotationSeries {
   std::variant<DirectSeries, ComplementarySeries> functions;
   std::array<double, 3> rate_amplitude;  ///< w^p = (r1 cn, r2 sn, r3 dn)
-  std::array<double, 3> unit_momentum;   ///< h^p / |h|, likewise
+  std::array<double, 3> unit_momentum;   ///< h^p / |h|, with cn, sn, dn as above
   std::array<double, 9> axes;            ///< R_p^b by columns
   std::array<double, 4> before, after;   ///< q_b^i = before q_z(Phi) s(h)* after
   Regime regime;

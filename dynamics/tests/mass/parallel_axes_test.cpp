@@ -29,7 +29,7 @@ TEST(Inertia, law1_change_of_axes_is_the_inertia_of_the_turned_masses) {
   }
   const Matrix3d J = inertia<Body, Hinge, Bus>(random_masses(draw).inertia_about(Vector3d::Zero())).matrix();
   const Matrix3d R = draw.rotation();
-  EXPECT_GT((R * J * R.transpose() - R.transpose() * J * R).norm(), visible);  // the test sees the difference
+  EXPECT_GT((R * J * R.transpose() - R.transpose() * J * R).norm(), visible);  // else the test proves nothing
 }
 
 TEST(Inertia, brought_into_the_body_s_own_axes_it_can_be_divided_by) {

@@ -203,7 +203,7 @@ TEST_P(Propagate, a_short_burst_of_torque_is_seen_with_a_maximum_step) {
 
 /// Pitch of a satellite in a circular orbit, phi from the radial: with yaw x (radial), roll y, pitch z,
 ///     phi'' = -3/2 n^2 k sin 2 phi,  k = (Jy - Jx) / Jz
-/// so that phi'^2 + 3 n^2 k sin^2 phi is constant, and small phi swing with sqrt(3 n^2 k).
+/// so that phi'^2 + 3 n^2 k sin^2 phi is constant, and small phi oscillate at sqrt(3 n^2 k).
 struct GravityGradientPendulum {
   double mu = 3.986004418e14;
   double radius = 7e6;

@@ -328,7 +328,7 @@ TEST(ConservationReport, finds_a_change) {
   BodyScenario claimed = flown;
   claimed.inertia = tensor(2.0, 2.6, 3.0);  // T and h of this body are not constant in the motion
   const auto trajectory = propagate(flown, until(60.0));
-  const double w = std::hypot(0.3, 0.2);  // turns in the xy plane: 2T swings by 0.6 wy^2
+  const double w = std::hypot(0.3, 0.2);  // turns in the xy plane: 2T varies by 0.6 wy^2
   const double start = 2.0 * 0.09 + 2.6 * 0.04 + 3.0 * 0.25;
   const double largest = 0.6 * std::max(w * w - 0.04, 0.04);
   EXPECT_NEAR(conservation(claimed, trajectory).rotational_energy.value(), largest / start,

@@ -59,7 +59,7 @@ Eigen::Matrix3d exact(const Turns& turns, const Eigen::Vector3d& t) {
   const Eigen::Matrix<long double, 3, 1> angles = t.cast<long double>();
   return product_of(turns, angles).cast<double>();
 }
-/// By Eigen's AngleAxis.
+/// The same matrix by Eigen's AngleAxis.
 Eigen::Matrix3d eigens(const Turns& turns, const Eigen::Vector3d& t) {
   const auto turn = [&](std::size_t n) {
     return Eigen::AngleAxisd(t(Eigen::Index(n)), Eigen::Vector3d::Unit(turns.axes[n]));

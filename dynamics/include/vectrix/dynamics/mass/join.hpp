@@ -37,7 +37,6 @@ concept Joins = requires {
 ///     J_p = J_1p + J_2p + ...        join(of<Whole>, J_1p_c, J_2p_c, ...)
 /// Takes inertias about one point, expressed in one frame; or the mass properties of each body, from one
 /// origin (mass_properties.hpp). Accepts any inertias.
-/// origin (mass_properties.hpp). Any inertias are valid.
 template <class Whole, class... Parts>
 detail::JoinOf<Of<Whole>, Parts...> join(Of<Whole> whole, const Parts&... parts) {
   return joined(whole, parts...);

@@ -44,7 +44,6 @@ struct Record;
 ///
 /// Nodes are ordered by time. Smooth segments lie between consecutive breakpoints. A breakpoint is a node of
 /// both its segments, with the same state and two one-sided rates. A temporary solution gives no spans.
-/// both its segments, with the same state and its two one-sided rates. A temporary gives no view of itself.
 class VECTRIX_EXPORT Solution {
  public:
   explicit Solution(std::shared_ptr<const Record> record);

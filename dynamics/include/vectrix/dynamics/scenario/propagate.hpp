@@ -98,8 +98,8 @@ template <class I, class B> std::vector<double> breakpoints(const Scenario<I, B>
 /// Integrates q_b^i (or R_b^i), w_ib^b and the orbit by SUNDIALS:
 ///     d/dt q_b^i = 1/2 q_b^i (0, w_ib^b)   or   d/dt R_b^i = R_b^i [w_ib^b]x
 ///     J_b d/dt w_ib^b = tau^b - w_ib^b x (J_b w_ib^b),   d^2/dt^2 r^i = - mu r^i / |r|^3
-/// Steps end where a pulse begins or ends. Throws BadInput for a scenario, a tolerance or times that make no
-/// sense, and PropagationFailure, which keeps the trajectory so far, when the solver cannot go on.
+/// Steps end where a pulse begins or ends. Throws BadInput for an invalid scenario, tolerance or time, and
+/// PropagationFailure, which keeps the trajectory until then, if the solver cannot continue.
 template <class I, class B>
 Trajectory<I, B> propagate(const Scenario<I, B>& scenario, const Propagation<I, B>& how) {
   detail::require_complete(scenario);

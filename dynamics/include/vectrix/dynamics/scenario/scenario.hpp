@@ -83,9 +83,9 @@ State<I, B> inside_piece(const CustomTorque<I, B>& custom, State<I, B> state,
 
 }  // namespace detail
 
-/// The sum of the scenario's torques in a state. A pulse acts when it acts at `switched_at`: the state's own
-/// time or, inside an integrator, the start of the smooth piece in which the state lies.
-/// Throws BadInput when the gravity-gradient torque lacks mu or the state's orbit.
+/// The sum of the scenario's torques in a state. A pulse is on or off as at the time `switched_at`: the time
+/// of the state or, inside an integrator, the start of the smooth piece that contains the state.
+/// Throws BadInput if the gravity-gradient torque lacks mu or the state's orbit.
 template <class I, class B>
 Vector<B, si::torque> torque(const Scenario<I, B>& scenario, const State<I, B>& state,
                              const Quantity<si::time>& switched_at) {
@@ -120,7 +120,7 @@ Vector<I, si::angular_momentum> angular_momentum(const Scenario<I, B>& scenario,
 
 namespace detail {
 
-/// Throws BadInput, naming what is wrong, when a scenario cannot be propagated.
+/// Throws BadInput, with the reason, if a scenario cannot be propagated.
 template <class I, class B> void require_complete(const Scenario<I, B>& scenario) {
   const std::string place = "Scenario of " + frame_name<B>() + " relative to " + frame_name<I>() + ": ";
   const double start = scenario.initial.time.value();
