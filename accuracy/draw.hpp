@@ -8,16 +8,16 @@
 
 namespace vectrix::accuracy {
 
-/// The inputs of a row, the same in every run and on every machine: no function of the C library is asked
-/// whose last digit depends on the processor.
+/// The inputs of a row. They are the same in every run and on every machine, because no C library function is
+/// used whose last digit depends on the processor.
 class Draw {
  public:
-  /// Which sample it is, from 0.
+  /// Index of the sample, from 0.
   std::size_t index = 0;
 
   double uniform(double from, double to) { return from + (to - from) * unit(); }
 
-  /// As many in each power of two.
+  /// Each power of two is equally likely.
   double logarithmic(double from, double to) {
     const int lowest = std::ilogb(from);
     const auto powers = static_cast<std::uint64_t>(std::ilogb(to) - lowest + 1);
@@ -27,14 +27,14 @@ class Draw {
     }
   }
 
-  /// Of length 1 to rounding.
+  /// A vector of length 1, to rounding.
   Eigen::Vector3d direction() {
     for (;;) {
       const Eigen::Vector3d v = cube(1.0);
       if (v.squaredNorm() > 0.01 && v.squaredNorm() < 1.0) return v / v.norm();
     }
   }
-  /// Of a length between the two.
+  /// A vector with a length between the two.
   Eigen::Vector3d vector(double from, double to) { return logarithmic(from, to) * direction(); }
 
   Eigen::Vector3d cube(double half) {

@@ -7,7 +7,7 @@
 namespace vectrix::accuracy {
 namespace {
 
-/// One of the 24 sequences with what the library says of it.
+/// One of the 24 sequences, with the library's functions for it.
 struct Sequence {
   std::string name;
   std::array<int, 3> axes;
@@ -62,7 +62,7 @@ WideSquare product_of(const Sequence& sequence, const Eigen::Vector3d& t) {
   const auto R = factors(sequence, t);
   return sequence.intrinsic ? R[0] * R[1] * R[2] : R[2] * R[1] * R[0];
 }
-// The axes of the three turns, in b: a small change of the angles is the small turn of their sum.
+// The axes of the three turns, in b. A small change of the angles turns b by the sum of axis times change.
 WideSquare axes_in_turned(const Sequence& sequence, const Eigen::Vector3d& t) {
   auto R = factors(sequence, t);
   auto axes = sequence.axes;
@@ -91,7 +91,8 @@ Eigen::Vector3d angles_near_lock(const Sequence& sequence, Draw& draw, double di
 
 Found forward_error(const Sequence& sequence, const Eigen::Matrix3d& R, Wide gain, double place) {
   const Eigen::Vector3d t = sequence.from_dcm(R);
-  // The turn from the rotation of the angles found to the one given, and what it does to the angles.
+  // The rotation from that of the computed angles to the given one, and the change of the angles that it
+  // causes.
   const WideColumn turn = rotation_vector_of(
       nearest_rotation(product_of(sequence, t).transpose() * nearest_rotation(widened(R))));
   const WideColumn change = axes_in_turned(sequence, t).inverse() * turn;

@@ -55,8 +55,8 @@ void rows(Table& table, const std::string& domain, double from, double to, doubl
       [](const Draw& draw, const Eigen::Vector3d& t, const Eigen::Vector3d& w, const Eigen::Vector3d& alpha) {
         const OfSequence& sequence = sequence_of(draw);
         RateErrors e = sequence.errors(t, w, alpha);
-        // The axes of the turns are known to rounding; the sine of the distance, by which is divided, is
-        // theirs.
+        // The axes of the turns are accurate to rounding. The formulas divide by the sine of the distance,
+        // which is computed from these axes.
         const Wide near = std::sin(static_cast<Wide>(sequence.proper ? t(1) : std::numbers::pi / 2 - t(1)));
         e.rate *= near * near;
         e.second *= near * near;

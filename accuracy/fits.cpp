@@ -7,8 +7,8 @@
 namespace vectrix::accuracy {
 namespace {
 
-// The rotation that maximises tr(R P^T), without singular values: at the maximum R P^T is symmetric, and
-// Newton's step turns R by (tr(S) I - S)^-1 of what is not.
+// The rotation that maximises tr(R P^T), without singular values. At the maximum R P^T is symmetric; Newton's
+// step turns R by (tr(S) I - S)^-1 times the antisymmetric part.
 WideSquare profile_reference(const WideSquare& profile, const WideSquare& near) {
   WideSquare R = near;
   for (int i = 0; i < 60; ++i) {

@@ -8,14 +8,14 @@ namespace {
 
 using WideFour = Eigen::Matrix<Wide, 4, 1>;
 
-/// w and q of a free body about its principal axes.
+/// w and q of a torque-free body in its principal axes.
 struct Turning {
   WideColumn w;
   WideQuaternion q;
 };
 
-/// A step of h by Taylor's series of Euler's equations and of q' = q (0, w)/2: each coefficient is a sum of
-/// products of those before it.
+/// One step of h by the Taylor series of Euler's equations and of q' = q (0, w)/2. Each coefficient is a sum
+/// of products of earlier ones.
 Turning taylor_step(const WideColumn& J, const Turning& start, Wide h) {
   constexpr std::size_t order = 30;
   std::array<WideColumn, order + 1> w;
@@ -43,7 +43,7 @@ Turning taylor_step(const WideColumn& J, const Turning& start, Wide h) {
   return {w_end, WideQuaternion(q_end)};
 }
 
-/// Two errors of the closed form at one time: attitude in ulp per radian turned, rate in ulp of itself.
+/// The two errors of the closed form at one time: attitude in ulp per radian turned, rate in ulp of the rate.
 struct Errors {
   Wide attitude, rate;
 };

@@ -40,7 +40,8 @@ void forward_rows(Table& table) {
   }
 }
 
-// `given` is theta, and how far |theta| is from a full turn, by which a rounding of theta is divided.
+// Rows for any theta, and for theta near a full turn: there a rounding of theta is divided by the distance of
+// |theta| from the full turn.
 template <bool left> void inverse_rows(Table& table) {
   const std::string name = left ? "inverse_left_jacobian(theta)" : "inverse_right_jacobian(theta)";
   const auto error = [](const Eigen::Vector3d& theta, bool near) {

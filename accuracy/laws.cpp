@@ -28,7 +28,7 @@ template <class Of, class RelativeTo, class Place, class S> auto twist_of_number
   return twist(at<Place>, w, vector<si::velocity>(in<A>, ColumnOf<S>(V.template tail<3>())));
 }
 
-// Rates, positions and their derivatives of very different size.
+// Rates, positions and their derivatives of very different magnitudes.
 struct Motion {
   Eigen::Vector3d r, v, a, w, alpha;
   explicit Motion(Draw& draw)
@@ -131,7 +131,7 @@ void twist_rows(Table& table) {
         const auto ab = twist_of_numbers<B, A, D>(V);
         const auto rate = twist_rate(ab, alpha_of<B, A>(alpha), vector<si::acceleration>(in<A>, a));
         return particle_acceleration(ab, rate).coordinates() +
-               rate.velocity_rate().coordinates();  // both directions: a again, and vdot
+               rate.velocity_rate().coordinates();  // converts both ways: a again, and vdot
       },
       [](double, double v, double a, double w, double) { return 2 * (a + w * v); });
   table.row("X_c_from_b * V_ab, and adjoint(X) V", "|r| 1e-3 to 1e3, rates 1e-3 to 10", "|w| + |v| + |r| |w|",

@@ -1,5 +1,5 @@
-// accuracy: measures the error of every function against wider arithmetic, prints the table, and fails when a
-// promise is not kept.
+// accuracy: measures the error of every function against wider arithmetic, prints the table, and fails if an
+// error exceeds its bound.
 //     accuracy [--samples NUMBER] [--write FILE.md]
 
 #include <exception>

@@ -18,7 +18,7 @@ ModifiedRodrigues<A, B> rodrigues_from(const Eigen::Vector3d& sigma) {
   return modified_rodrigues(of<B>, relative_to<A>, vector<si::dimensionless>(in<A>, sigma));
 }
 
-// The angle relative to itself, beside the axis; no turn has any axis.
+// The relative error of the angle, together with the error of the axis. A zero turn may have any axis.
 Found axis_angle_error(const AxisAngle<A, B>& x, const WideColumn& theta) {
   const Wide angle = theta.norm();
   if (angle == 0) return {std::abs(static_cast<Wide>(x.angle().value())) * ulps_in_one, "angle", 0};
@@ -71,7 +71,7 @@ void gibbs_rows(Table& table) {
     return compare(gibbs_vector(q_of<A, B>(q)).coordinates(), exact, exact.norm(), "|g|",
                    static_cast<double>(exact.norm()));
   };
-  for (std::size_t i = 0; i < 4; ++i) {  // not at half a turn
+  for (std::size_t i = 0; i < 4; ++i) {  // omitted at half a turn
     const Turns& kind = turns()[i];
     table.row("gibbs_vector(q)", kind.name, "|g|", roundings(2, "a division, of three components"),
               [&](Draw& draw) { return from_quaternion(rounded_quaternion(kind.draw(draw))); });

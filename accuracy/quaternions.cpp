@@ -63,7 +63,7 @@ void product_rows(Table& table) {
             });
 }
 
-// q(s) of Shoemake's formula, (sin((1 - s) w) q0 + sin(s w) q1) / sin w, which the library does not use.
+// q(s) by Shoemake's formula, (sin((1 - s) w) q0 + sin(s w) q1) / sin w; the library uses another formula.
 Found slerp_error(Draw& draw, double angle) {
   const Eigen::Vector4d q0 = draw.quaternion();
   const WideQuaternion turn = wide_quaternion(rounded_quaternion(angle * draw.direction()));
@@ -73,7 +73,7 @@ Found slerp_error(Draw& draw, double angle) {
 
   const WideQuaternion from = wide_quaternion(q0).normalized(), until = wide_quaternion(q1).normalized();
   const Wide w = std::acos(std::min(Wide(1), from.dot(until)));
-  const Wide half_sine = (until.coeffs() - from.coeffs()).norm() / 2;  // sin(w/2), which has its digits
+  const Wide half_sine = (until.coeffs() - from.coeffs()).norm() / 2;  // sin(w/2), to full accuracy
   const Wide full = angle < 1 ? 2 * std::asin(half_sine) : w;
   const Eigen::Matrix<Wide, 4, 1> q =
       (std::sin((1 - s) * full) * from.coeffs() + std::sin(s * full) * until.coeffs()) / std::sin(full);

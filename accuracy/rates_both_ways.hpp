@@ -13,7 +13,7 @@ template <class In, class S> auto alpha_in(In expressed, const ColumnOf<S>& alph
   return angular_acceleration(of<B>, relative_to<A>, vector<si::angular_acceleration>(expressed, alpha));
 }
 
-/// The four maps between the rates of the attitude and the derivatives of its parameters, of bare numbers.
+/// The four maps between the rates of the attitude and the derivatives of its parameters, on plain numbers.
 /// `Kind::of_numbers<S>(numbers)` makes the parameters.
 template <class Kind, int n> struct RatesBothWays {
   template <class S> using Numbers = Eigen::Matrix<S, n, 1>;
@@ -38,7 +38,7 @@ template <class Kind, int n> struct RatesBothWays {
   }
 };
 
-/// Errors of the four maps for one x, w and alpha, in ulp of what goes in.
+/// Errors of the four maps for one x, w and alpha, in ulp of the inputs.
 struct RateErrors {
   Wide rate, second, velocity, acceleration;
 };
@@ -66,7 +66,7 @@ RateErrors rate_errors(const Eigen::Matrix<double, n, 1>& x, const Eigen::Vector
                Both::template acceleration<C, Wide>(X, Xdot, Xddot), Xddot.norm() + Xdot.squaredNorm())};
 }
 
-/// Four rows. A rounding of one of `terms` terms counts `gain` times; in the second derivatives there are
+/// Adds four rows. The bound is `terms` roundings, each multiplied by `gain`; for second derivatives it is
 /// twice as many.
 template <class Errors, class DrawX, class Place>
 void four_rate_rows(Table& table, const std::string& name, const std::string& domain, double gain, int terms,

@@ -6,7 +6,7 @@
 namespace vectrix::accuracy {
 namespace {
 
-// A step of R' = R [w0 + t w1 + R^T w2]x; the columns of W are the three.
+// One step of R' = R [w0 + t w1 + R^T w2]x; the columns of W are w0, w1 and w2.
 template <int method, class S>
 SquareOf<S> stepped(const SquareOf<S>& R, const SquareOf<S>& W, const FourOf<S>& when) {
   const auto rate = [&](const Quantity<si::time, S>& t, const Dcm<A, B, S>& R_a_from_b) {
@@ -31,7 +31,7 @@ template <int method> void step_row(Table& table, const char* name, const Bound&
   });
 }
 
-// Motion at a time: R, w, alpha in five columns.
+// The motion at a time: R, w, alpha in five columns.
 template <class S> using Fifteen = Eigen::Matrix<S, 3, 5>;
 template <class S> Fifteen<S> splined(const std::vector<Eigen::Vector4d>& q, double t) {
   std::vector<AttitudeSample<A, B, Quantity<si::time, S>>> samples;

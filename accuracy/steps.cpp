@@ -14,7 +14,7 @@ template <class S> auto seconds(const S& t) {
   return Quantity<si::time, S>::from_value(t);
 }
 
-// A rate that is a polynomial of time: both arithmetics are asked for the same function.
+// The rate is a polynomial of time, so that both arithmetics integrate the same function.
 template <int order, class S>
 ColumnOf<S> magnus(const ColumnOf<S>& w0, const ColumnOf<S>& w1, const ColumnOf<S>& w2,
                    const FourOf<S>& when) {

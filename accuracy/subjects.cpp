@@ -3,8 +3,8 @@
 namespace vectrix::accuracy {
 namespace {
 
-// Whole, half, quarter and third turns about axes, diagonals and edges of a cube, none, and the seams of the
-// series: 1e-2 rad and 3 rad.
+// No turn; whole, half, quarter and third turns about axes, diagonals and edges of a cube; and the angles
+// where the library changes formula: 1e-2 rad and 3 rad.
 const std::vector<Eigen::Vector3d>& special_turns() {
   static const std::vector<Eigen::Vector3d> list = [] {
     std::vector<Eigen::Vector3d> all = {Eigen::Vector3d::Zero()};

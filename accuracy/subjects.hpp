@@ -7,7 +7,7 @@
 
 #include "table.hpp"
 
-/// What the rows are about: two frames or three, and the library's quantities from bare numbers of any
+/// The subjects of the rows: two or three frames, and the library's quantities made from plain numbers of any
 /// scalar.
 namespace vectrix::accuracy {
 
@@ -34,7 +34,7 @@ inline WideQuaternion wide_quaternion(const Eigen::Vector4d& q) {
   return WideQuaternion(widened(q));
 }
 
-/// Turns of a kind: of an angle, about an axis.
+/// A kind of turns; `draw` gives the rotation vector.
 struct Turns {
   std::string name;
   Eigen::Vector3d (*draw)(Draw&);
@@ -51,13 +51,13 @@ inline Eigen::Matrix3d any_dcm(Draw& draw) {
   return rotation_of(wide_quaternion(draw.quaternion())).cast<double>();
 }
 
-/// f of the numbers in double against f of the same numbers in Wide: rounding alone.
+/// f in double against f of the same numbers in Wide: rounding alone.
 template <class F, class... X>
 Found rounding(const F& f, Wide scale, const char* place, double value, const X&... x) {
   return compare(f(x...), f(widened(x)...), scale, place, value);
 }
 
-/// The same rotation may be q or -q.
+/// q and -q are the same rotation.
 inline Found compare_up_to_sign(const Eigen::Vector4d& computed, const WideQuaternion& exact,
                                 const char* place, double value) {
   const Eigen::Matrix<Wide, 4, 1> same = widened(computed), opposite = -same;
@@ -65,7 +65,7 @@ inline Found compare_up_to_sign(const Eigen::Vector4d& computed, const WideQuate
   const Found other = compare(opposite, exact.coeffs(), 1, place, value);
   return one.ulps < other.ulps ? one : other;
 }
-/// Rotation vectors: near half a turn, theta and theta - 2 pi n are the same.
+/// Compares rotation vectors: near half a turn, theta and theta - 2 pi n are the same.
 inline Found compare_turns(const Eigen::Vector3d& computed, const WideColumn& exact) {
   const Wide angle = exact.norm();
   const double value = static_cast<double>(angle);

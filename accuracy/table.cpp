@@ -11,7 +11,7 @@ std::string printed(const char* format, double value) {
   return buffer;
 }
 
-// No bar that is not one of the table's.
+// Escapes the text: a bar in it must not end a column of the table.
 std::string cell(const std::string& text) {
   std::string escaped;
   for (const char letter : text) {

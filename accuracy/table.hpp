@@ -10,17 +10,17 @@
 
 namespace vectrix::accuracy {
 
-/// What a row must keep, ulp, and why.
+/// The bound of a row, ulp, and the reason for it.
 struct Bound {
   double ulps;
   std::string reason;
 };
-/// So many roundings of half an ulp each, all to one side.
+/// The bound of `count` roundings of half an ulp each, all in the same direction.
 inline Bound roundings(int count, const std::string& which) {
   return {0.5 * count, std::to_string(count) + " roundings: " + which};
 }
 
-/// The error of one sample, and a number that says where.
+/// The error of one sample, and a number that identifies the sample.
 struct Found {
   Wide ulps;
   std::string place;
@@ -50,15 +50,15 @@ struct Section {
   std::string title, text;
 };
 
-/// Measures row by row.
+/// Measures the rows one after the other.
 class Table {
  public:
   explicit Table(std::size_t samples) : samples_(samples) {}
 
-  /// What the rows to come are about, in words.
+  /// Describes the rows that follow.
   void section(const std::string& title, const std::string& text) { sections_.push_back({title, text}); }
 
-  /// `sample(draw)` is asked as often as the table wants, or `count` times.
+  /// Calls `sample(draw)` as often as the table requires, or `count` times.
   template <class Sample>
   void row(const std::string& function, const std::string& domain, const std::string& scale,
            const Bound& promise, const Sample& sample, std::size_t count = 0) {
@@ -92,7 +92,7 @@ class Table {
   std::vector<Row> rows_;
 };
 
-// Each adds its sections.
+// Each function adds its sections.
 void frame_rows(Table& table);
 void rotation_rows(Table& table);
 void quaternion_rows(Table& table);

@@ -9,7 +9,7 @@
 
 namespace vectrix::accuracy {
 
-/// The arithmetic of the references. It holds every double exactly and rounds 2048 times as finely.
+/// The arithmetic of the references. It represents every double exactly; its rounding is 2048 times finer.
 using Wide = long double;
 static_assert(std::numeric_limits<Wide>::digits >= 64, "the table is made where long double has 64 digits");
 
@@ -31,11 +31,11 @@ inline WideSquare skew(const WideColumn& x) {
   return m;
 }
 
-/// A + A^2/2! + A^3/3! + ..., and A/2! + A^2/3! + ...: without their first terms, which would round small A.
+/// A + A^2/2! + A^3/3! + ..., and A/2! + A^2/3! + ...: without the first terms, which would round small A.
 template <int n> struct Series { WideMatrix<n> exponential, jacobian; };
 
-/// exp(A) - I and its integral J - I, J = I + A/2! + A^2/3! + ..., by their power series, A halved until it
-/// is small:
+/// exp(A) - I and its integral J - I, J = I + A/2! + A^2/3! + ..., by their power series. A is halved until
+/// it is small:
 ///     exp(2A) = exp(A)^2        J(2A) = (I + exp(A)) J(A) / 2
 template <int n> Series<n> series(const WideMatrix<n>& A) {
   int halvings = 0;
@@ -61,7 +61,7 @@ inline WideSquare left_jacobian_series(const WideColumn& theta) {
   return WideSquare::Identity() + series<3>(skew(theta)).jacobian;
 }
 
-/// By pivots: cofactors would lose the digits of a matrix that is nearly singular.
+/// Uses pivots: cofactors would lose the digits of a nearly singular matrix.
 template <int n> WideMatrix<n> inverse_of(const WideMatrix<n>& A) {
   return A.partialPivLu().inverse();
 }
@@ -73,12 +73,12 @@ inline WideSquare nearest_rotation(WideSquare M) {
     const WideSquare next = (M + M.inverse().transpose()) / 2;
     const Wide change = (next - M).cwiseAbs().maxCoeff();
     M = next;
-    if (change < 1e-15L) break;  // it converges quadratically: what is left is its square
+    if (change < 1e-15L) break;  // convergence is quadratic: the remaining error is its square
   }
   return M;
 }
 
-/// Of either sign, by the row of 4 q q^T that is longest: no component is divided by.
+/// The quaternion of R, of either sign, from the longest row of 4 q q^T: without division by a component.
 inline WideQuaternion quaternion_of(const WideSquare& R) {
   Eigen::Matrix<Wide, 4, 4> K;  // scalar last
   const Wide trace = R.trace();
@@ -96,8 +96,8 @@ inline WideSquare rotation_of(const WideQuaternion& q) {
   return q.normalized().toRotationMatrix();
 }
 
-/// The rotation vector of the shortest turn of a quaternion of any length and sign; at half a turn one of
-/// two.
+/// The rotation vector of the shortest turn of a quaternion of any length and sign. At half a turn, one of
+/// the two.
 inline WideColumn rotation_vector_of(const WideQuaternion& q) {
   const Wide largest = q.vec().cwiseAbs().maxCoeff();
   if (largest == 0) return WideColumn::Zero();
@@ -110,7 +110,7 @@ inline WideColumn rotation_vector_of(const WideSquare& R) {
   return rotation_vector_of(quaternion_of(R));
 }
 
-/// How far apart two rotations are, rad.
+/// The angle between two rotations, rad.
 inline Wide turn_between(const WideSquare& first, const WideSquare& second) {
   return rotation_vector_of(nearest_rotation(first.transpose() * second)).norm();
 }

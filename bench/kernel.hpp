@@ -23,7 +23,7 @@ template <class Result> Numbers numbers(const Result& result) {
   }
 }
 
-// The compiler must take `value` for read, and all memory for written.
+// Makes the compiler assume that `value` is read and all memory is written.
 template <class T> void keep(const T& value) {
   asm volatile("" : : "r"(&value) : "memory");
 }
@@ -48,7 +48,7 @@ struct Kernel {
   Form typed, raw;
 };
 
-/// The kernels with their operands, the same numbers for both forms.
+/// The kernels with their operands; both forms use the same numbers.
 std::vector<Kernel> kernels();
 
 }  // namespace bench

@@ -1,4 +1,4 @@
-/// Runs each kernel in both forms, typed and raw Eigen, and prints one line a form:
+/// Runs each kernel in both forms, typed and raw Eigen, and prints one line per form:
 ///     kernels count    under callgrind, which counts the instructions of one call
 ///     kernels time     paired time, allocations, and whether both forms give the same numbers
 #include <valgrind/callgrind.h>
@@ -38,7 +38,7 @@ using Clock = std::chrono::steady_clock;
 constexpr long counted_calls = 100;
 constexpr std::size_t rounds = 2001;
 constexpr double round_ns = 20'000.0;
-constexpr double same = 1e-14;  // both forms do the same mathematics on numbers of order 1: rounding only
+constexpr double same = 1e-14;  // the same mathematics in both forms: rounding only
 
 double seconds(const Form& form, long calls) {
   const auto start = Clock::now();
@@ -55,14 +55,14 @@ double median(std::vector<double> values) {
 void count(const Kernel& kernel) {
   for (const auto& [name, form] : {std::pair{"typed", &kernel.typed}, std::pair{"raw", &kernel.raw}}) {
     const std::string label = std::string{name} + "\t" + kernel.name;
-    form->repeat(1);  // what the first call alone costs: the dynamic linker
+    form->repeat(1);  // the first call also runs the dynamic linker
     CALLGRIND_ZERO_STATS;
     form->repeat(counted_calls);
     CALLGRIND_DUMP_STATS_AT(label.c_str());
   }
 }
 
-/// Rounds of one batch of each form, in random order: what slows the machine slows both.
+/// Rounds of one batch of each form, in random order, so that a slow machine slows both forms.
 bool time(const Kernel& kernel) {
   const Numbers typed = kernel.typed.result();
   const Numbers raw = kernel.raw.result();

@@ -1,6 +1,7 @@
-/// Times laws of doubles, in raw Eigen and in the library's types, and of as many doubles at once as the
-/// machine's registers hold, on the same numbers. One line a law: the lanes, the law, ns an item in Eigen, of
-/// doubles and of lanes, and how many times faster than Eigen the lanes are, the median of all rounds.
+/// Times laws on doubles, in raw Eigen and in the library's types, and on as many doubles at once as the
+/// machine's registers hold, on the same numbers. Prints one line per law: the lanes, the law, ns per item in
+/// Eigen, with doubles and with lanes, and how many times faster than Eigen the lanes are (the median of all
+/// rounds).
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -32,7 +33,7 @@ constexpr std::size_t rounds = 2001;
 constexpr double round_ns = 20'000.0;
 constexpr double same = 1e-13;  // rounding of some tens of operations on numbers of order 1
 
-/// The numbers of an item, or those of several items, one a lane.
+/// The numbers of one item, or of several items, one per lane.
 template <class S> class Numbers {
  public:
   explicit Numbers(std::size_t item) : item_(item) {}
@@ -130,8 +131,8 @@ template <class S, class Make, class Law> class Sweep {
   std::vector<Result> results_;
 };
 
-/// The largest difference of two results' numbers, which lie item after item, `entries` each; q and -q are
-/// one rotation.
+/// The largest difference between the numbers of two results, which are stored item after item, `entries`
+/// each; q and -q are the same rotation.
 double off(const bench::Numbers& found, const bench::Numbers& expected) {
   const std::size_t entries = expected.size() / items;
   double largest = 0.0;
@@ -158,8 +159,8 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
-/// The law on the same items in Eigen, in doubles and in lanes: rounds of one batch of each, in random order,
-/// so that what slows the machine slows all.
+/// The law on the same items in Eigen, in doubles and in lanes. Rounds of one batch of each, in random order,
+/// so that a slow machine slows all.
 template <class Make, class Law, class EigenLaw>
 bool time(const char* name, const Make& make, const Law& law, const EigenLaw& eigen_law) {
   Sweep<double, Make, EigenLaw> raw(make, eigen_law);

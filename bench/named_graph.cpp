@@ -1,5 +1,5 @@
-/// Look-ups in a graph of frames known at run time, over a path of six edges, beside tf2 in one run. Prints a
-/// section of docs/evidence/performance.md. Fails when the two libraries disagree.
+/// Look-ups in a graph of frames known at run time, over a path of six edges, compared with tf2 in the same
+/// run. Prints a section of docs/evidence/performance.md. Fails if the two libraries disagree.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -20,8 +20,8 @@ constexpr std::size_t samples = 16;
 constexpr double step = 0.05;  // s, from one sample to the next
 constexpr double start = 100.0;
 constexpr double turn = 0.2;  // rad, from one sample to the next
-// Both work on rotations of order 1, tf2 with quaternions throughout; its time is in whole nanoseconds,
-// during which the edges turn by less than 1e-8 rad.
+// Both compute rotations of order 1; tf2 uses quaternions throughout. The time of tf2 is in whole
+// nanoseconds, during which the edges turn by less than 1e-8 rad.
 constexpr double same = 1e-7;
 
 template <class T> void keep(const T& value) {
@@ -39,7 +39,7 @@ Eigen::Quaterniond random_attitude(std::mt19937_64& generator) {
   return Eigen::Quaterniond(w, x, y, z).normalized();
 }
 
-/// The attitudes of each edge, sample after sample.
+/// The attitudes of each edge, one after the other in time.
 std::vector<std::vector<Eigen::Quaterniond>> attitudes() {
   std::mt19937_64 generator(20240229);
   std::vector<std::vector<Eigen::Quaterniond>> list(depth);
@@ -91,7 +91,7 @@ struct Row {
   std::vector<double> ns = {};
 };
 
-/// Interleaved rounds: what slows the machine slows all.
+/// Interleaved rounds, so that a slow machine slows all.
 void measure(std::vector<Row>& rows) {
   constexpr int rounds = 301, calls = 200;
   std::mt19937_64 generator(7);

@@ -9,7 +9,7 @@ using KDL::Rotation;
 using KDL::Vector;
 using Operands = Untyped<Rotation, Vector, Frame>;
 
-// KDL gives the four numbers of a quaternion and has no type for them.
+// KDL returns a quaternion as four numbers and has no type for it.
 struct Quaternion {
   double x, y, z, w;
 };

@@ -2,7 +2,7 @@
 
 #include "peers.hpp"
 
-// Rotations and transforms are the same with and without NDEBUG, unlike the states of Simbody's systems.
+// Unlike the states of Simbody's systems, rotations and transforms are the same with and without NDEBUG.
 namespace bench::simbody {
 
 using SimTK::Mat33;

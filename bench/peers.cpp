@@ -1,6 +1,7 @@
-/// The same tasks by Vectrix, raw Eigen, Simbody, KDL and tf2 on the same numbers, side by side:
+/// The same tasks in Vectrix, raw Eigen, Simbody, KDL and tf2 on the same numbers, side by side:
 ///     peers <title>    prints the table of one build under that title
-/// Fails when Vectrix's result differs from raw Eigen's; where another's does, says by how much.
+/// Fails if Vectrix's result differs from raw Eigen's. If another library's result differs, prints by how
+/// much.
 #include "peers.hpp"
 
 #include <algorithm>
@@ -19,7 +20,7 @@ using Clock = std::chrono::steady_clock;
 constexpr std::size_t rounds = 1001;
 constexpr double round_ns = 10'000.0;
 constexpr double same =
-    1e-12;  // numbers of order 1; the ways to a logarithm or a quaternion round differently
+    1e-12;  // numbers of order 1; methods for a logarithm or a quaternion round differently
 
 const std::vector<std::pair<Task, const char*>> tasks{
     {Task::dcm_product, "DCM product"},
@@ -81,7 +82,7 @@ Given given() {
           {0.7, -0.5, 1.1}};
 }
 
-/// The largest difference, infinite for what is no number; q and -q are one rotation.
+/// The largest difference, infinite for NaN; q and -q are the same rotation.
 double difference(const Numbers& one, const Numbers& other) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   const auto largest = [&](double sign) {
@@ -95,7 +96,7 @@ double difference(const Numbers& one, const Numbers& other) {
   return one.size() == 4 ? std::min(largest(1.0), largest(-1.0)) : largest(1.0);
 }
 
-/// One batch, its stack `down` bytes lower: where a result lies can cost equal code half its time.
+/// One batch, with its stack `down` bytes lower: the address of a result can double the time of equal code.
 [[gnu::noinline]] double nanoseconds(const Way& way, long calls, std::size_t down) {
   keep(*static_cast<char*>(__builtin_alloca(down)));
   const auto start = Clock::now();
@@ -109,7 +110,7 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
-/// Rounds of one batch of each library in random order: what slows the machine slows all.
+/// Rounds of one batch of each library in random order, so that a slow machine slows all.
 std::vector<std::vector<double>> measure(const std::vector<const Way*>& ways) {
   std::mt19937 generator(20240229);
   std::vector<std::vector<double>> ns(ways.size());

@@ -6,7 +6,7 @@
 #include <map>
 #include <vector>
 
-/// What five libraries do with one set of numbers. Plain C++17, as one of them needs it.
+/// The same tasks on the same numbers in five libraries. Plain C++17, because one of the libraries needs it.
 namespace bench {
 
 using Numbers = std::vector<double>;
@@ -19,7 +19,7 @@ struct Given {
   std::array<Nine, 5> R;   // R_b_from_a, R_c_from_b, to R_f_from_e
   std::array<Three, 5> w;  // w_ab_b, w_bc_c, to w_ef_f, rad/s
   std::array<Four, 2> q;   // q_b_from_a, q_c_from_b
-  std::array<Three, 2> r;  // the places of R[0] and R[1] in a transform, m
+  std::array<Three, 2> r;  // positions for R[0] and R[1] in a transform, m
   Three r_a;
   Three theta, small_theta;  // rotation vectors, rad
   Nine R_below, R_above;     // below 120 degrees, where the scalar of the quaternion is largest, and above
@@ -49,13 +49,13 @@ enum class Task {
   dcm_to_euler
 };
 
-/// One task as one library does it. `result`: matrices row by row, quaternions scalar first, the rotation of
-/// a transform before its translation.
+/// One task in one library. `result`: matrices row by row, quaternions scalar first, the rotation of a
+/// transform before its translation.
 struct Way {
   std::function<void(long)> repeat;
   std::function<Numbers()> result;
 };
-/// The tasks that the library has a function for.
+/// The tasks for which the library has a function.
 using Peer = std::map<Task, Way>;
 
 Peer vectrix_peer(const Given& given);
@@ -64,12 +64,12 @@ Peer simbody_peer(const Given& given);
 Peer kdl_peer(const Given& given);
 Peer tf2_peer(const Given& given);
 
-// The compiler must take `value` for read, and all memory for written.
+// Makes the compiler assume that `value` is read and all memory is written.
 template <class T> void keep(const T& value) {
   asm volatile("" : : "r"(&value) : "memory");
 }
 
-/// `kernel` of operands that outlive the way; `list` gives the numbers of its result.
+/// `kernel` of operands that must outlive the returned object; `list` gives the numbers of the result.
 template <auto kernel, class List, class... Operands> Way way(const List& list, const Operands&... operands) {
   return {[&operands...](long calls) {
             for (long i = 0; i < calls; ++i) {
@@ -80,7 +80,8 @@ template <auto kernel, class List, class... Operands> Way way(const List& list, 
           [list, &operands...] { return list(kernel(operands...)); }};
 }
 
-/// The tasks that every untyped library writes alike. No call is inlined: each pays for one.
+/// The tasks for which all untyped libraries use the same code. No call is inlined, so all have the cost of a
+/// call.
 template <class Rotation, class Vector, class Transform> struct Untyped {
   [[gnu::noinline]] static Rotation dcm_product(const Rotation& R_c_from_b, const Rotation& R_b_from_a) {
     return R_c_from_b * R_b_from_a;
@@ -124,7 +125,7 @@ template <class Rotation, class Vector, class Transform> struct Untyped {
         X_b_from_a(X(R_b_from_a, v(given.r[0]))),
         X_c_from_b(X(R_c_from_b, v(given.r[1]))) {}
 
-  /// The ways of those tasks.
+  /// The implementations of those tasks.
   template <class List> Peer ways(const List& list) const {
     return {{Task::dcm_product, way<&dcm_product>(list, R_c_from_b, R_b_from_a)},
             {Task::dcm_on_vector, way<&dcm_on_vector>(list, R_b_from_a, r_a)},

@@ -38,7 +38,7 @@ Vector3d rate_chain(const RateChain& chain) {
   return chain.R_f_from_e * w_ae_e + chain.w_ef_f;
 }
 
-// R [w]x without its zeros: two products an entry instead of three.
+// R [w]x without the products by zero: two products per entry instead of three.
 Matrix3d dcm_rate(const Matrix3d& R_a_from_b, const Vector3d& w_ab_b) {
   Matrix3d rate;
   rate.col(0) = R_a_from_b.col(1) * w_ab_b.z() - R_a_from_b.col(2) * w_ab_b.y();
@@ -79,7 +79,8 @@ Matrix3d function_graph(const SpinPath& path, const double& t) {
          spin(path.rate[3] * t).transpose() * spin(path.rate[4] * t);
 }
 
-// Vectors only, no product of matrices. An edge against the walk: w_ac^c = R_b^c (w_ab^b - w_cb^b).
+// Vectors only, no matrix product. For an edge against the direction of the path: w_ac^c = R_b^c (w_ab^b -
+// w_cb^b).
 Vector3d moving_graph(const SpinPath& path, const double& t) {
   const auto edge = [&](std::size_t i) { return bench::moving_spin(path.rate[i] * t, path.w[i]); };
   const Motion ab = edge(0), cb = edge(1), cd = edge(2), ed = edge(3), ef = edge(4);
@@ -89,7 +90,7 @@ Vector3d moving_graph(const SpinPath& path, const double& t) {
   return ef.R.transpose() * w_ae_e + ef.w;
 }
 
-// From the far end, so that the result is in A without a product of matrices either.
+// Starts at the far end, so that the result is in A; again without a matrix product.
 Vector3d moving_graph_reexpressed(const SpinPath& path, const double& t) {
   const auto edge = [&](std::size_t i) { return bench::moving_spin(path.rate[i] * t, path.w[i]); };
   const Motion ab = edge(0), cb = edge(1), cd = edge(2), ed = edge(3), ef = edge(4);

@@ -4,7 +4,8 @@
 #include <array>
 #include <span>
 
-/// The kernels by hand in plain Eigen: the same mathematics on the same numbers, names only in comments.
+/// The kernels written by hand in plain Eigen: the same mathematics on the same numbers; frames appear in
+/// comments only.
 namespace raw {
 
 using Eigen::Matrix3d;

@@ -1,5 +1,5 @@
-/// Whole runs of a torque-free body: against Simbody at equal accuracy, and the library's methods among
-/// themselves. Prints sections of docs/evidence/performance.md.
+/// Whole runs of a torque-free body: compared with Simbody at equal accuracy, and the library's methods with
+/// each other. Prints sections of docs/evidence/performance.md.
 #include <algorithm>
 #include <boost/math/special_functions/jacobi_elliptic.hpp>
 #include <chrono>
@@ -38,8 +38,8 @@ template <class Function> double milliseconds(const Function& function, int time
   return durations[static_cast<std::size_t>(times / 2)];
 }
 
-/// Runs with tolerances from 1e-3 down, half a decade a step, until the tightest target is met or the method
-/// gives up.
+/// Runs with tolerances from 1e-3 down, half a decade per step, until the tightest target is met or the
+/// method fails.
 template <class Engine>
 std::vector<Run> sweep(const Engine& engine, const Attitudes& exact, double tightest) {
   constexpr double least_tolerance = 1e-15;
@@ -57,7 +57,7 @@ std::vector<Run> sweep(const Engine& engine, const Attitudes& exact, double tigh
   return runs;
 }
 
-/// The cheapest run that meets the target, timed.
+/// The cheapest run that meets the target, with its time.
 template <class Engine>
 std::optional<Run> cheapest(const Engine& engine, const std::vector<Run>& runs, double target, int times) {
   std::optional<Run> best;
@@ -140,7 +140,7 @@ void right_hand_sides() {
     return std::chrono::duration<double, std::nano>(Clock::now() - start).count() / calls;
   };
   std::array<std::vector<double>, 3> ns;
-  for (int round = 0; round < rounds; ++round) {  // interleaved: what slows the machine slows all three
+  for (int round = 0; round < rounds; ++round) {  // interleaved, so that a slow machine slows all three
     ns[0].push_back(nanoseconds([&] { typed::body_rate(layout, scenario, y, ydot); }));
     ns[1].push_back(nanoseconds([&] { raw::body_rate(attitude, raw_J, y, ydot); }));
     ns[2].push_back(nanoseconds([&] { simbody.evaluate({y[0], y[1], y[2], y[3]}, {y[4], y[5], y[6]}); }));
@@ -213,7 +213,7 @@ void work_precision(const Attitudes& exact) {
       fastest[0].second.c_str(), fastest[1].second.c_str(), fastest[2].second.c_str());
 }
 
-/// Beside Boost.Math's three Jacobi functions, which give the rate alone.
+/// Compared with Boost.Math's three Jacobi functions, which give the rate alone.
 void closed_form() {
   constexpr std::size_t count = 1000;
   constexpr int rounds = 101;

@@ -5,7 +5,7 @@
 
 namespace bench {
 
-/// The function on the edges of the graphs, the same for both forms: the passive turn about z.
+/// The function on the edges of both graphs: the passive rotation about z.
 inline Eigen::Matrix3d spin(double angle) {
   const double c = std::cos(angle);
   const double s = std::sin(angle);

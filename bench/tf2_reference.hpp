@@ -6,7 +6,7 @@
 
 namespace bench {
 
-/// A buffer of tf2 behind a plain interface: its messages do not compile as C++20.
+/// A tf2 buffer behind a plain interface, because tf2's message headers do not compile as C++20.
 class Tf2Reference {
  public:
   Tf2Reference();

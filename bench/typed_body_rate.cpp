@@ -1,6 +1,6 @@
 #include "typed_kernels.hpp"
 
-// Apart from the other kernels: a law that is used twice in one file may be called there instead of inlined.
+// In a file of its own: where a file uses a law twice, the compiler may call the law instead of inlining it.
 namespace typed {
 
 void body_rate(const detail::StateLayout<A, B>& layout, const Scenario<A, B>& scenario,

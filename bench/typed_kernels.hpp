@@ -34,7 +34,7 @@ template <Frame G, Frame F> struct MovingSpin {
   }
 };
 
-// Five edges, A to F; the second and the fourth lie against the direction of the queries.
+// Five edges, A to F; the second and the fourth are against the direction of the queries.
 using ConstantGraph = FrameGraph<ConstantEdge<Dcm<A, B>>, ConstantEdge<Dcm<C, B>>, ConstantEdge<Dcm<C, D>>,
                                  ConstantEdge<Dcm<E, D>>, ConstantEdge<Dcm<E, F>>>;
 template <class Edge> using Function = FunctionEdge<Edge>;
@@ -58,7 +58,7 @@ struct RateChain {
 
 }  // namespace bench
 
-/// The kernels in the library's types. Each has a twin of the same name in raw_kernels.hpp.
+/// The kernels in the library's types. raw_kernels.hpp has a function of the same name for each.
 namespace typed {
 
 using namespace bench;

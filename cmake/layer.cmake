@@ -1,4 +1,4 @@
-# What every layer's CMakeLists.txt says in one line each: its headers, its tests, its refused programs.
+# What the CMakeLists.txt of each layer states in one line each: its headers, its tests, its refused programs.
 include(refused)
 
 # Warnings for our own sources; -Werror at top level.
@@ -8,10 +8,10 @@ endfunction()
 set(VECTRIX_WARNINGS -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion
                      $<$<BOOL:${VECTRIX_WERROR}>:-Werror>)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-  list(APPEND VECTRIX_WARNINGS -Wno-restrict)  # g++ 12 sees overlaps in std::string's operator+ that are none
+  list(APPEND VECTRIX_WARNINGS -Wno-restrict)  # g++ 12 reports overlaps in std::string's operator+ that do not exist
 endif()
 
-# The include folder of <layer> on <target>, in the source tree and installed.
+# Sets the include folder of <layer> on <target>, for the source tree and for the installation.
 function(vectrix_headers target layer scope)
   target_compile_features(${target} ${scope} cxx_std_20)
   target_include_directories(${target} ${scope} $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/${layer}/include>
@@ -25,7 +25,7 @@ function(vectrix_headers target layer scope)
   endif()
 endfunction()
 
-# The shared library vectrix_<layer> of src/**.cpp; only what VECTRIX_EXPORT marks can be seen from outside.
+# The shared library vectrix_<layer> from src/**.cpp. Only names marked VECTRIX_EXPORT are visible outside.
 function(vectrix_library layer)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS src/*.cpp)
   add_library(vectrix_${layer} SHARED ${sources})
@@ -35,7 +35,7 @@ function(vectrix_library layer)
   vectrix_warnings(vectrix_${layer})
 endfunction()
 
-# A layer that cannot be built for want of <what>: an error if it was asked for, else left out.
+# A layer that cannot be built because <what> is missing: an error if the layer was requested, else it is left out.
 function(vectrix_missing layer what wanted)
   string(TOUPPER ${layer} option)
   if(NOT wanted STREQUAL "AUTO")

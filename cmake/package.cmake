@@ -1,5 +1,5 @@
-# find_package(vectrix COMPONENTS frames kinematics space dynamics): one export set per layer, so that what is not installed
-# is not found.
+# find_package(vectrix COMPONENTS frames kinematics space dynamics). Each layer has its own export set, so that a layer
+# that is not installed is not found.
 include(CMakePackageConfigHelpers)
 set(package ${CMAKE_INSTALL_LIBDIR}/cmake/vectrix)
 foreach(layer IN LISTS VECTRIX_LAYERS)

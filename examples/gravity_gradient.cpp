@@ -1,5 +1,5 @@
-// A cylinder in low Earth orbit for 8 hours under the gravity-gradient torque: NASA's check-case 10A, against
-// NASA's final state, and against Simbody where it is installed.
+// A cylinder in low Earth orbit for 8 hours under the gravity-gradient torque: NASA's check-case 10A. The
+// result is compared with NASA's final state, and with Simbody where it is installed.
 //
 //     d^2/dt^2 r^i = -mu r^i / |r|^3
 //     J dw_ib^b/dt = 3 mu / |r|^5  r^b x (J r^b)  -  w_ib^b x (J w_ib^b)
@@ -38,7 +38,7 @@ Scenario<Inertial, Body> run_10A() {
                              turned_y(to<Pitched>, from<Lvlh>, convert<si::angle>(85.0 * si::degree));
   const auto R_b_from_i = R_b_from_lvlh * R_lvlh_from_i;
 
-  // The body starts at rest in the local frame, which turns at w_il = r x v / r^2.
+  // The body starts at rest in the local frame, which rotates at w_il = r x v / r^2.
   const Eigen::Vector3d w = r_i.coordinates().cross(v_i.coordinates()) / r_i.coordinates().squaredNorm();
   const auto w_il_i =
       angular_velocity(of<Lvlh>, relative_to<Inertial>, vector<si::angular_velocity>(in<Inertial>, w));
@@ -55,7 +55,7 @@ Scenario<Inertial, Body> run_10A() {
           .gravity_gradient = true};
 }
 
-// NASA's state after 28 800 s: the matrix is body from inertial.
+// NASA's state after 28 800 s; the matrix is body from inertial.
 const Eigen::Vector3d nasa_r_i(-1024262.411095882, -6151093.565368023, 2599975.06217899);
 const Eigen::Vector3d nasa_w_b(-1.97989570839746e-05, -0.001080027400090759, -0.0007098670173048437);
 Eigen::Matrix3d nasa_T() {

@@ -1,4 +1,4 @@
-// Where was Sentinel-1A looking? Twenty-five seconds of a real radar pass, from the image's own files.
+// Where did Sentinel-1A look? Twenty-five seconds of a real radar pass, from the files of the image.
 //
 // Seven frames in one graph:
 //
@@ -7,11 +7,12 @@
 //
 //     r^itrf, v^itrf    the orbit, in axes of the Earth
 //     R_itrf^gcrf, w    Earth orientation, observed by the IERS
-//     R_orbit^gcrf      z to nadir, y along -(r x v) with inertial v, x = y x z: what the graph says of the
-//     others R_axes^gcrf, w    the quaternions; between two of them the turn at constant rate R_axes^body [0
-//     -1 0; -1 0 0; 0 0 -1] R_body^antenna    the boresight, x of the antenna, is z of the body
+//     R_orbit^gcrf      z to nadir, y along -(r x v) with inertial v, x = y x z; follows from the other edges
+//     R_axes^gcrf, w    the quaternions; between two of them the turn at constant rate
+//     R_axes^body       [0 -1 0; -1 0 0; 0 0 -1]
+//     R_body^antenna    the boresight, x of the antenna, is z of the body
 //
-// Every question is a path through it; the graph multiplies the matrices and adds the rates on the way:
+// Every question is a path through the graph. The graph multiplies the matrices and adds the rates:
 //
 //     R_itrf^body  = R_axes^body R_gcrf^axes R_itrf^gcrf           the inner frames cancel
 //     w_gb^b       = R_axes^body w_ga^a                            g Gcrf, b Body, rigid on the axes a
@@ -20,12 +21,13 @@
 //     r^itrf + s R_antenna^itrf e_x, s > 0                         meets the ellipsoid WGS-84
 //
 // The producer documents neither the axes of the quaternions nor their inertial frame. R_axes^body was found
-// by trying all permutations of axes; the frame is the mean equator and equinox of J2000, which is Gcrf to
-// 0.023 arcsec (6e-6 deg).
+// by trying all permutations of axes. The inertial frame is the mean equator and equinox of J2000, which is
+// Gcrf to 0.023 arcsec (6e-6 deg).
 //
-// What must come out: x lies along the velocity relative to the Earth to about 1 mdeg. That is zero-Doppler
-// steering, and the yaw from an orbit frame of inertial velocity is its price. The radar looks 30 deg to the
-// right. The rate of the quaternions is that of the gyros, an independent instrument, to 2 urad/s.
+// Expected results: x is along the velocity relative to the Earth to about 1 mdeg. This is zero-Doppler
+// steering; it causes the yaw relative to an orbit frame that uses the inertial velocity. The radar looks
+// 30 deg to the right. The rate from the quaternions agrees with that of the gyros, an independent
+// instrument, to 2 urad/s.
 //
 //     sentinel1_pass [data directory] [table to write, .csv]
 
@@ -49,7 +51,7 @@ namespace {
 using namespace vectrix;
 using earth::Gcrf, earth::Itrf;
 
-struct Satellite : moving_frame {};  // at its place, parallel to Itrf
+struct Satellite : moving_frame {};  // moves with the satellite, axes parallel to Itrf
 struct Orbit : moving_frame {};
 struct QuaternionAxes : moving_frame {};
 struct Body : moving_frame {};
@@ -60,18 +62,18 @@ constexpr double printed_to = 1e-6;  // the quaternions have seven decimals
 struct Telemetry {
   std::vector<AttitudeSample<Gcrf, QuaternionAxes, Epoch>> attitude;
   std::vector<Vector<Body, si::angular_velocity>> gyro_body;  // at the same epochs
-  double off_unit = 0.0;                                      // of the printed quaternions, the largest
+  double off_unit = 0.0;  // largest deviation from 1 of the printed quaternions' norms
 };
 
-// What the graph says at one instant; angles in degrees.
+// Results of the graph at one instant; angles in degrees.
 struct Look {
   Epoch epoch;
   double off_velocity, roll, pitch, yaw;
   Vector<Body, si::angular_velocity> rate_body, gyro_body;  // relative to Gcrf
-  double latitude, longitude, incidence;                    // of the antenna's axis on the ground
+  double latitude, longitude, incidence;                    // where the antenna's axis meets the ground
 };
 
-// What a row says of something, or why it cannot be used, and where it stands.
+// What a row contains, or why it cannot be used, with its location in the file.
 template <class Make>
 auto from_row(const CsvTable& table, std::size_t row, const char* column, const Make& make) {
   try {
@@ -125,7 +127,7 @@ Telemetry read_attitude(const std::filesystem::path& file) {
   return telemetry;
 }
 
-// Of the orbit frame, from what the graph knows of the satellite: its velocity as Gcrf sees it.
+// The orbit frame, from the satellite's velocity relative to Gcrf, which the graph provides.
 Dcm<Gcrf, Orbit> orbit_axes(const Displacement<Itrf, Satellite, In<Gcrf>>& r,
                             const Velocity<Itrf, Satellite, ObservedFrom<Gcrf>, In<Gcrf>>& v) {
   const auto z = -direction(r.vector());
@@ -143,7 +145,7 @@ template <class F, class U, class V> double angle(const Vector<F, U>& r, const V
   return degrees(std::atan2(norm(cross(r_hat, s_hat)).value(), dot(r_hat, s_hat).value()));
 }
 
-// Everything that the graph can be asked at one epoch.
+// All questions to the graph at one epoch.
 template <class Graph>
 Look look(const Graph& graph, const Epoch& epoch, const Vector<Body, si::angular_velocity>& gyro_body) {
   const auto now = graph.at(epoch);
@@ -236,7 +238,7 @@ void run(const std::filesystem::path& data, const std::filesystem::path& table) 
   const auto telemetry = read_attitude(data / "S1A_IW_20220414T102211_attitude.csv");
 
   const auto earth = edge([&](const Epoch& t) { return orientation.at(t); });
-  // The cubic through orbit samples ten seconds apart is off by 0.3 mm.
+  // Cubic interpolation between orbit samples ten seconds apart has an error of 0.3 mm.
   const auto satellite = sampled_edge(orbit, 20.0 * si::second);
   const auto attitude = sampled_edge(telemetry.attitude, 2.0 * si::second);
   const auto orbit_frame = edge(orbit_axes);

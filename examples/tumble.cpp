@@ -1,12 +1,10 @@
-// Torque-free rotation about the intermediate axis: the flips, and the exact solution beside the integrated
-// one.
+// Torque-free rotation about the intermediate axis: the flips, with the exact and the integrated solution.
 //
 //     J dw/dt = -w x (J w),   d/dt q_b^i = 1/2 q_b^i (0, w_ib^b)
 //
-// With J1 < J2 < J3 and the spin about axis 2 disturbed, H^2 < 2 T J2 or H^2 > 2 T J2 decides which axis the
-// body tumbles around. The exact motion is Jacobi's, torque_free(): its rate goes with cn, sn and dn, and
-// repeats itself after 4 K(k) / rho. The body flips, w2 = 0, a quarter of that after the start, and each
-// half.
+// With J1 < J2 < J3 and a disturbed spin about axis 2, H^2 < 2 T J2 or H^2 > 2 T J2 decides about which axis
+// the body tumbles. The exact motion is Jacobi's, torque_free(): its rate contains cn, sn and dn, with the
+// period 4 K(k) / rho. The body flips, w2 = 0, a quarter period after the start, and then every half period.
 
 #include <cstdio>
 #include <exception>

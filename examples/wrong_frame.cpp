@@ -1,11 +1,11 @@
-// The mistake of the README, and its repair.
+// The mistake of the README, and its correction.
 //
 //     r^b = R_i^b r^i          R_b_from_i * r_i
 //
-// A star tracker gives R_i_from_b, the matrix from the body to the inertial frame; a line of sight is known
-// in the inertial frame and wanted in the body. With bare matrices, R * r compiles, runs, and points the
-// antenna somewhere else. Here the product does not compile until the matrix is turned round. Compile with
-// -DMISTAKE to see the compiler say so.
+// A star tracker gives R_i_from_b, the matrix from the body to the inertial frame. A line of sight is known
+// in the inertial frame and needed in the body frame. With plain matrices, R * r compiles, runs, and points
+// the antenna in a wrong direction. Here the product does not compile until the matrix is inverted. Compile
+// with -DMISTAKE to see the compiler's message.
 
 #include <cstdio>
 #include <vectrix/frames.hpp>

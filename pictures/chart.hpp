@@ -6,7 +6,7 @@
 
 namespace pictures {
 
-/// An axis: what is drawn along it with its unit, from where to where, and the numbers written beside it.
+/// An axis: its label with the unit, its first and last value, and the numbers written beside it.
 struct Axis {
   std::string label;
   double from, to;
@@ -22,13 +22,13 @@ Axis decades(std::string label, int first, int last, int every = 1);
 /// Multiples of the step.
 Axis steps(std::string label, double from, double to, double step, int decimals);
 
-/// Two axes with a title between the corners of a rectangle, and curves of numbers within.
+/// Two axes and a title on a rectangle, with curves inside.
 class Chart {
  public:
   Chart(Svg& svg, const Point& upper_left, const Point& lower_right, std::string_view title, Axis x, Axis y);
 
   void curve(const std::vector<Point>& numbers, const Stroke& stroke, bool dots = true);
-  /// Words beside a pair of numbers, moved by so many pixels.
+  /// Text next to a point of the chart, moved by the given number of pixels.
   void label(const Point& numbers, std::string_view words, const Font& font, const Point& moved = {7, 4});
 
  private:

@@ -1,5 +1,5 @@
-// What attitudes along the classical coning motion are wrong by after ten turns of the cone, against how
-// often its rate is asked for or its angle is counted.
+// Attitude errors after ten turns of the classical coning motion, as a function of the number of rate
+// evaluations or angle counts.
 #include <cmath>
 #include <numbers>
 
@@ -16,10 +16,10 @@ struct Reference : inertial_frame {};
 struct Body : moving_frame {};
 
 constexpr int turns = 10;
-const vectrix_test::ConingMotion<Reference, Body> motion{0.1, 2 * std::numbers::pi};  // a turn a second
+const vectrix_test::ConingMotion<Reference, Body> motion{0.1, 2 * std::numbers::pi};  // one turn per second
 const std::vector<int> counts_a_turn{6, 12, 24, 48, 96, 192, 384};
 
-/// The error of increment(t, h), the increment of a step that takes `parts` counts of the length h each.
+/// The error of increment(t, h), the increment of a step of `parts` counts of length h each.
 template <class IncrementOf>
 std::vector<Point> errors(int parts, int fewest, int most, const IncrementOf& increment) {
   std::vector<Point> points;
@@ -41,7 +41,7 @@ template <int Order> std::vector<Point> magnus(int most) {
   });
 }
 
-/// The power of the interval that the error follows up to the given point.
+/// The order of the error in the interval, up to the given point.
 std::string slope(const std::vector<Point>& points, std::size_t end) {
   const Point &a = points[end - 1], &b = points[end];
   return "slope " + decimal(std::log(a.y / b.y) / std::log(b.x / a.x), 1);

@@ -1,4 +1,4 @@
-// How the first-order step I + [w h]x leaves the rotations, for a body that spins at 1 rad/s.
+// How the first-order step I + [w h]x departs from a rotation, for a body that spins at 1 rad/s.
 #include <algorithm>
 #include <cmath>
 #include <vectrix/kinematics.hpp>
@@ -52,7 +52,7 @@ std::string drift() {
   }
   volume.label({5.0, 2.3}, "first order, 1 + |ωh|² a step", {colour::orange, 12.0, "middle"}, {-30, 0});
 
-  // Rounding alone moves the exponential step: what is below the floor is drawn on it.
+  // The exponential step departs by rounding only: values below the floor are drawn on the floor.
   constexpr double floor = 1e-12;
   std::vector<Point> departure, rounding;
   for (const double h : {1e-1, 5e-2, 2e-2, 1e-2, 5e-3, 2e-3, 1e-3}) {

@@ -1,5 +1,5 @@
-// The polhodes of a free body: how its angular momentum H, fixed in space, goes about in the body. |H| is
-// kept, so that it moves on a sphere, along the lines of equal energy.
+// The polhodes of a torque-free body: how its angular momentum H, fixed in space, moves in the body. |H| is
+// constant, so H moves on a sphere, along lines of constant energy.
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -17,7 +17,7 @@ using Vector3 = Eigen::Vector3d;
 struct Reference : inertial_frame {};
 struct Body : moving_frame {};
 
-// H^2 = 2 T J2, on the separatrix, where J1 (J2 - J1) w1^2 = J3 (J3 - J2) w3^2: here w1 = 2 w3, to the bit.
+// H^2 = 2 T J2, on the separatrix, where J1 (J2 - J1) w1^2 = J3 (J3 - J2) w3^2: here exactly w1 = 2 w3.
 const Vector3 moments(3.0, 4.0, 6.0);  // kg m^2
 constexpr double degree = std::numbers::pi / 180.0;
 
@@ -38,7 +38,7 @@ Vector3 momentum(const TorqueFree<Reference, Body>& motion, double t) {
   return moments.cwiseProduct(w).normalized();
 }
 
-/// Orthographic, from a far point 55 degrees round from the first axis and 22 degrees up, the third axis up.
+/// Orthographic, seen from 55 degrees round from the first axis and 22 degrees up; the third axis points up.
 class View {
  public:
   explicit View(const Point& centre, double radius) : centre_(centre), radius_(radius) {
@@ -58,7 +58,7 @@ class View {
   Vector3 towards_, right_, above_;
 };
 
-/// What of the curve is in front, and what is behind the sphere, paler.
+/// Draws the part of the curve in front of the sphere, or the part behind it, paler.
 void draw(Svg& svg, const View& view, const std::vector<Vector3>& curve, const Stroke& front, bool behind) {
   std::vector<Point> piece;
   for (std::size_t i = 0; i < curve.size(); ++i) {
@@ -69,7 +69,7 @@ void draw(Svg& svg, const View& view, const std::vector<Vector3>& curve, const S
   }
 }
 
-/// An arrowhead half way along what is in front.
+/// An arrowhead at the middle of the front part.
 void draw_arrow(Svg& svg, const View& view, const std::vector<Vector3>& curve, const Stroke& stroke) {
   std::vector<Vector3> front;
   for (const Vector3& place : curve) {

@@ -6,12 +6,13 @@
 
 namespace pictures {
 
-/// A place in a picture, in pixels from its upper left corner; or a pair of numbers to be drawn.
+/// A position in a picture, in pixels from its upper left corner; or a pair of numbers to be drawn.
 struct Point {
   double x, y;
 };
 
-/// Inks for the light ground that every picture brings, so that it is read on a light page and a dark one.
+/// Line colours for the light background that every picture has, so that it is readable on light and dark
+/// pages.
 namespace colour {
 inline constexpr std::string_view ink = "#222222";
 inline constexpr std::string_view grey = "#8a8a8a";
@@ -37,7 +38,8 @@ struct Font {
   bool upwards = false;
 };
 
-/// A picture in SVG. Coordinates are rounded to a tenth of a pixel, so that one program writes one file.
+/// A picture in SVG. Coordinates are rounded to a tenth of a pixel, so that the same program writes the same
+/// file.
 class Svg {
  public:
   Svg(double width, double height, std::string_view title);
@@ -52,7 +54,7 @@ class Svg {
   std::string text_;
 };
 
-/// x with so many decimals, and no minus before zero.
+/// x with the given number of decimals, without a minus sign before zero.
 std::string decimal(double x, int decimals);
 
 }  // namespace pictures

@@ -1,5 +1,5 @@
-// Work and precision of the integrators: the error of the attitude of a torque-free body in 20 s, about 22
-// rad, against how often its rate is evaluated. The exact motion is torque_free().
+// Work-precision diagram of the integrators: the attitude error of a torque-free body in 20 s, about 22 rad,
+// as a function of the number of rate evaluations. The exact motion is torque_free().
 #include <algorithm>
 #include <cmath>
 #include <vectrix/dynamics.hpp>
@@ -38,10 +38,11 @@ double angle_off(const Quaternion<Reference, Body>& q, double t) {
   return log(inverse(before(q)) * exact.at(t * si::second).q_i_from_b).angle().value();
 }
 
-/// The largest error at full seconds against the evaluations, of steps that take `values` of them each.
+/// The largest error at full seconds, as a function of the evaluations, for steps of `values` evaluations
+/// each.
 template <class Step> std::vector<Point> fixed_steps(int values, int fewest, int most, const Step& step) {
   std::vector<Point> points;
-  for (int n = fewest; n <= most; n *= 2) {  // steps in a second
+  for (int n = fewest; n <= most; n *= 2) {  // steps per second
     Rotation R = dcm(body.initial.q_i_from_b);
     double worst = 0.0;
     for (int i = 0; i < seconds * n; ++i) {

@@ -8,20 +8,22 @@
 
 #include "testing/attitudes.hpp"
 
-/// The algebra as lists of numbers, of any scalar: what one scalar gives is held against what another gives.
+/// The algebra as lists of numbers, for any scalar: the results of one scalar are compared with those of
+/// another.
 namespace vectrix_test {
 
 using namespace vectrix;
 
 /// Numbers that a float holds exactly: four quaternions, scalar first and not normalised, six vectors, and
-/// values of time in [0, 1].
+/// times in [0, 1].
 template <class S> struct Given {
   std::array<Eigen::Matrix<S, 4, 1>, 4> q;
   std::array<Eigen::Matrix<S, 3, 1>, 6> v;
   S t;
 };
 
-/// Each of the four numbers of a quaternion is the largest now and then; none turns by nearly half a turn.
+/// Over the samples, each of the four numbers of a quaternion is sometimes the largest; no rotation is near
+/// half a turn.
 inline Given<double> random_numbers(std::mt19937_64& random) {
   const auto number = [&](int low, int high) {
     return std::uniform_int_distribution<int>(low, high)(random) / 1024.0;
@@ -36,7 +38,7 @@ inline Given<double> random_numbers(std::mt19937_64& random) {
   return given;
 }
 
-/// Given<S> of numbers each taken through f.
+/// Given<S> with f applied to each number.
 template <class S, class From, class Function>
 Given<S> converted(const Given<From>& from, const Function& f) {
   Given<S> given;
@@ -46,7 +48,7 @@ Given<S> converted(const Given<From>& from, const Function& f) {
   return given;
 }
 
-/// Given<S> whose lanes are those of the list.
+/// Given<S> whose lanes are the entries of the list.
 template <class S> Given<S> batch_of(const std::vector<Given<double>>& lanes) {
   Given<S> given;
   for (std::size_t i = 0; i < S::size(); ++i) {
@@ -120,7 +122,7 @@ template <class S> std::vector<S> rotations(const Given<S>& given) {
   return told.numbers;
 }
 
-/// The rotation nearest to a bent one.
+/// The rotation nearest to a distorted one.
 template <class S> std::vector<S> projections(const Given<S>& given) {
   Told<S> told;
   const auto R = unit<Body, Gcrf>(given.q[0]).eigen().toRotationMatrix();
@@ -148,13 +150,13 @@ template <class S> std::vector<S> quaternions(const Given<S>& given) {
   return told.numbers;
 }
 
-/// exp and log of turns from nothing to nearly a half, and the turn at constant rate.
+/// exp and log of rotations from zero to almost half a turn, and the rotation at constant rate.
 template <class S> std::vector<S> turns(const Given<S>& given) {
   Told<S> told;
   const auto turn = [&](const Eigen::Matrix<S, 3, 1>& theta) {
     return rotation_vector(of<Body>, relative_to<Gcrf>, vector<si::angle>(in<Gcrf>, theta));
   };
-  // Of random size, so that some lanes of a batch take the series and some do not.
+  // Of random size, so that in one batch some lanes use the series and some do not.
   const S size = given.t * given.t * given.t * given.t;
   for (const auto& theta : {turn(given.v[0]), turn(Eigen::Matrix<S, 3, 1>(given.v[1] * size)),
                             turn(Eigen::Matrix<S, 3, 1>(given.v[2] * (size / S(1 << 20))))}) {
@@ -210,7 +212,7 @@ template <class S> std::vector<S> rates(const Given<S>& given) {
   return told.numbers;
 }
 
-/// An edge whose function turns b at a rate that grows, and moves it: X_b^a(t) from numbers k.
+/// An edge whose function moves b and turns it at an increasing rate: X_b^a(t) from numbers k.
 template <class A, class B, class S>
 AcceleratingTransform<A, B, S> travel(const Given<S>& given, std::size_t k, const Quantity<si::time, S>& t) {
   const S angle = given.v[k].x() + t.value() * given.v[k].y();
@@ -224,7 +226,7 @@ AcceleratingTransform<A, B, S> travel(const Given<S>& given, std::size_t k, cons
       acceleration(of<B>, relative_to<A>, observed_from<A>, vector<si::acceleration>(in<A>, given.v[k + 1]))};
 }
 
-/// A graph of function edges in both directions and a fixed one, asked for all it knows.
+/// A graph of function edges in both directions and one fixed edge; all its queries.
 template <class S> std::vector<S> graph_answers(const Given<S>& given) {
   Told<S> told;
   using Time = Quantity<si::time, S>;

@@ -10,7 +10,7 @@
 #include <vector>
 #include <vectrix/frames/frame.hpp>
 
-/// What the tests of rotations share: frames, attitudes of every regime, and the text of an error.
+/// Shared by the tests of rotations: frames, attitudes of every regime, and the text of an error.
 namespace vectrix_test {
 
 struct Gcrf : vectrix::inertial_frame {};
@@ -22,12 +22,12 @@ template <int I> struct Wheel : vectrix::moving_frame {};
 
 /// The spacing of doubles at 1.
 inline constexpr double epsilon = std::numeric_limits<double>::epsilon();
-/// Two or three products of rotations, whose entries are at most 1: each adds three roundings.
+/// Two or three products of rotations, whose entries are at most 1: each product adds three roundings.
 inline constexpr double rounding = 16 * epsilon;
-/// Far above rounding: what a transposed or reversed product of generic rotations exceeds.
+/// Far above rounding: a transposed or reversed product of generic rotations differs by more.
 inline constexpr double visible = 1e-2;
 
-/// Half turns about axes and diagonals, nearly half turns, small turns, and each with the other sign.
+/// Half turns about axes and diagonals, almost half turns, small turns; each also with the other sign.
 inline std::vector<Eigen::Quaterniond> hard_attitudes() {
   std::vector<Eigen::Quaterniond> list{Eigen::Quaterniond::Identity()};
   for (int x = -1; x <= 1; ++x) {
@@ -50,7 +50,7 @@ inline std::vector<Eigen::Quaterniond> hard_attitudes() {
   return list;
 }
 
-/// Uniform in [-1, 1], in steps of a millionth.
+/// Uniform in [-1, 1], in steps of 1e-6.
 inline rc::Gen<double> coordinate() {
   return rc::gen::map(rc::gen::inRange(-1'000'000, 1'000'001), [](int n) { return n / 1e6; });
 }
@@ -61,7 +61,7 @@ inline rc::Gen<Eigen::Vector3d> triple() {
   });
 }
 
-/// Unit quaternions of the regimes: identity and hard list, angles near 1e-8, generic.
+/// Unit quaternions of all regimes: identity and the hard list, angles near 1e-8, generic.
 inline rc::Gen<Eigen::Quaterniond> attitude() {
   const auto scaled = [](const Eigen::Vector3d& v, double scale) {
     return Eigen::Quaterniond(1.0, scale * v.x(), scale * v.y(), scale * v.z()).normalized();
@@ -72,7 +72,7 @@ inline rc::Gen<Eigen::Quaterniond> attitude() {
                         rc::gen::map(triple(), [=](const auto& v) { return scaled(v, 30.0); }));
 }
 
-/// Eigen's matrix of that quaternion, the oracle for a rotation.
+/// Eigen's matrix of that quaternion, the reference for a rotation.
 inline rc::Gen<Eigen::Matrix3d> rotation_matrix() {
   return rc::gen::map(attitude(), [](const auto& q) { return q.toRotationMatrix(); });
 }
@@ -83,7 +83,7 @@ double distance(const Eigen::MatrixBase<Left>& left, const Eigen::MatrixBase<Rig
   return (left - right).cwiseAbs().maxCoeff();
 }
 
-/// The text of the Error that `action` throws; empty when it throws none.
+/// The text of the Error that `action` throws; empty if it throws none.
 template <class Error, class Action> std::string message(Action action) {
   try {
     action();

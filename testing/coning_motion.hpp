@@ -5,11 +5,11 @@
 
 namespace vectrix_test {
 
-/// The classical coning motion: b is turned from a by the constant angle `cone` about an axis that goes round
-/// in the y-z plane of a at the rate `speed`. In closed form, with c = cone, s = speed:
+/// The classical coning motion: b is turned from a by the constant angle `cone` about an axis that rotates in
+/// the y-z plane of a at the rate `speed`. In closed form, with c = cone, s = speed:
 ///     q_b^a = (cos c/2, 0, sin c/2 cos st, sin c/2 sin st)
 ///     w_ab^b = s (-2 sin^2 c/2, -sin c sin st, sin c cos st)
-/// b comes back each time round, though the integral of w does not.
+/// b returns to the same attitude after each turn of the axis, but the integral of w does not return.
 template <vectrix::Frame A, vectrix::Frame B> struct ConingMotion {
   double cone;
   double speed;
@@ -32,7 +32,7 @@ template <vectrix::Frame A, vectrix::Frame B> struct ConingMotion {
   vectrix::AngleIncrement<A, B> count(double t, double h) const {
     using namespace vectrix;
     const double s = std::sin(cone / 2);
-    // Differences of cosines and sines, as products.
+    // Differences of cosines and of sines, written as products.
     const double chord = 2 * std::sin(cone) * std::sin(speed * h / 2);
     const double middle = speed * (t + h / 2);
     return angle_increment(

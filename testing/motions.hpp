@@ -7,7 +7,8 @@
 
 #include "testing/attitudes.hpp"
 
-/// Motions whose derivatives come from automatic differentiation of the matrices alone: the oracle for rates.
+/// Motions whose derivatives come only from automatic differentiation of the matrices: the reference for
+/// rates.
 namespace vectrix_test {
 
 /// A number with its first time derivative; and with its second.
@@ -62,10 +63,11 @@ template <class A, class B> struct Motion {
   }
 };
 
-/// The derivatives of these motions reach 10 1/s and 100 1/s^2; a chain of three adds some ten roundings.
+/// The derivatives of these motions reach 10 1/s and 100 1/s^2; a chain of three adds about ten roundings.
 inline constexpr double motion_tolerance = 1e-12;
 
-/// A motion of b seen from a: three turns about different axes, with accelerations. `seed` tells them apart.
+/// A motion of b seen from a: three turns about different axes, with accelerations. `seed` selects the
+/// motion.
 template <class A, class B> vectrix::Dcm<A, B, Dual2> turning(double seed, const Dual2& t) {
   using namespace vectrix;
   using std::sin;

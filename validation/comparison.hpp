@@ -5,8 +5,7 @@
 
 namespace vectrix::validation {
 
-/// One line of the table: what is compared, the tolerance and why it is that, and the largest difference
-/// found.
+/// One line of the table: the quantity, the tolerance and its reason, and the largest difference found.
 struct Row {
   std::string group;
   std::string scenario;
@@ -21,13 +20,13 @@ struct Row {
 
 using Rows = std::vector<Row>;
 
-// Each adds its rows: one function for each source of truth.
+// Each function adds the rows of one reference.
 Rows exact_rows(const std::string& data);
 Rows nasa_rows(const std::string& data);
 Rows basilisk_rows(const std::string& data);
 Rows simbody_rows(const std::string& data);
 
-/// The table as Markdown, a section for each group.
+/// The table in Markdown, one section per group.
 std::string markdown(const Rows& rows);
 
 }  // namespace vectrix::validation

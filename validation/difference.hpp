@@ -9,13 +9,13 @@ struct Inertial : inertial_frame {};
 struct Lvlh : moving_frame {};
 struct Body : moving_frame {};
 
-/// The largest differences met so far between two motions of the same body.
+/// The largest differences so far between two motions of the same body.
 struct Difference {
   double attitude_rad = 0.0;
   double rate_rad_s = 0.0;
   double position_m = 0.0;
 
-  /// The angle between the attitudes is the norm of log(R_1^T R_2).
+  /// The angle between two attitudes is the norm of log(R_1^T R_2).
   void attitude(const Dcm<Inertial, Body>& R_i_from_b, const Eigen::Matrix3d& reference) {
     const Dcm<Body, Body> between =
         inverse(R_i_from_b) * nearest_dcm(to<Inertial>, from<Body>, reference).dcm;
@@ -30,7 +30,7 @@ struct Difference {
   }
 };
 
-/// Tolerances of every validated propagation: as tight as the step control of double precision follows.
+/// Tolerances of every validated propagation: the tightest that step control in double precision can follow.
 inline Propagation<Inertial, Body> tight(double end_s, std::vector<Quantity<si::time>> output_times) {
   return {.end = end_s * si::second,
           .tolerances = {.relative = 1e-14,

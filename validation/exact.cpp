@@ -6,18 +6,18 @@
 namespace vectrix::validation {
 namespace {
 
-// The reference has 20 digits: what is seen is the integration in double precision, about 1e-16 a step over
-// 1e3 steps.
+// The reference has 20 digits. The difference is the rounding of the integration in double precision, about
+// 1e-16 per step over 1e3 steps.
 constexpr double relative_tolerance = 1e-12;
-// What the initial state and the moments, given in double, decide after 50 rad.
+// The effect, after 50 rad, of the rounding of initial state and moments to double.
 constexpr double closed_form_tolerance = 1e-13;
 constexpr const char* closed_form_reason = "reference of 20 digits; rounding of the given numbers";
 constexpr const char* reason = "reference of 20 digits; rounding of the integration";
 
 Scenario<Inertial, Body> read_scenario(const CsvTable& cases, std::size_t row) {
   const auto number = [&](const char* name) { return cases.number(row, name); };
-  // HLW_GNI is a mathematician's body, (2, 1, 2/3), whose largest moment exceeds the other two: no door but
-  // the trusted one lets it in.
+  // HLW_GNI is a mathematical example, (2, 1, 2/3): its largest moment exceeds the sum of the other two. Only
+  // the trusted door accepts it.
   Eigen::Matrix3d tensor;
   tensor << number("I11"), number("I12"), number("I13"), number("I12"), number("I22"), number("I23"),
       number("I13"), number("I23"), number("I33");
@@ -54,7 +54,7 @@ void compare(Rows& rows, const std::string& name, const Scenario<Inertial, Body>
       name + (attitude == AttitudeState::quaternion ? ", quaternion" : ", nine-element DCM");
   const double speed = scenario.initial.w_ib_b.coordinates().norm();
   const Conservation kept = conservation(scenario, trajectory);
-  // An attitude error grows with the angle turned.
+  // The attitude error grows with the angle turned.
   const double turned = std::max(1.0, speed * end);
   rows.push_back({"Exact", label, "attitude per radian turned", relative_tolerance, "", reason,
                   difference.attitude_rad / turned});
@@ -68,7 +68,8 @@ void compare(Rows& rows, const std::string& name, const Scenario<Inertial, Body>
                   "the attitude is never projected during the run", kept.orthonormality});
 }
 
-// The closed form, at every epoch of the reference; the attitude error itself, not per radian turned.
+// The closed form, at every epoch of the reference; here the attitude error is not divided by the angle
+// turned.
 void compare_closed_form(Rows& rows, const std::string& name, const Scenario<Inertial, Body>& scenario,
                          const CsvTable& exact) {
   const auto motion = torque_free(scenario.inertia, scenario.initial);

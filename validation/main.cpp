@@ -1,4 +1,4 @@
-// validate: compares Vectrix with everybody in the table, prints the table, and fails when a row does.
+// validate: compares Vectrix with every reference in the table, prints the table, and fails if a row fails.
 //     validate [--data DIRECTORY] [--write FILE.md]
 
 #include <cstdio>

@@ -6,8 +6,8 @@
 namespace vectrix::validation {
 namespace {
 
-// NASA's figures carry 16 digits; rounding in the inputs and in 28 800 s of integration stays a hundred times
-// below these.
+// NASA's figures have 16 digits. The rounding of the inputs and of 28 800 s of integration is a hundred times
+// smaller than these tolerances.
 constexpr double attitude_tolerance_rad = 1e-10;
 constexpr double rate_tolerance_rad_s = 1e-14;
 constexpr double position_tolerance_m = 1e-3;

@@ -37,14 +37,14 @@ Inertia<Body> inertia(const std::string& run) {
     return inertia_from_tensor(in<Body>, 0.4 * kg_m2, 0.4 * kg_m2, 0.4 * kg_m2, 0.0 * kg_m2, 0.0 * kg_m2,
                                0.0 * kg_m2);
   }
-  // The International Space Station: entries of the tensor, not products of inertia.
+  // The International Space Station: the numbers are entries of the tensor, not products of inertia.
   return inertia_from_tensor(in<Body>, 1.02e8 * kg_m2, 0.91e8 * kg_m2, 1.64e8 * kg_m2, -6.96e6 * kg_m2,
                              -5.48e6 * kg_m2, 5.90e5 * kg_m2);
 }
 
 AngularVelocity<Inertial, Body, In<Body>> w_ib_b(const std::string& run) {
   if (run == "8A" || run == "9A") return at_rest(of<Body>, relative_to<Inertial>, in<Body>);
-  // w_il^i = r x v / |r|^2, and the body rests in the local frame.
+  // w_il^i = r x v / |r|^2; the body is at rest in the local frame.
   const Eigen::Vector3d w =
       r_i().coordinates().cross(v_i().coordinates()) / r_i().coordinates().squaredNorm();
   const auto w_il_i =

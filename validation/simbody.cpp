@@ -7,10 +7,10 @@
 namespace vectrix::validation {
 namespace {
 
-// Simbody bounds the error of a step, relative to the size of the motion; over a run the errors of its steps
-// add up, so that accuracy * steps * size is what can be asked of the end. Whose the difference is shows when
-// Simbody alone is tightened: an accuracy a hundred times tighter must bring the difference down at least ten
-// times.
+// Simbody bounds the error of one step, relative to the size of the motion. Over a run the errors of the
+// steps add up, so the tolerance at the end is accuracy * steps * size. To show that the difference is
+// Simbody's, only Simbody's accuracy is tightened: a hundred times tighter must reduce the difference at
+// least ten times.
 constexpr double accuracies[] = {1e-6, 1e-8, 1e-10, 1e-12};
 constexpr double largest_ratio = 0.1;
 
@@ -40,7 +40,7 @@ Compared compare(const Scenario<Inertial, Body>& scenario, const Trajectory<Iner
   return {difference, static_cast<double>(theirs.steps)};
 }
 
-// Adds the comparison at the tightest accuracy to `rows`, and what tightening does to `tightened`.
+// Adds the comparison at the tightest accuracy to `rows`, and the effect of tightening to `tightened`.
 void report(Rows& rows, Rows& tightened, const std::string& what, const std::string& run,
             double Difference::*watched, const std::string& watched_name) {
   const Scenario<Inertial, Body> scenario = nasa_scenario(run);

@@ -17,18 +17,18 @@ using SimTK::Rotation;
 using SimTK::State;
 using SimTK::Vec3;
 
-constexpr double rotation_tolerance = 1e-12;  // |R R^T - 1|: what is left is below the error of any run
+constexpr double rotation_tolerance = 1e-12;  // the remaining error is below that of any run
 constexpr double inertia_tolerance = 1e-12;   // relative to the trace: rounding of a re-expressed tensor
 
-/// The units in which Simbody integrates: each is a power of two, so that scaling rounds nothing.
+/// The units in which Simbody integrates. Each is a power of two, so that scaling causes no rounding.
 ///
-/// Simbody's error norm is the larger of two root mean squares. Errors of q (quaternion, position) count
-/// absolutely, by weights of 1 per unit; errors of u (angular, linear velocity) count absolutely below 1 and
-/// relatively above. In SI a low orbit then asks for an accuracy of 1e-10 m in 7e6 m (below rounding: the
-/// steps collapse), while angular rates of 1e-3 rad/s are held to 1e-10 rad/s only. With the orbit's radius
-/// as the unit of length, the inverse of the fastest rate as the unit of time and J of order 1, all seven q
-/// and six u are of order 1 at most. The weights of Simbody's State (updUWeights) cannot do this: one weight
-/// serves both an angle and its rate.
+/// Simbody's error norm is the larger of two root mean squares. Errors of q (quaternion, position) are
+/// absolute, with weight 1 per unit. Errors of u (angular, linear velocity) are absolute below 1 and relative
+/// above. In SI units a low orbit then requires an accuracy of 1e-10 m in 7e6 m (below rounding: the steps
+/// become very short), while angular rates of 1e-3 rad/s are controlled to 1e-10 rad/s only. Here the unit of
+/// length is the radius of the orbit, the unit of time is the inverse of the fastest rate, and J is of order
+/// 1. Then all seven q and six u are of order 1 at most. The weights of Simbody's State (updUWeights) cannot
+/// do this: one weight is used for both an angle and its rate.
 struct Units {
   double length_m = 1.0;
   double time_s = 1.0;
@@ -77,7 +77,7 @@ double least_leading_minor(const Mat33& M) {
   return std::min({M[0][0], M[0][0] * M[1][1] - M[0][1] * M[1][0], SimTK::det(M)});
 }
 
-/// J and the matrix of second moments, 1/2 tr(J) 1 - J, belong to a body: symmetric and not negative.
+/// J and the matrix of second moments, 1/2 tr(J) 1 - J, must be those of a body: symmetric and not negative.
 void check_inertia(const Matrix3& tensor) {
   require_finite("inertia_tensor_b", tensor.data(), tensor.size());
   const double trace = tensor[0] + tensor[4] + tensor[8];
@@ -132,7 +132,7 @@ Units units_of_motion(const SimbodyBody& body, const std::vector<double>& times_
     units.length_m = power_of_two_near(r);
     fastest_rad_s = std::max(fastest_rad_s, std::sqrt(body.orbit->mu_m3_s2 / r) / r);
   }
-  for (const auto& pulse : body.pulses) {  // the rate a pulse would give a ball of this size
+  for (const auto& pulse : body.pulses) {  // the rate that a pulse gives a ball of this size
     const double duration_s =
         std::min(pulse.stop_s, times_s.back()) - std::max(pulse.start_s, times_s.front());
     const double impulse_nms = to_simbody(pulse.torque_b_nm).norm() * std::max(duration_s, 0.0);
@@ -142,7 +142,7 @@ Units units_of_motion(const SimbodyBody& body, const std::vector<double>& times_
   return units;
 }
 
-/// Sum of the pulses that act from t on, in body axes.
+/// Sum of the pulses that act just after t, in body axes.
 Vec3 pulse_torque_b(const SimbodyBody& body, double t_s) {
   Vec3 torque_b(0);
   for (const auto& pulse : body.pulses)
@@ -169,7 +169,7 @@ class CentralGravity : public SimTK::Force::Custom::Implementation {
     body_.applyBodyForce(state, SimTK::SpatialVec(torque_i, force_i), body_forces_i);
   }
 
-  SimTK::Real calcPotentialEnergy(const State& state) const override {  // of the force alone
+  SimTK::Real calcPotentialEnergy(const State& state) const override {  // of the force only
     return -mu_ * body_.getBodyMass(state) / body_.getBodyOriginLocation(state).norm();
   }
 
@@ -179,7 +179,8 @@ class CentralGravity : public SimTK::Force::Custom::Implementation {
   bool gradient_;
 };
 
-/// A torque held in body axes, tau^i = R_b^i tau^b. Its owner changes tau^b between two continuous intervals.
+/// A torque constant in body axes, tau^i = R_b^i tau^b. The owner changes tau^b between two continuous
+/// intervals.
 class BodyTorque : public SimTK::Force::Custom::Implementation {
  public:
   BodyTorque(const SimTK::MobilizedBody& body, const Vec3& torque_b) : body_(body), torque_b_(torque_b) {}
@@ -208,14 +209,15 @@ std::unique_ptr<SimTK::Integrator> make_integrator(SimbodyIntegrator kind, const
 
 SimbodySample sample(const SimTK::MobilizedBody& body, const State& state, double t_s, const Units& units) {
   const Rotation R_i_from_b = body.getBodyRotation(state);
-  // Simbody gives w_ib in ground, i.e. inertial, axes: w_ib^b = (R_b^i)^T w_ib^i.
+  // Simbody gives w_ib in ground axes, that is inertial axes: w_ib^b = (R_b^i)^T w_ib^i.
   const Vec3 w_ib_b = ~R_i_from_b * body.getBodyAngularVelocity(state) / units.time_s;
   return {t_s, to_plain(R_i_from_b.asMat33()), to_plain(w_ib_b),
           to_plain(body.getBodyOriginLocation(state) * units.length_m),
           to_plain(body.getBodyOriginVelocity(state) * units.velocity_m_s())};
 }
 
-/// The sample times and, between the first and the last, the ends of the pulses; sorted, each once.
+/// The sample times and the ends of the pulses between the first and the last of them; sorted, without
+/// duplicates.
 std::vector<double> ends_of_steps(const SimbodyBody& body, const std::vector<double>& times_s) {
   std::vector<double> ends = times_s;
   for (const auto& pulse : body.pulses)
@@ -233,13 +235,13 @@ SimbodyRun simbody_propagate(const SimbodyBody& body, double accuracy, const std
   check(body, accuracy, times_s);
   const Units units = units_of_motion(body, times_s);
 
-  // One system for each call: Simbody's systems must not be shared between threads.
+  // One system for each call, because threads must not share a Simbody system.
   SimTK::MultibodySystem system;
   SimTK::SimbodyMatterSubsystem matter(system);
   SimTK::GeneralForceSubsystem forces(system);
   matter.setShowDefaultGeometry(false);
 
-  // Simbody's Inertia takes moments (xx, yy, zz) and the tensor's own off-diagonal entries (xy, xz, yz).
+  // Simbody's Inertia takes moments (xx, yy, zz) and the off-diagonal entries of the tensor (xy, xz, yz).
   const Matrix3& J = body.inertia_tensor_b;
   const SimTK::Inertia J_b(Vec3(J[0], J[4], J[8]) / units.inertia_kg_m2,
                            Vec3(J[1], J[2], J[5]) / units.inertia_kg_m2);
@@ -255,7 +257,7 @@ SimbodyRun simbody_propagate(const SimbodyBody& body, double accuracy, const std
   State state = system.realizeTopology();
   matter.setUseEulerAngles(state, false);
   system.realizeModel(state);
-  const Rotation R_i_from_b(to_simbody(body.R_i_from_b), true);  // checked above, so not repaired here
+  const Rotation R_i_from_b(to_simbody(body.R_i_from_b), true);  // checked above, so not corrected here
   free.setQToFitRotation(state, R_i_from_b);
   // The speeds of a Free mobilizer are in its parent's axes: w_ib^i = R_b^i w_ib^b.
   free.setUToFitAngularVelocity(state, R_i_from_b * to_simbody(body.w_ib_b) * units.time_s);
@@ -291,7 +293,7 @@ SimbodyRun simbody_propagate(const SimbodyBody& body, double accuracy, const std
     if (torque_from_now_b != torque_b) {
       torque_b = torque_from_now_b;
       count_work();
-      state = integrator->getState();  // a copy starts without what was computed with the torque before
+      state = integrator->getState();  // the copy does not keep results computed with the old torque
       integrator->resetAllStatistics();
       integrator->initialize(state);
     }

@@ -6,29 +6,29 @@
 
 /// A rigid body propagated by Simbody, an independent multibody engine, behind plain types.
 ///
-/// Nothing here comes from Vectrix, Eigen or Simbody, so that a C++20 program can include this header while
-/// the adapter itself is compiled as C++17 (Simbody 3.7's headers are not C++20). SI units. Matrices are
+/// No type here is from Vectrix, Eigen or Simbody. So a C++20 program can include this header, while the
+/// adapter itself is compiled as C++17 (Simbody 3.7's headers are not C++20). SI units. Matrices are
 /// row-major.
 namespace vectrix::validation {
 
 using Vector3 = std::array<double, 3>;
 using Matrix3 = std::array<double, 9>;
 
-/// A torque constant in body axes, acting for start <= t < stop. Pulses that overlap add up.
+/// A torque constant in body axes, for start <= t < stop. Overlapping pulses add up.
 struct SimbodyPulse {
   double start_s;
   double stop_s;
   Vector3 torque_b_nm;
 };
 
-/// The centre of mass at the first sample time, about a point mass at the inertial origin.
+/// The state of the centre of mass at the first sample time, about a point mass at the inertial origin.
 struct SimbodyOrbit {
   double mu_m3_s2;
   Vector3 r_i_m;
   Vector3 v_i_m_s;
 };
 
-/// A free rigid body at the first sample time. Without an orbit its centre of mass rests at the origin.
+/// A free rigid body at the first sample time. Without an orbit its centre of mass is at rest at the origin.
 struct SimbodyBody {
   double mass_kg;
   Matrix3
@@ -48,9 +48,9 @@ struct SimbodySample {
   Vector3 v_i_m_s;
 };
 
-/// Merson (order 4) is the more accurate for its tolerance, Feldberg (order 5) the cheaper. Simbody's CPodes
-/// is left out: its Adams method stalls on a free body at tight tolerances, its BDF reaches no more than the
-/// above.
+/// Merson (order 4) is more accurate for the same tolerance, Feldberg (order 5) is cheaper. Simbody's CPodes
+/// is not used: its Adams method stalls on a free body at tight tolerances, and its BDF is not more accurate
+/// than these two.
 enum class SimbodyIntegrator { runge_kutta_merson, runge_kutta_feldberg };
 
 struct SimbodyRun {
@@ -62,10 +62,9 @@ struct SimbodyRun {
 /// The motion of `body` at `times_s` (strictly increasing; the first is the time of the initial state).
 ///
 /// `accuracy` bounds Simbody's estimate of the local error of one step, in units of the motion itself (see
-/// the .cpp): the error at the end is larger, and falls as the accuracy tightens. Every sample time and both
-/// ends of every pulse are ends of steps, so nothing is interpolated and no step straddles a jump of the
-/// torque. Throws std::invalid_argument for bad data, and what Simbody throws (a std::exception) if a step
-/// fails.
+/// the .cpp). The error at the end is larger; it decreases with a tighter accuracy. Steps end at every sample
+/// time and at both ends of every pulse: nothing is interpolated, and no step contains a jump of the torque.
+/// Throws std::invalid_argument for bad data, and Simbody's own exception (a std::exception) if a step fails.
 SimbodyRun simbody_propagate(const SimbodyBody& body, double accuracy, const std::vector<double>& times_s,
                              SimbodyIntegrator integrator);
 

@@ -5,7 +5,7 @@
 
 namespace vectrix::validation {
 
-/// A free rigid body in Simbody, of moments (1, 2, 3) kg m^2, behind plain types: Simbody's headers are
+/// A free rigid body in Simbody, with moments (1, 2, 3) kg m^2, behind plain types: Simbody's headers are
 /// C++17.
 class SimbodyRate {
  public:
@@ -14,8 +14,8 @@ class SimbodyRate {
   SimbodyRate(const SimbodyRate&) = delete;
   SimbodyRate& operator=(const SimbodyRate&) = delete;
 
-  /// One right-hand side: takes the attitude (scalar first) and the rate, in ground axes; ends with qdot and
-  /// udot.
+  /// One right-hand side. It takes the attitude (scalar first) and the rate, in ground axes, and computes
+  /// qdot and udot.
   void evaluate(const std::array<double, 4>& q, const std::array<double, 3>& w);
 
  private:

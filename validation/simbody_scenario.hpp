@@ -17,13 +17,13 @@ inline Matrix3 row_major(const Eigen::Matrix3d& m) {
 
 }  // namespace detail
 
-/// The same scenario, as Simbody takes it. Throws BadInput for a custom torque, which Simbody does not know.
+/// The same scenario in Simbody's form. Throws BadInput for a custom torque, which Simbody does not have.
 template <class I, class B> SimbodyBody simbody_body(const Scenario<I, B>& scenario) {
   if (!scenario.torques.empty()) {
     throw BadInput("simbody_body: the scenario has " + vectrix::detail::text(scenario.torques.size()) +
                    " custom torques; Simbody takes pulses and the gravity gradient");
   }
-  SimbodyBody body{.mass_kg = 1000.0,  // any: the mass cancels from a point mass's orbit
+  SimbodyBody body{.mass_kg = 1000.0,  // any value: the mass does not affect the orbit about a point mass
                    .inertia_tensor_b = detail::row_major(scenario.inertia.matrix()),
                    .R_i_from_b = detail::row_major(scenario.initial.R_i_from_b().matrix()),
                    .w_ib_b = detail::array(scenario.initial.w_ib_b.coordinates()),

@@ -1,7 +1,8 @@
-# The direction of dependence, read from the #include lines: cmake -D ROOT=<source folder> -P check_includes.cmake
+# The allowed directions of dependence, checked in the #include lines: cmake -D ROOT=<source folder> -P
+# check_includes.cmake
 #     frames <- kinematics <- space <- dynamics <- examples, pictures, validation, accuracy
-# ERFA is known in space/src alone, SUNDIALS in dynamics/src alone, Simbody in validation/**/simbody_* and
-# bench/peer_simbody.cpp alone.
+# Only space/src includes ERFA, only dynamics/src includes SUNDIALS, and only validation/**/simbody_* and
+# bench/peer_simbody.cpp include Simbody.
 cmake_minimum_required(VERSION 3.25)
 set(kinematics "vectrix/kinematics")
 set(space "vectrix/space")
@@ -35,7 +36,7 @@ forbid("${erfa}" frames/* kinematics/* space/include/* space/tests/* dynamics/* 
 forbid("${solvers}" frames/* kinematics/* space/* dynamics/include/* dynamics/tests/* ${above})
 forbid("${simbody}" frames/* kinematics/* space/* dynamics/* ${above} bench/*)
 
-# Public headers do not use a name of the engines either (an enumerator such as cvode_adams is ours).
+# Public headers also contain no name of the engines (an enumerator such as cvode_adams belongs to this library).
 file(GLOB_RECURSE headers RELATIVE ${ROOT} ${ROOT}/frames/include/*.hpp ${ROOT}/kinematics/include/*.hpp
      ${ROOT}/space/include/*.hpp ${ROOT}/dynamics/include/*.hpp)
 set(engine_names "CVode|CV_|ARK[oS]|ARK_|ERKStep|SUN[A-Z]|sun[a-z]+type|sundials|N_V|realtype|era[A-Z]|SimTK")

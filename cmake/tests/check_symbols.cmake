@@ -1,4 +1,4 @@
-# The shared library keeps its solvers to itself: cmake -D NM=… -D LIBRARY=… -P check_symbols.cmake
+# The shared library must not export symbols of its solvers: cmake -D NM=… -D LIBRARY=… -P check_symbols.cmake
 cmake_minimum_required(VERSION 3.25)
 execute_process(COMMAND ${NM} -D --defined-only --format=posix ${LIBRARY} OUTPUT_VARIABLE symbols COMMAND_ERROR_IS_FATAL ANY)
 if(NOT symbols MATCHES "7vectrix")

@@ -1,4 +1,4 @@
-# A stranger's program (consumer/), configured, built and run by each way of getting the library: the installed package,
+# A user's program (consumer/), configured, built and run with each way of getting the library: the installed package,
 # FetchContent, add_subdirectory. SUNDIALS and ERFA are hidden where they must not be needed.
 set(work ${CMAKE_CURRENT_BINARY_DIR}/consumers)
 set(hidden -D CMAKE_DISABLE_FIND_PACKAGE_SUNDIALS=ON -D CMAKE_DISABLE_FIND_PACKAGE_PkgConfig=ON)
@@ -32,7 +32,8 @@ consumer(subdirectory subdirectory "frames;kinematics;${libraries}")
 consumer(installed_headers package "frames;kinematics" ${hidden})
 consumer(subdirectory_headers subdirectory "frames;kinematics" ${hidden})
 
-# Asked for explicitly, dynamics without its solvers is a clear error; an unknown component is not found.
+# If dynamics is requested explicitly and its solvers are missing, the error is clear; an unknown component is not
+# found.
 consumer(space_without_solvers subdirectory "frames;space" -D CMAKE_DISABLE_FIND_PACKAGE_SUNDIALS=ON)
 consumer(dynamics_without_solvers subdirectory "dynamics" -D CMAKE_DISABLE_FIND_PACKAGE_SUNDIALS=ON -D VECTRIX_DYNAMICS=ON)
 consumer(space_without_erfa subdirectory "space" ${hidden} -D VECTRIX_SPACE=ON)

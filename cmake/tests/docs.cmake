@@ -1,10 +1,11 @@
-# What the pages show is true: each of their programs is compiled, links what its headers say, and prints what is printed
-# below it; and the compiler still says what README.md prints. check_docs.py sees that no block is passed over.
+# Tests of the code on the pages: each program is compiled, links the libraries that its headers need, and prints the
+# output shown below it; and the compiler still prints the message shown in README.md. check_docs.py checks that no
+# block is skipped.
 set(folder ${CMAKE_CURRENT_BINARY_DIR}/docs)
 execute_process(COMMAND ${Python3_EXECUTABLE} ${tools}/doc_programs.py --folder ${folder} --layers ${VECTRIX_LAYERS}
                 COMMAND_ERROR_IS_FATAL ANY)
 
-# The first program that shares the headers of a layer compiles them for the others.
+# The first program that uses the headers of a layer precompiles them for the others.
 function(doc_program page number layer headers)
   set(program doc_${page}_${number})
   add_executable(${program} ${folder}/${page}/${number}.cpp)
@@ -29,7 +30,7 @@ set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${doc_pages} ${to
 
 add_test(NAME hygiene.docs COMMAND ${Python3_EXECUTABLE} ${tools}/check_docs.py)
 
-# The message in README.md is g++'s.
+# The message in README.md is that of g++.
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   get_target_property(eigen Eigen3::Eigen INTERFACE_INCLUDE_DIRECTORIES)
   add_test(NAME readme.refusal COMMAND ${Python3_EXECUTABLE} ${tools}/readme.py --compiler ${CMAKE_CXX_COMPILER}

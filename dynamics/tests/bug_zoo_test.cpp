@@ -1,5 +1,4 @@
-// What docs/explanation/bug_zoo.md tells of rigid bodies: the mistake in plain Eigen, and the law that finds
-// it.
+// The rigid-body bugs of docs/explanation/bug_zoo.md: each mistake in plain Eigen, and the law that finds it.
 #include <Eigen/Eigenvalues>
 #include <vectrix/dynamics.hpp>
 
@@ -13,12 +12,12 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-/// Sums of a few products of numbers below 100.
+/// Rounding: sums of a few products of numbers below 100.
 constexpr double rounding = 1e-13;
 /// Far above rounding.
 constexpr double visible = 1e-2;
 
-/// Four masses, kg, about their centre of mass, m: no two axes alike, all products of inertia different.
+/// Four masses, kg, about their centre of mass, m: the axes all differ, and so do the products of inertia.
 struct Cloud {
   std::array<double, 4> m = {1.0, 2.0, 1.5, 3.0};
   std::array<Vector3d, 4> r = {
@@ -33,7 +32,7 @@ struct Cloud {
   }
   double moment(int i, int j) const { return sum(i, i) + sum(j, j); }
 
-  /// The law: h = sum m r x (w x r).
+  /// The law h = sum m r x (w x r).
   Vector3d momentum(const Vector3d& w) const {
     Vector3d h = Vector3d::Zero();
     for (std::size_t k = 0; k < m.size(); ++k) h += m[k] * r[k].cross(w.cross(r[k]));
@@ -43,12 +42,13 @@ struct Cloud {
 
 const Vector3d w(0.3, -0.7, 0.5);
 
-// sum m x y, given where the tensor's entry - sum m x y is asked: positive, symmetric, lawful, and wrong.
+// sum m x y, given where the tensor's entry - sum m x y is required: positive, symmetric, a valid inertia,
+// and wrong.
 TEST(BugZoo, AProductOfInertiaIsMinusTheEntryOfTheTensor) {
   const Cloud cloud;
   const double xx = cloud.moment(1, 2), yy = cloud.moment(0, 2), zz = cloud.moment(0, 1);
   const double xy = cloud.sum(0, 1), xz = cloud.sum(0, 2), yz = cloud.sum(1, 2);
-  const Inertia<Body> mistaken = tensor(xx, yy, zz, xy, xz, yz);  // the door cannot know
+  const Inertia<Body> mistaken = tensor(xx, yy, zz, xy, xz, yz);  // the door cannot detect it
   EXPECT_GT(((mistaken * rate_body(w)).coordinates() - cloud.momentum(w)).norm(), visible);
 
   const auto unit = si::kilogram_square_metre;
@@ -77,7 +77,7 @@ TEST(BugZoo, PrincipalAxesHaveADirection) {
   EXPECT_LE(((J_b * rate_body(w)).coordinates() - cloud.momentum(w)).norm(), rounding);
 }
 
-// The work of a force at r on a turning body is that of its torque: F . (w x r) = tau . w.
+// The power of a force at r on a rotating body equals the power of its torque: F . (w x r) = tau . w.
 TEST(BugZoo, ATorqueDoesTheWorkOfItsForce) {
   const Vector3d r(0.4, -1.2, 0.7);
   const Vector3d F(3.0, 0.5, -2.0);

@@ -6,7 +6,7 @@
 #include <string>
 #include <vectrix/dynamics/scenario/propagate.hpp>
 
-/// Frames, short doors and exact motions shared by the tests of rigid bodies.
+/// Frames, short forms of the doors and exact motions, shared by the tests of rigid bodies.
 namespace vectrix::test {
 
 struct Gcrf : inertial_frame {};
@@ -81,7 +81,7 @@ struct AxisymmetricBody {
   }
 };
 
-/// Expects that the text of an exception holds `text`.
+/// Expects that the text of an exception contains `text`.
 inline void expect_said(const std::exception& error, const std::string& text) {
   EXPECT_TRUE(std::string{error.what()}.find(text) != std::string::npos)
       << "the text is \"" << error.what() << "\", expected in it \"" << text << '"';

@@ -7,17 +7,17 @@
 #include "testing/any_scalar.hpp"
 #include "testing/motions.hpp"
 
-// Inertia, Euler's equation and gravity of any scalar: values against long double, derivatives against its
-// differences, lanes against doubles.
+// Inertia, Euler's equation and gravity for any scalar: values against long double, derivatives against
+// differences of long double, lanes against doubles.
 namespace vectrix_test {
 namespace {
 
 using Batch = std::experimental::native_simd<double>;
 
 constexpr int instances = 200;
-/// Some hundred operations, with an inertia whose greatest moment is ten times the least.
+/// Rounding of some hundred operations; the largest moment of the inertia is ten times the smallest.
 constexpr double roundings = 1e3;
-/// A central difference of long double over 2e-5 errs by h^2 times a third derivative of order 1e3.
+/// The error of a central difference of long double over 2e-5 is h^2 times a third derivative of order 1e3.
 constexpr long double step = 1e-5L;
 constexpr double difference_tolerance = 1e-6;
 
@@ -25,7 +25,7 @@ template <class S> Quantity<si::moment_of_inertia, S> moment(const S& number) {
   return Quantity<si::moment_of_inertia, S>::from_value(number);
 }
 
-/// A tensor of a body: the sum over two masses and a ball.
+/// A valid inertia tensor: the sum over two masses and a ball.
 template <class S> CentralInertia<Body, S> body(const Given<S>& given) {
   detail::Square<S> J = detail::Square<S>::Identity();
   for (const auto& r : {given.v[0], given.v[1]})

@@ -1,7 +1,8 @@
-// compare_output <expected file> <program> <arguments>…: runs the program and compares what it prints, line
-// by line. The first line of the file, "# rel <number> abs <number>", says how near a number must be:
+// compare_output <expected file> <program> <arguments>…: runs the program and compares its output with the
+// file, line by line. The first line of the file, "# rel <number> abs <number>", gives the tolerance for
+// numbers:
 //     |printed - expected| <= abs + rel |expected|
-// Everything else must be equal; blanks do not count.
+// Everything else must be equal; blanks are ignored.
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -22,7 +23,7 @@ struct Tolerance {
   double absolute = 0.0;
 };
 
-// One number, or one character of what is between numbers. A digit after a letter, as in S1A, is no number.
+// One number, or one character between numbers. A digit after a letter, as in S1A, is not a number.
 struct Token {
   std::string text;
   double value;
@@ -59,7 +60,7 @@ bool near(double printed, double expected, const Tolerance& tolerance) {
   return std::abs(printed - expected) <= tolerance.absolute + tolerance.relative * std::abs(expected);
 }
 
-// What differs between two lines, or nothing.
+// The difference between two lines, or nothing.
 std::string difference(const std::string& printed, const std::string& expected, const Tolerance& tolerance) {
   const auto got = tokens(printed);
   const auto want = tokens(expected);

@@ -1,4 +1,4 @@
-// What docs/explanation/bug_zoo.md tells of frames without motion: the mistake in plain Eigen, and the law
+// The bugs of docs/explanation/bug_zoo.md for frames without motion: each mistake in plain Eigen, and the law
 // that finds it.
 #include <gtest/gtest.h>
 
@@ -11,7 +11,8 @@ using namespace vectrix_test;
 
 namespace {
 
-// The transpose is finite, orthonormal and right-handed as well: only a direction known in both frames tells.
+// The transpose is also finite, orthonormal and right-handed: only a direction known in both frames shows the
+// mistake.
 TEST(BugZoo, ATransposedMatrixPassesEveryCheckOfTheDoor) {
   const Eigen::Vector3d axis = Eigen::Vector3d(1, -2, 3).normalized();
   const Eigen::Matrix3d M_b_from_a = Eigen::AngleAxisd(-0.7, axis).toRotationMatrix();

@@ -15,13 +15,13 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using PositionCovariance = Covariance<Body, si::length>;
 
-/// Sums of six squares of numbers of order 1, and a change of axes of them.
+/// Sums of six squares of numbers of order 1, with a change of axes.
 constexpr double sum_rounding = 64 * epsilon;
-/// Added to variances of at most 1, so that P can be inverted: its condition is at most 300.
+/// Added to variances of at most 1, so that P can be inverted: its condition number is at most 300.
 constexpr double least_variance = 1e-2;
 constexpr double solved = 1e4 * epsilon;
 
-/// The covariance of equally likely vectors, by its definition: the oracle.
+/// The covariance of equally likely vectors, by its definition: the reference for the tests.
 Matrix3d covariance_of(const std::vector<Vector3d>& samples) {
   Vector3d mean = Vector3d::Zero();
   for (const Vector3d& r : samples) mean += r / static_cast<double>(samples.size());
@@ -67,7 +67,7 @@ RC_GTEST_PROP(Covariance, Law1Chains, ()) {
             sum_rounding);
 }
 
-// 2. cov(r + s) = cov(r) + cov(s): every r with every s is an independent pair.
+// 2. cov(r + s) = cov(r) + cov(s): every r is paired with every s, so that they are independent.
 RC_GTEST_PROP(Covariance, Law2IndependentOnesAdd, ()) {
   const auto r_a = *samples();
   const auto s_a = *samples();
@@ -137,7 +137,7 @@ TEST(MahalanobisDistance, RefusesASingularCovariance) {
   };
   EXPECT_TRUE(contains(said(flat), "mahalanobis_distance(covariance in " + frame_name<Body>()));
   EXPECT_TRUE(contains(said(flat), "the other axes leave open is 0"));
-  // Flat in a plane that is none of the axes.
+  // Flat, in a plane that contains none of the axes.
   const Vector3d n = Vector3d(1.0, 2.0, 2.0) / 3.0;
   const Matrix3d oblique = Matrix3d::Identity() - n * n.transpose();
   EXPECT_TRUE(contains(said(covariance<si::length>(in<Body>, oblique)), "is singular"));

@@ -11,14 +11,14 @@ using namespace vectrix_test;
 
 namespace {
 
-/// Five products of rotations, and the lengths of vectors up to sqrt(3).
+/// Five products of rotations, with vectors of length up to sqrt(3).
 constexpr double of_five = 4 * rounding;
 
 template <class B, class A> Dcm<B, A> any_dcm() {
   return trust_dcm(to<B>, from<A>, *rotation_matrix());
 }
 
-// R_a^f r^a, whatever is multiplied first.
+// R_a^f r^a, for every order of multiplication.
 RC_GTEST_PROP(DcmChain, EveryOrderOfWritingGivesTheSameVector, ()) {
   const auto R1 = any_dcm<Body, Gcrf>();
   const auto R2 = any_dcm<Camera, Body>();
@@ -51,7 +51,8 @@ RC_GTEST_PROP(DcmChain, CarriesWhatIsBetweenPointsToo, ()) {
             of_five);
 }
 
-// Named, a chain is the Dcm: multiplied once, whatever becomes of its factors.
+// A chain stored under a name is the Dcm: it is multiplied once, and later changes of its factors have no
+// effect.
 RC_GTEST_PROP(DcmChain, WithANameItIsTheProduct, ()) {
   auto R_b_from_a = any_dcm<Body, Gcrf>();
   const auto R_c_from_b = any_dcm<Camera, Body>();
@@ -68,10 +69,11 @@ RC_GTEST_PROP(DcmChain, WithANameItIsTheProduct, ()) {
   RC_ASSERT(inverse(chain).matrix() == product.transpose());
 }
 
-/// Ten products, and the lengths of vectors up to sqrt(3).
+/// Ten products, with vectors of length up to sqrt(3).
 constexpr double of_ten = 8 * rounding;
 
-// Past its greatest length a chain goes on from the product of its first rotations, however it is written.
+// Beyond its maximum length, a chain continues from the product of its first rotations, in whatever way it is
+// written.
 RC_GTEST_PROP(DcmChain, GoesOnPastItsGreatestLength, ()) {
   const auto P = any_dcm<Body, Gcrf>();
   const auto Q = any_dcm<Gcrf, Body>();
@@ -89,7 +91,7 @@ RC_GTEST_PROP(DcmChain, GoesOnPastItsGreatestLength, ()) {
   RC_ASSERT(agrees(R * r));
 }
 
-/// The rotations that a function makes are gone when it has returned their product.
+/// The rotations made in a function do not exist after it has returned their product.
 auto product_of_locals(const Eigen::Matrix3d& first, const Eigen::Matrix3d& second) {
   const auto R_b_from_a = trust_dcm(to<Body>, from<Gcrf>, first);
   const auto R_c_from_b = trust_dcm(to<Camera>, from<Body>, second);

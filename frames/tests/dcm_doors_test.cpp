@@ -56,7 +56,7 @@ TEST(DcmDoors, ANumberTooManyIsNotOrthonormal) {
   const std::string text = refused(rounded);
   EXPECT_TRUE(contains(text, "M^T M differs from the identity by 0.5625, tolerance 1e-09")) << text;
   EXPECT_TRUE(contains(text, "nearest_dcm() projects")) << text;
-  // So large that the check itself overflows.
+  // Numbers so large that the check itself overflows.
   EXPECT_TRUE(contains(refused(1e200 * Eigen::Matrix3d::Identity()), "differs from the identity by inf"));
 }
 
@@ -77,13 +77,14 @@ TEST(DcmDoors, AReflectionIsNoRotation) {
 }
 
 RC_GTEST_PROP(DcmDoors, TheProjectionOfAStretchedRotationIsTheRotation, ()) {
-  // M = R P with P symmetric and positive: the polar factor is R, and the distance |M - R|.
+  // M = R P with P symmetric and positive: the polar factor is R, and the distance is |M - R|.
   const Eigen::Matrix3d rotation = *rotation_matrix();
   const Eigen::Vector3d stretch = Eigen::Vector3d::Constant(1.5) + *triple();
   const Eigen::Matrix3d axes = *rotation_matrix();
   const Eigen::Matrix3d stretched = rotation * axes * stretch.asDiagonal() * axes.transpose();
   const auto nearest = nearest_dcm(to<Body>, from<Gcrf>, stretched);
-  // The polar factor is as well conditioned as the sum of the two smallest stretches, at least 1 here.
+  // The condition of the polar factor depends on the sum of the two smallest stretches, which is at least 1
+  // here.
   const double conditioned = 16 * rounding;
   RC_ASSERT(distance(nearest.dcm.matrix(), rotation) <= conditioned);
   RC_ASSERT(std::abs(nearest.distance - (stretched - rotation).norm()) <= conditioned);

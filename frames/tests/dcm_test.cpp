@@ -70,7 +70,7 @@ RC_GTEST_PROP(Dcm, InverseOfAProductReversesIt, ()) {
                      (inverse(R_b_from_a) * inverse(R_c_from_b)).matrix()) <= rounding);
 }
 
-// rotate(): turning a onto b carries a's axes to b's, all seen in a.
+// rotate(): turning a onto b takes a's axes to b's axes, all expressed in a.
 RC_GTEST_PROP(Dcm, RotateTurnsTheAxesOfAOntoThoseOfB, ()) {
   const auto R_a_from_b = any_dcm<Gcrf, Body>();
   const Vector<Gcrf, si::dimensionless> turned = rotate(R_a_from_b, unit_y(in<Gcrf>));
@@ -83,7 +83,7 @@ TEST(Dcm, APlainTurnAboutZHasItsPublishedMatrix) {
   Eigen::Matrix3d expected;
   expected << 0, 1, 0, -1, 0, 0, 0, 0, 1;
   EXPECT_LE(distance(R_b_from_a.matrix(), expected), epsilon);
-  // b's x axis lies along a's y axis; a's x axis is b's -y axis; the active turn takes x to y.
+  // b's x axis is along a's y axis; a's x axis is along b's -y axis; the active rotation takes x to y.
   EXPECT_LE(distance((inverse(R_b_from_a) * unit_x(in<Body>)).coordinates(), Eigen::Vector3d::UnitY()),
             epsilon);
   EXPECT_LE(distance((R_b_from_a * unit_x(in<Gcrf>)).coordinates(), -Eigen::Vector3d::UnitY()), epsilon);
@@ -109,7 +109,7 @@ TEST(Dcm, EigensAngleAxisMatrixIsTheRotationFromTheTurnedFrame) {
             visible);
 }
 
-// The rule that the inner frames cancel, as overload resolution sees it.
+// The rule that the inner frames cancel, checked by overload resolution.
 template <class Left, class Right>
 concept Multiplies = requires(const Left& left, const Right& right) {
   left* right;

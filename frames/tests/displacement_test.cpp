@@ -18,7 +18,7 @@ template <class P, class Q, class C> Displacement<P, Q, In<C>> any_displacement(
   return displacement(of<Q>, relative_to<P>, vector<si::length>(in<C>, *triple()));
 }
 
-// 1. r_pq^c + r_qs^c = r_ps^c, in either order; out and back is nowhere.
+// 1. r_pq^c + r_qs^c = r_ps^c, in either order; r_pq^c + r_qp^c = 0.
 RC_GTEST_PROP(Displacement, Law1SumsChain, ()) {
   const auto r_pq = any_displacement<Body, CentreOfMass, Camera>();
   const auto r_qs = any_displacement<CentreOfMass, Thruster<1>, Camera>();

@@ -10,7 +10,7 @@ using namespace vectrix_test;
 
 namespace {
 
-/// An edge's function that counts its evaluations.
+/// Edge function that counts its evaluations.
 template <class A, class B> struct Counting {
   Dcm<A, B> value;
   int* count;
@@ -27,7 +27,8 @@ template <class B, class A> Dcm<B, A> any_dcm() {
 
 constexpr auto now = Quantity<si::time>{};
 
-// Gcrf -- Itrf -- Ground; Gcrf -- Body -- Camera; Body -- Wheel<1>; Body -- Wheel<2>. Edges point both ways.
+// Gcrf -- Itrf -- Ground; Gcrf -- Body -- Camera; Body -- Wheel<1>; Body -- Wheel<2>. Edges have both
+// directions.
 struct Tree {
   Dcm<Itrf, Gcrf> itrf_from_gcrf = any_dcm<Itrf, Gcrf>();
   Dcm<Ground, Itrf> ground_from_itrf = any_dcm<Ground, Itrf>();
@@ -124,7 +125,7 @@ TEST(FrameGraph, AnInstantMayBeAStateOfTheUsers) {
             turned_y(to<Camera>, from<Gcrf>, 0.25 * si::radian).matrix());
 }
 
-// A path of many edges, listed out of order and pointing both ways.
+// A path of many edges, listed in any order and with both directions.
 TEST(FrameGraph, LongPathsAreFound) {
   const auto angle = 0.1 * si::radian;
   const auto graph = frame_graph(static_edge(turned_z(to<Wheel<3>>, from<Wheel<2>>, angle)),
@@ -137,8 +138,8 @@ TEST(FrameGraph, LongPathsAreFound) {
             rounding);
 }
 
-// The sun sensor's frame follows from where the others are: z along the z axis of Itrf, x as near that of
-// Body as can be.
+// The frame of the sun sensor follows from the other frames: z along the z axis of Itrf, x as near as
+// possible to that of Body.
 Dcm<Gcrf, Camera> follows(const Dcm<Gcrf, Itrf>& R_gcrf_from_itrf, const Dcm<Gcrf, Body>& R_gcrf_from_body) {
   const auto z = R_gcrf_from_itrf * unit_z(in<Itrf>);
   const auto y = direction(cross(z, R_gcrf_from_body * unit_x(in<Body>)));
@@ -158,7 +159,7 @@ RC_GTEST_PROP(FrameGraph, AnEdgeMayFollowFromTheEdgesBeforeIt, ()) {
                               follows(inverse(tree.itrf_from_gcrf), tree.gcrf_from_body));
 }
 
-// Whether the snapshot has a name or not.
+// For a snapshot with a name and one without.
 TEST(FrameGraph, WhatEdgesShareIsEvaluatedOnce) {
   const Tree tree{.itrf_from_gcrf = turned_x(to<Itrf>, from<Gcrf>, 0.3 * si::radian),
                   .ground_from_itrf = aligned(to<Ground>, from<Itrf>),
@@ -190,7 +191,7 @@ TEST(FrameGraph, AnEdgeMayTakeTheInstantToo) {
             rounding);
 }
 
-// What the graph does not know, overload resolution refuses.
+// A query that the graph cannot answer is refused by overload resolution.
 template <class Snapshot, class B, class A>
 concept Answers = requires(const Snapshot& snapshot) {
   snapshot.rotation(to<B>, from<A>);
@@ -210,7 +211,7 @@ static_assert(Answers<TwoTrees, Itrf, Gcrf> && Answers<TwoTrees, Body, Camera>);
 static_assert(!Answers<TwoTrees, Camera, Gcrf> && !Answers<TwoTrees, Ground, Gcrf>);
 static_assert(!AnswersRate<TwoTrees, Itrf, Gcrf, Gcrf>);
 
-// An edge asks those before it, not itself nor those after it.
+// An edge may ask the edges before it, but not itself or those after it.
 template <class Function> using Follows = FunctionEdge<Function>;
 using OfItrf = Dcm<Gcrf, Body> (*)(const Dcm<Gcrf, Itrf>&);
 using OfItself = Dcm<Gcrf, Body> (*)(const Dcm<Gcrf, Body>&);

@@ -6,7 +6,7 @@
 
 #include "testing/attitudes.hpp"
 
-// What is done in place, and what is printed.
+// Operators that assign, and printing.
 using namespace vectrix;
 using namespace vectrix_test;
 
@@ -61,7 +61,7 @@ concept Aligns = requires(ToFrame b, FromFrame a) {
 using Position = Vector<Body, si::length>;
 using Velocity = Vector<Body, si::velocity>;
 
-// What is refused is refused to a concept, too.
+// What is refused also does not satisfy a concept.
 static_assert(AddsInPlace<Position, Position> && !AddsInPlace<Position, Velocity>);
 static_assert(!AddsInPlace<Position, Vector<Gcrf, si::length>> &&
               !AddsInPlace<Dcm<Body, Gcrf>, Dcm<Body, Gcrf>>);
@@ -106,7 +106,7 @@ TEST(Graph, of_float_answers_in_float) {
 
 }  // namespace
 
-// A user's own algebra, found by argument-dependent lookup as the library's is.
+// Algebra defined by a user, found by argument-dependent lookup like that of the library.
 namespace users {
 
 struct Matrix {};

@@ -22,7 +22,7 @@ template <class B, class A> Transform<B, A> any_transform() {
   return trust_transform(to<B>, from<A>, homogeneous(*rotation_matrix(), *triple()));
 }
 
-// 1. r_bq^b = R_a^b r_aq^a + r_ba^b; homogeneous matrices are the oracle.
+// 1. r_bq^b = R_a^b r_aq^a + r_ba^b; the reference is homogeneous matrices.
 RC_GTEST_PROP(Transform, Law1TakesPositionsFromAToPositionsFromB, ()) {
   const auto X = any_transform<Body, Gcrf>();
   const auto r_aq_a = displacement(of<Tip>, relative_to<Gcrf>, vector<si::length>(in<Gcrf>, *triple()));

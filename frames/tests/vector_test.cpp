@@ -11,7 +11,7 @@ using namespace vectrix_test;
 
 namespace {
 
-// Three components below 1 in size: a product and a sum of three.
+// Three components below 1: one product and a sum of three.
 constexpr double tolerance = 8 * epsilon;
 
 template <class F, class U> Vector<F, U> any() {
@@ -37,7 +37,7 @@ RC_GTEST_PROP(Vector, CrossIsTheRightHandedProduct, ()) {
   RC_ASSERT(cross(unit_x(in<Body>), unit_y(in<Body>)).coordinates() == Eigen::Vector3d::UnitZ());
 }
 
-// Vectors as long as sqrt(3), multiplied with each other.
+// Products of vectors of length up to sqrt(3).
 constexpr double of_long = 3 * rounding;
 
 RC_GTEST_PROP(Vector, RotationsKeepDotAndCross, ()) {
@@ -109,7 +109,7 @@ TEST(Vector, NoDirectionIsBadInput) {
   EXPECT_TRUE(contains(overflow, "the coordinates (inf, 1e+10, 1e+10) are not finite")) << overflow;
 }
 
-// The products of mechanics, the radian counting as 1.
+// The products of mechanics, where the radian counts as 1.
 template <class U, class V, class Product>
 concept VectorProduct = std::same_as<unit_of_vector_product<U, V>, Product>;
 template <class U, class V, class Quotient>
@@ -180,7 +180,7 @@ static_assert(!std::is_convertible_v<Eigen::Vector3d, Position>);
 static_assert(!std::is_default_constructible_v<Position>);
 static_assert(sizeof(Position) == 3 * sizeof(double));
 
-// What is a frame.
+// Which types are frames.
 struct Both : inertial_frame, moving_frame {};
 struct Neither {};
 struct Full : moving_frame {
@@ -196,7 +196,7 @@ concept Scales = requires(Scalar k, V r) {
 };
 using Axis = Vector<Body, si::dimensionless>;
 
-// A direction takes the scalar's unit as it is; the radian is not added for it.
+// A direction takes the unit of the scalar; the radian is not added to it.
 static_assert(Scales<Quantity<si::torque>, Axis>);
 static_assert(Scales<Quantity<si::angular_velocity>, Axis>);
 static_assert(!Scales<Quantity<si::energy>, Axis>);

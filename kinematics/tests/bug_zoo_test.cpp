@@ -1,5 +1,5 @@
-// What docs/explanation/bug_zoo.md tells of frames that move: the mistake in plain Eigen, and the law that
-// finds it. The oracle is a central difference of rotations and coordinates alone.
+// The bugs of docs/explanation/bug_zoo.md for moving frames: each mistake in plain Eigen, and the law that
+// finds it. The reference is a central difference of rotations and coordinates alone.
 #include <gtest/gtest.h>
 
 #include <vectrix/kinematics.hpp>
@@ -19,14 +19,14 @@ struct Craft : named_point {};
 
 constexpr double now = 0.4;
 constexpr double h = 1e-5;
-/// A central difference is wrong by h^2/6 of a third derivative, which stays below 10, and by epsilon/h.
+/// The error of a central difference: h^2/6 of a third derivative, which is below 10, plus epsilon/h.
 constexpr double difference_tolerance = 1e-8;
 
 template <class Function> auto slope(const Function& f, double t = now) {
   return ((f(t + h) - f(t - h)) / (2 * h)).eval();
 }
 
-/// R_b^a of a frame that turns about three axes, none of them fixed.
+/// R_b^a of a frame that turns about three axes; none of them is fixed.
 Eigen::Quaterniond turned(double t) {
   return AngleAxisd(0.5 + 0.9 * t, Vector3d::UnitZ()) * AngleAxisd(0.3 - 0.7 * t * t, Vector3d::UnitX()) *
          AngleAxisd(std::sin(t), Vector3d::UnitY());
@@ -68,7 +68,7 @@ TEST(BugZoo, TheIncrementGoesOnTheSideOfItsFrame) {
   EXPECT_LE(distance(rate(q_a_from_b, w_ab_a).eigen().coeffs(), qdot), difference_tolerance);
 }
 
-// A frame with its first axis along r and its third along r x v, where a force bends the orbit out of its
+// A frame with its first axis along r and its third axis along r x v. A force bends the orbit out of its
 // plane.
 TEST(BugZoo, TheRateOfAFrameIsNotTheRateOfItsFirstAxis) {
   const auto r = [](double t) { return Vector3d(std::cos(t), std::sin(t), 0.4 * std::sin(2 * t)); };
@@ -84,13 +84,13 @@ TEST(BugZoo, TheRateOfAFrameIsNotTheRateOfItsFirstAxis) {
   const auto residual = [&](const Vector3d& w_ab_a) { return distance(hat(w_ab_a) * axes(now), Rdot); };
   const Vector3d orbital = r(now).cross(v(now)) / r(now).squaredNorm();
   EXPECT_GT(residual(orbital), visible);
-  EXPECT_LE((hat(orbital) * axes(now) - Rdot).col(0).norm(), difference_tolerance);  // which hides it
+  EXPECT_LE((hat(orbital) * axes(now) - Rdot).col(0).norm(), difference_tolerance);  // this hides the mistake
   const Dcm<Gcrf, Body> R_a_from_b = dcm(to<Gcrf>, from<Body>, axes(now));
   const auto w_ab_a = angular_velocity(R_a_from_b, dcm_rate(R_a_from_b, Rdot), in<Gcrf>);
   EXPECT_LE(residual(w_ab_a.coordinates()), difference_tolerance);
 }
 
-// e turns steadily in i, b turns in i: how b accelerates relative to e.
+// e turns at a constant rate in i, b turns in i: the acceleration of b relative to e.
 TEST(BugZoo, TheAccelerationOfAChainHasATermWithASign) {
   const Vector3d w_ie_i(0, 0, 0.6);
   const auto R_i_from_e = [&](double t) {
@@ -104,7 +104,7 @@ TEST(BugZoo, TheAccelerationOfAChainHasATermWithASign) {
   const Vector3d alpha_eb_b = slope(w_eb_b);
   const Vector3d w_ie_b = turning(now).transpose() * w_ie_i;
   EXPECT_GT(distance(Vector3d(alpha_ib_b - w_ib_b(now).cross(w_ie_b)), alpha_eb_b), visible);
-  EXPECT_GT(distance(alpha_ib_b, alpha_eb_b), visible);  // the term left out
+  EXPECT_GT(distance(alpha_ib_b, alpha_eb_b), visible);  // the omitted term
 
   const auto ib =
       accelerating_dcm(attitude(), body_rate(),
@@ -131,7 +131,8 @@ TEST(BugZoo, AMotionAfterItsInverseIsRest) {
   EXPECT_LE((inverse(ab) * ab).angular_velocity.coordinates().norm(), rounding);
 }
 
-// An orbit of 7000 km about the Earth: what the ground sees is not the orbit's velocity in the ground's axes.
+// An orbit of 7000 km about the Earth. The velocity seen from the ground is not the orbit's velocity in the
+// ground's axes.
 TEST(BugZoo, AVelocityIsTransportedNotOnlyRotated) {
   constexpr double spin = 7.292115e-5;  // rad/s
   constexpr double period_rate = 1.078e-3;
@@ -142,7 +143,7 @@ TEST(BugZoo, AVelocityIsTransportedNotOnlyRotated) {
   const auto R_i_from_e = [](double t) {
     return AngleAxisd(1.2 + spin * t, Vector3d::UnitZ()).toRotationMatrix();
   };
-  // Coordinates of 7e6 m, differenced over 1 s: rounding 1e-9 m, h^2/6 of a third derivative of 1e-2 m/s^3.
+  // Coordinates of 7e6 m, differences over 1 s: rounding 1e-9 m, h^2/6 of a third derivative of 1e-2 m/s^3.
   constexpr double t = 900.0;
   constexpr double step = 0.5;
   constexpr double orbit_tolerance = 5e-3;
@@ -161,7 +162,7 @@ TEST(BugZoo, AVelocityIsTransportedNotOnlyRotated) {
   EXPECT_LE((found.coordinates() - v_e).norm(), orbit_tolerance);
 }
 
-// A lander at rest on the Moon, whose copied length of w was never set: 4.2 m/s go missing.
+// A lander at rest on the Moon. A stored copy of the length of w was never set: 4.2 m/s are lost.
 TEST(BugZoo, ARateHasNoSecondCopy) {
   const Vector3d w_im_m(1e-7, -2e-7, 2.66e-6);  // rad/s
   const Vector3d r_m(1.1e6, 1.1e6, 0.8e6);      // m
@@ -177,7 +178,7 @@ TEST(BugZoo, ARateHasNoSecondCopy) {
   EXPECT_EQ(v.coordinates(), w_im_m.cross(r_m));
 }
 
-// A body that turns while it coasts: the derivative of its velocity's coordinates is no acceleration.
+// A coasting body that rotates: the derivative of its velocity's coordinates is not an acceleration.
 TEST(BugZoo, TheDerivativeOfCoordinatesBelongsToTheirFrame) {
   const Vector3d v_a(3, -1, 2);  // constant in a
   const auto v_b = [&](double t) -> Vector3d { return turning(t).transpose() * v_a; };
@@ -190,7 +191,7 @@ TEST(BugZoo, TheDerivativeOfCoordinatesBelongsToTheirFrame) {
   EXPECT_LE(seen_from_a.vector().coordinates().norm(), difference_tolerance);
 }
 
-// The mean rate over the last dt is the rate of dt/2 ago, about an axis that has moved on.
+// The mean rate over the last dt is the rate at dt/2 ago, about an axis that has moved since.
 TEST(BugZoo, ADifferenceOfAttitudesIsAnAverageOfThePast) {
   const Matrix3d Rdot = slope(turning);
   const auto residual = [&](const Vector3d& w_b) { return distance(turning(now) * hat(w_b), Rdot); };
@@ -203,7 +204,7 @@ TEST(BugZoo, ADifferenceOfAttitudesIsAnAverageOfThePast) {
   EXPECT_LE(residual(body_rate().coordinates()), difference_tolerance);
 }
 
-// q1 and -q1 are one attitude. Three of four signs flipped are another.
+// q1 and -q1 are one attitude. With three of four signs changed it is another attitude.
 TEST(BugZoo, TheSignOfAQuaternionIsNoAttitude) {
   const Eigen::Quaterniond q0(AngleAxisd(0.4, Vector3d(1, 2, 2) / 3));
   const Eigen::Quaterniond q1(AngleAxisd(1.5, Vector3d(-2, 1, 2) / 3));

@@ -9,7 +9,7 @@
 
 namespace vectrix {
 
-/// A file with the given content, there as long as the object lives.
+/// A file with the given content. It exists as long as the object.
 class TemporaryFile {
  public:
   explicit TemporaryFile(const std::string& content) {
@@ -28,7 +28,7 @@ class TemporaryFile {
   std::filesystem::path path_;
 };
 
-/// The text of the BadInput that the call throws, with `name` written for the file's path.
+/// The text of the BadInput that the call throws, with the file's path replaced by `name`.
 template <class Function>
 std::string complaint(Function function, const std::filesystem::path& file = {},
                       const std::string& name = "FILE") {

@@ -1,5 +1,5 @@
-// The conventions of Simbody on which the reference rests, each pinned by the library's own answer to a
-// question whose answer is known by hand; then the same conventions seen through the adapter.
+// The conventions of Simbody on which the reference depends. Each is tested by a case whose answer is known
+// by hand; then the same conventions are tested through the adapter.
 
 #include <Simbody.h>
 #include <gtest/gtest.h>
@@ -27,8 +27,8 @@ using SimTK::Vec3;
 constexpr double rounding = 1e-14;        // a few products of numbers of order 1 to 10
 constexpr double tight_accuracy = 1e-12;  // of Simbody's local error in the runs below
 
-// A rotation with rational entries, not symmetric, no entry twice in a row or column. Columns: body axes in
-// ground.
+// A rotation with rational entries, not symmetric, all entries of a row or column different. Columns: body
+// axes in ground.
 const Mat33 known_rotation = Mat33(6, 2, 3, -3, 6, 2, -2, -3, 6) / 7.0;
 const Matrix3 known_R_i_from_b{6. / 7, 2. / 7, 3. / 7, -3. / 7, 6. / 7, 2. / 7, -2. / 7, -3. / 7, 6. / 7};
 const Matrix3 known_inertia{5.0, -0.7, 0.4, -0.7, 7.0, 0.9, 0.4, 0.9, 8.0};
@@ -93,7 +93,7 @@ TEST_F(SimbodyConvention, BodyAngularVelocityIsExpressedInGround) {
   free.setUToFitAngularVelocity(state, w_ground);
   system.realize(state, SimTK::Stage::Velocity);
   const Vec3 p_b(0.3, -1.1, 2.0);
-  // v = w x p, all in ground: the velocity of a station is Simbody's own, the product is ours.
+  // v = w x p, all in ground: Simbody computes the velocity of a station, the test computes the product.
   expect_near(SimTK::cross(free.getBodyAngularVelocity(state), known_rotation * p_b),
               free.findStationVelocityInGround(state, p_b), rounding, "w x p");
 }
@@ -131,11 +131,11 @@ TEST(SimbodyRotation, ConstructionFromAMatrixRepairsItSilently) {
   EXPECT_GT((stretched * ~stretched - unit).norm(), 1e-3);
   EXPECT_LT((repaired * ~repaired - unit).norm(), rounding);
   EXPECT_GT((repaired.asMat33() - stretched).norm(), 1e-4);
-  EXPECT_EQ((Rotation(stretched, true).asMat33() - stretched).norm(), 0.0);  // the door that trusts
+  EXPECT_EQ((Rotation(stretched, true).asMat33() - stretched).norm(), 0.0);  // the unchecked constructor
 }
 
-// Yaw and roll of a quarter turn, no pitch. About axes that turn along, x of the body ends along y; about
-// those of the ground it goes on to z. The columns of R_AB, and so of R_a_from_b, are the body's axes.
+// Yaw and roll of a quarter turn, no pitch. With body-fixed axes, x of the body ends along y; with ground
+// axes it ends along z. The columns of R_AB, and so of R_a_from_b, are the axes of the body.
 TEST(SimbodyRotation, BodySequencesAreIntrinsicAndSpaceSequencesExtrinsic) {
   const double quarter = SimTK::Pi / 2;
   const Rotation body(SimTK::BodyRotationSequence, quarter, SimTK::ZAxis, 0.0, SimTK::YAxis, quarter,
@@ -177,7 +177,7 @@ TEST(SimbodyAdapter, FirstSampleIsTheStateGiven) {
 }
 
 TEST(SimbodyAdapter, RotationGrowsByTheBodyRate) {
-  // Rdot_b^i = R_b^i [w_ib^b]x: a central difference in time, of error dt^2 |w|^3 / 6, about 2e-9.
+  // Rdot_b^i = R_b^i [w_ib^b]x: a central difference in time, with error dt^2 |w|^3 / 6, about 2e-9.
   constexpr double dt = 1e-4, difference_tolerance = 1e-8;
   SimbodyBody body = resting_body();
   body.w_ib_b = {0.2, -0.5, 0.9};
@@ -192,7 +192,7 @@ TEST(SimbodyAdapter, RotationGrowsByTheBodyRate) {
 
 // The exact torque-free motion of a tri-axial body after 400 s (Jacobi's elliptic solution, 20 digits).
 struct TorqueFree {
-  static constexpr double start_s = 5.0, stop_s = 405.0;  // the start is no origin of time
+  static constexpr double start_s = 5.0, stop_s = 405.0;  // the start time is not 0
   static constexpr std::array<double, 4> initial_q{0.89956426664365806392, 0.43678842724808730437, 0, 0};
   static constexpr std::array<double, 4> final_q{0.45122360833967579056, -0.096361821125386329099,
                                                  0.829980293402275267, -0.31343957514997204998};
@@ -216,7 +216,7 @@ struct TorqueFree {
 };
 
 TEST(SimbodyAdapter, TorqueFreeMotionIsExact) {
-  constexpr double rate_reached = 1e-11, rotation_reached = 1e-9;  // three times what was measured
+  constexpr double rate_reached = 1e-11, rotation_reached = 1e-9;  // three times the measured errors
   const TorqueFree exact;
   const auto last = propagate(exact.body, {exact.start_s, exact.stop_s}).samples.back();
   expect_near(last.w_ib_b, exact.w_ib_b, rate_reached, "w_ib_b");
@@ -244,7 +244,8 @@ TEST(SimbodyAdapter, AngularMomentumStaysInInertialAxes) {
 }
 
 TEST(SimbodyAdapter, PulseTorqueIsInBodyAxesAndStopsOnTime) {
-  // A ball: J w = tau t about an axis fixed in the body; in ground axes it would be another vector.
+  // A ball: J w = tau t about an axis fixed in the body. With a torque fixed in ground axes the vector would
+  // differ.
   constexpr double reached = 1e-12;
   SimbodyBody body = resting_body();
   body.inertia_tensor_b = {4, 0, 0, 0, 4, 0, 0, 0, 4};
@@ -265,10 +266,11 @@ TEST(SimbodyAdapter, PulseTorqueIsInBodyAxesAndStopsOnTime) {
 }
 
 TEST(SimbodyAdapter, EverySampleIsTheEndOfAStep) {
-  // At this accuracy the motion itself needs a dozen steps; interpolation would take no more for the samples.
+  // At this accuracy the motion needs only about twelve steps; if samples were interpolated, they would add
+  // none.
   SimbodyBody body = resting_body();
   body.w_ib_b = {0.2, -0.5, 0.9};
-  body.pulses = {{0.0, 1.985, {0.01, -0.02, 0.03}}};  // the steps before a jump of the torque count too
+  body.pulses = {{0.0, 1.985, {0.01, -0.02, 0.03}}};  // steps before a jump of the torque count too
   std::vector<double> times_s(201);
   for (std::size_t k = 0; k < times_s.size(); ++k) times_s[k] = 0.01 * static_cast<double>(k);
   const auto run = propagate(body, times_s, SimbodyIntegrator::runge_kutta_merson, 1e-4);
@@ -278,7 +280,7 @@ TEST(SimbodyAdapter, EverySampleIsTheEndOfAStep) {
 }
 
 TEST(SimbodyAdapter, InertiaArgumentIsTensorEntries) {
-  // From rest J w = tau t, but for w x J w: (tau t)^2 t / (3 J), which is 2e-8 of it after 1e-3 s.
+  // From rest J w = tau t, except for the effect of w x J w, (tau t)^2 t / (3 J): 2e-8 of tau t after 1e-3 s.
   constexpr double short_time = 1e-3, gyroscopic = 1e-7;
   SimbodyBody body = resting_body();
   body.pulses = {{0.0, 1.0, {0.4, -0.8, 1.3}}};
@@ -304,9 +306,9 @@ TEST(SimbodyAdapter, GravityGradientTorqueIsThreeMuOverR5TimesRCrossJr) {
 }
 
 TEST(SimbodyAdapter, GravityGradientRightsALongBodyAlongTheVertical) {
-  // Circular orbit in the x-y plane; long axis (least inertia) 0.1 rad off the vertical. Pitch swings with
-  // sqrt(3 (Jx - Jr) / Jz) n about the vertical: after half a swing it is at -0.1 rad.
-  constexpr double amplitude_effect = 1e-3;  // rad: the swing of 0.1 rad is not quite harmonic
+  // Circular orbit in the x-y plane; the long axis (least inertia) is 0.1 rad off the vertical. Pitch
+  // oscillates about the vertical at sqrt(3 (Jx - Jr) / Jz) n: after half a period it is -0.1 rad.
+  constexpr double amplitude_effect = 1e-3;  // rad: the oscillation of 0.1 rad is not exactly harmonic
   const double radius = 7e6, n = std::sqrt(low_orbit_mu / std::pow(radius, 3)), tilt = 0.1;
   const double least = 2.0, across = 9.0, normal = 10.0;
   SimbodyBody body{};

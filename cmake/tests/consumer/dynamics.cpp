@@ -1,4 +1,4 @@
-// A stranger's program with the compiled library: a decay ydot = -y, once with each family of integrators.
+// A user's program with the compiled library: a decay ydot = -y, once with each family of integrators.
 #include <cmath>
 #include <vectrix/dynamics.hpp>
 

@@ -1,4 +1,4 @@
-// A stranger's program with frames alone: coordinates go from a to b and back.
+// A user's program with frames alone: coordinates are transformed from a to b and back.
 #include <vectrix/frames.hpp>
 
 struct Site : vectrix::inertial_frame {};

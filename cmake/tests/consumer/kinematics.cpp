@@ -1,5 +1,5 @@
-// A stranger's program with frames and kinematics: a mast that turns about z at 2 rad/s, against its quarter
-// turn.
+// A user's program with frames and kinematics: a mast that turns about z at 2 rad/s, compared with its
+// quarter turn.
 #include <cmath>
 #include <numbers>
 #include <vectrix/kinematics.hpp>

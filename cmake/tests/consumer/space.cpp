@@ -1,4 +1,4 @@
-// A stranger's program with frames and Earth: TT is 69.184 s ahead of UTC in 2022.
+// A user's program with frames and space: TT is 69.184 s ahead of UTC in 2022.
 #include <vectrix/space.hpp>
 
 int main() {

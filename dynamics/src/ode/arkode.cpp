@@ -10,8 +10,8 @@ struct FreeArkode {
   void operator()(void* memory) const { ARKStepFree(&memory); }
 };
 
-/// Explicit Runge-Kutta through ARKStep. ERKStep of SUNDIALS 6.4 loses an order with Fehlberg 7(8): it takes
-/// every table whose last abscissa is 1 for one whose last stage is the new state.
+/// Explicit Runge-Kutta through ARKStep. ERKStep of SUNDIALS 6.4 loses one order with Fehlberg 7(8): if the
+/// last abscissa of a table is 1, it assumes that the last stage is the new state.
 class ArkodeStepper final : public Stepper {
  public:
   ArkodeStepper(const Problem& problem, Rate& rate)

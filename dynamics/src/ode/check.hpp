@@ -4,10 +4,10 @@
 
 namespace vectrix::ode {
 
-/// What a component of the state is called in messages.
+/// Name of a component of the state, for messages.
 std::string component(const Problem& problem, std::size_t i);
 
-/// BadInput, with the field and the number that failed, unless the problem is well posed.
+/// Throws BadInput, with the field and its number, if the problem is not well posed.
 void check(const Problem& problem);
 
 }  // namespace vectrix::ode

@@ -42,8 +42,8 @@ class CvodeStepper final : public Stepper {
 
   std::span<const double> state() const override { return span_of(state_.get()); }
 
-  /// The slope of the integrator's own polynomial: it costs no evaluation, interpolates as well as f(t, y),
-  /// and does not amplify the error of a stiff component as f(t, y) would.
+  /// The slope of the integrator's own polynomial. It needs no evaluation, interpolates as well as f(t, y),
+  /// and does not amplify the error of a stiff component, as f(t, y) would.
   int rate(double, std::span<double> ydot) override {
     const int flag = CVodeGetDky(memory_.get(), clock_, 1, scratch_.get());
     if (flag >= 0) std::ranges::copy(span_of(scratch_.get()), ydot.begin());

@@ -16,8 +16,9 @@ Interpolant::Interpolant(const Record& record, std::size_t left) : record_(recor
   }
 }
 
-/// The two ends of the interval, then outwards, the nearer side first. Nodes crowded closer than half the
-/// interval are skipped: divided differences over them would amplify rounding far beyond the state's own.
+/// Takes the two ends of the interval, then nodes outwards, the nearer side first. Skips nodes that are
+/// closer to each other than half the interval: their divided differences would amplify rounding far beyond
+/// that of the state.
 void Interpolant::choose_nodes(std::size_t left) {
   const auto& t = record_.times;
   const auto next_segment = std::upper_bound(record_.segments.begin(), record_.segments.end(), left);

@@ -23,7 +23,8 @@ void Rate::enter_segment(double start, double end) {
 
 bool Rate::operator()(double t, std::span<const double> y, std::span<double> ydot) noexcept {
   if (failed()) return false;
-  // An integrator's stage may miss the segment's end by a rounding error; the function never sees that.
+  // A stage of an integrator may pass the segment's end by a rounding error. The function never sees such a
+  // time.
   const double time = std::clamp(t, segment_start_, segment_end_);
   if (remembers_ && time == last_time_ && std::memcmp(y.data(), last_state_.data(), y.size_bytes()) == 0) {
     std::ranges::copy(last_rate_, ydot.begin());

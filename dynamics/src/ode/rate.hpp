@@ -10,16 +10,15 @@
 
 namespace vectrix::ode {
 
-/// The problem's right-hand side as an integrator calls it: nothing is thrown, trouble is kept.
-/// The last evaluation is remembered, since integrators ask again for the rate at the end of an accepted
-/// step.
+/// The right-hand side of the problem in the form an integrator calls. It throws nothing and keeps errors. It
+/// remembers the last evaluation, because integrators ask again for the rate at the end of an accepted step.
 class Rate {
  public:
   explicit Rate(const Problem& problem);
 
   void enter_segment(double start, double end);
-  /// False if the function threw or a component is not finite; then trouble() and cause() say what happened,
-  /// and the function is not called again.
+  /// False if the function threw or a component is not finite. Then trouble() and cause() tell why, and the
+  /// function is not called again.
   bool operator()(double t, std::span<const double> y, std::span<double> ydot) noexcept;
 
   [[nodiscard]] std::size_t evaluations() const { return evaluations_; }

@@ -15,12 +15,12 @@
 namespace vectrix::ode {
 namespace {
 
-/// Width of a located zero: neighbouring numbers, give or take.
+/// True if the bracket is about as narrow as neighbouring numbers.
 bool narrow(double a, double b) {
   return std::abs(b - a) <= 2.0 * std::numeric_limits<double>::epsilon() * std::max(std::abs(a), std::abs(b));
 }
 
-constexpr std::uintmax_t max_iterations = 200;  // bisection alone needs about 60 from any sensible bracket
+constexpr std::uintmax_t max_iterations = 200;  // bisection needs about 60 from a usual bracket
 
 }  // namespace
 
@@ -104,7 +104,7 @@ void RootFinder::resolve_what_can_be(Record& record) {
     try {
       record.events.push_back(locate(record, bracket));
     } catch (const Trouble&) {
-      continue;  // the run has failed already, and for an earlier reason
+      continue;  // an earlier error has already ended the run
     }
   }
   brackets_.clear();

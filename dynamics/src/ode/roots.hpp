@@ -10,22 +10,22 @@
 
 namespace vectrix::ode {
 
-/// Finds the zeros of the problem's root functions: a change of sign between two nodes is kept as a bracket,
-/// and located on the dense output once the nodes around it are known. SUNDIALS' own search would do it on
-/// ARKODE's cubic interpolant, far less accurate than its steps. A root function that throws or is not finite
-/// ends in a Trouble.
+/// Finds the zeros of the problem's root functions. A change of sign between two nodes is kept as a bracket;
+/// it is located on the dense output when the nodes around it are known. SUNDIALS' own search uses ARKODE's
+/// cubic interpolant, far less accurate than its steps. A root function that throws or is not finite causes a
+/// Trouble.
 class RootFinder {
  public:
   explicit RootFinder(const Problem& problem);
 
   void start(double t, std::span<const double> y);
-  /// Takes the step from the node before the last to the last; true if it brackets a root with `stop`.
+  /// Examines the last step; true if it brackets a root with `stop`.
   bool advance(const Record& record);
-  /// Takes the last advance back.
+  /// Undoes the last advance.
   void retreat();
   /// Turns all brackets into events of the record, in order of time.
   void resolve(Record& record);
-  /// As resolve(), leaving out roots whose function fails.
+  /// As resolve(), without the roots whose function fails.
   void resolve_what_can_be(Record& record);
 
  private:

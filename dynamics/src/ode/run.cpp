@@ -66,8 +66,8 @@ std::vector<double> Run::segment_ends() const {
   return ends;
 }
 
-/// When a step passes a stopping root, that step is taken again in at least five, so that the root lies among
-/// nodes of its own scale on both sides, and the rate is never asked for beyond the step that passed it.
+/// If a step passes a stopping root, that step is repeated in at least five shorter steps. The root then has
+/// nodes of its own scale on both sides, and the rate is never evaluated beyond the end of the original step.
 void Run::integrate_segment(double start, double end) {
   const double longest = std::min(problem_.maximum_step, (end - start) / steps_per_segment);
   restart(start, end, longest);
@@ -90,7 +90,7 @@ void Run::integrate_segment(double start, double end) {
       restart(before, target, (target - before) / steps_per_segment);
     } else if (t == end) {
       return;
-    } else if (t == target) {  // the zero was within rounding, and is now a little later
+    } else if (t == target) {  // because of rounding, the zero is now later than this step
       retaking = false;
       target = end;
       restart(t, target, longest);
@@ -103,8 +103,8 @@ void Run::restart(double t, double stop, double longest) {
   if (flag < 0) raise(flag, t);
 }
 
-/// Returns the time reached; the state is in state_. Steps within the rounding of a large time are passed
-/// over.
+/// Returns the time reached; the state is in state_. Takes more steps while they are too short to
+/// change a large time.
 double Run::step() {
   const double before = record_->times.back();
   double t = before;
@@ -121,7 +121,7 @@ double Run::step() {
   return t;
 }
 
-/// Appends state_ and slope_ as a node, unless the slope could not be had.
+/// Appends state_ and slope_ as a node. Raises the error if the slope could not be computed.
 void Run::append(double t, int rate_flag) {
   if (rate_flag < 0) raise(rate_flag, t);
   record_->push(t, state_, slope_);
@@ -157,7 +157,7 @@ void Run::fill_outputs() {
   }
 }
 
-/// The right-hand side's own trouble says more than the flag SUNDIALS makes of it.
+/// An error of the right-hand side says more than the SUNDIALS flag that follows from it.
 void Run::raise(int flag, double t) const {
   if (rate_.cause())
     throw Trouble{flag::rhs_failed, rate_.trouble_time(), "the right-hand side threw", rate_.cause()};

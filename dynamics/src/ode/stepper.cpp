@@ -32,7 +32,7 @@ int Stepper::step(double& t) {
     return flag::no_progress;
   }
 
-  // elapsed + rest += length; the rest takes the exact rounding error of the sum, whichever term is larger.
+  // elapsed + rest += length. The rest takes the exact rounding error of the sum, whichever term is larger.
   const double sum = elapsed_ + length;
   const double part = sum - elapsed_;
   elapsed_rest_ += (elapsed_ - (sum - part)) + (length - part);

@@ -12,7 +12,7 @@
 
 namespace vectrix::ode {
 
-/// Return flags of our own making; CVODE and ARKODE share these values.
+/// Return flags set by this library; CVODE and ARKODE share these values.
 namespace flag {
 inline constexpr int too_many_steps = -1;
 inline constexpr int rhs_failed = -8;
@@ -22,27 +22,27 @@ inline constexpr int no_progress = -27;
 
 /// A SUNDIALS integrator in one-step mode.
 ///
-/// SUNDIALS' clock adds up the steps in plain arithmetic, and its rounding errors gather: 1e-10 s in a
-/// thousand seconds of small steps, more than the error of the states. Here the clock starts at 0, so that a
-/// late start costs no digits, the same sum is kept compensated, and times given to and taken from SUNDIALS
-/// are corrected.
+/// SUNDIALS adds up the steps without compensation, so that rounding errors accumulate in its clock: 1e-10 s
+/// in a thousand seconds of small steps, more than the error of the states. This class starts the clock at 0,
+/// so that a late start time loses no digits. It keeps the same sum with compensation, and corrects all times
+/// given to and taken from SUNDIALS.
 class Stepper {
  public:
   virtual ~Stepper() = default;
 
-  /// Forgets the past and starts at (t, y), to stop exactly at `stop` and take no step longer than `longest`.
+  /// Restarts at (t, y), without history; stops exactly at `stop` and takes no step longer than `longest`.
   int restart(double t, std::span<const double> y, double stop, double longest);
-  /// One accepted step; sets t, which may be too coarse to show it. Returns SUNDIALS' flag, negative on
-  /// failure.
+  /// Takes one accepted step and sets t; a very short step may leave t the same. Returns SUNDIALS' flag,
+  /// negative on failure.
   int step(double& t);
   [[nodiscard]] virtual std::span<const double> state() const = 0;
-  /// Rate at the time t which the last step reached; a negative flag on failure.
+  /// Rate at the time t of the last step; returns a negative flag on failure.
   virtual int rate(double t, std::span<double> ydot);
   [[nodiscard]] std::size_t error_test_failures() const {
     return failures_before_ + failures_since_restart();
   }
   [[nodiscard]] virtual std::string flag_name(int flag) const = 0;
-  /// SUNDIALS' own last error text.
+  /// The last error text of SUNDIALS.
   [[nodiscard]] const std::string& message() const { return message_; }
 
  protected:
@@ -52,7 +52,7 @@ class Stepper {
 
   virtual int reinitialize(std::span<const double> y, double longest) = 0;
   virtual int set_stop(double clock) = 0;
-  /// One step towards the stop: where the clock stands after it, and the step's length.
+  /// One step towards the stop: sets the new clock time and the length of the step.
   virtual int advance(double& clock, double& length) = 0;
   [[nodiscard]] virtual std::size_t failures_since_restart() const = 0;
 
@@ -69,8 +69,8 @@ class Stepper {
   double origin_ = 0.0;
   double stop_ = 0.0;
   double elapsed_ = 0.0;       ///< sum of the steps since the origin
-  double elapsed_rest_ = 0.0;  ///< and what its rounding lost
-  double clock_error_ = 0.0;   ///< what clock_ lacks to that sum
+  double elapsed_rest_ = 0.0;  ///< rounding error of elapsed_
+  double clock_error_ = 0.0;   ///< compensated sum minus clock_
   std::size_t failures_before_ = 0;
 };
 

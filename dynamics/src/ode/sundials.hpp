@@ -29,18 +29,18 @@ inline VectorPtr make_vector(std::span<const double> values, SUNContext context)
   return vector;
 }
 
-/// SUNDIALS' error handler keeps the text of errors instead of printing it.
+/// Error handler of SUNDIALS that keeps the text instead of printing it.
 inline void keep_message(int code, const char*, const char*, char* text, void* message) {
   if (code < 0) *static_cast<std::string*>(message) = text;
 }
 
-/// Takes over a flag's name, which SUNDIALS allocates.
+/// Copies the name of a flag and frees the memory that SUNDIALS allocated for it.
 inline std::string take_name(char* name) {
   const std::unique_ptr<char, decltype(&std::free)> owner(name, &std::free);
   return name == nullptr ? "unnamed" : name;
 }
 
-/// Set-up calls fail for want of memory or by an error of ours, never by the problem's data.
+/// Set-up calls fail if memory runs out or by an error of this library, never because of the problem's data.
 inline void require_success(int flag, const char* call) {
   if (flag < 0)
     throw std::runtime_error(std::string("ode: ") + call + " returned flag " + std::to_string(flag));

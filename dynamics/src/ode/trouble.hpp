@@ -5,12 +5,12 @@
 
 namespace vectrix::ode {
 
-/// What ended a run early, thrown inside this library only; solve() makes a Failure of it.
+/// The reason why a run ended early. Thrown inside this library only; solve() turns it into a Failure.
 struct Trouble {
   int flag;
   double time;
   std::string text;
-  std::exception_ptr cause;  ///< what the problem's function threw, if it did
+  std::exception_ptr cause;  ///< the exception of the problem's function, if any
 };
 
 }  // namespace vectrix::ode

@@ -9,9 +9,9 @@ namespace vectrix::elliptic {
 namespace {
 
 constexpr long double infinity = std::numeric_limits<long double>::infinity();
-// The series in the deviations leaves out their sixth power: 1e-21.
+// The series omits the sixth power of the deviations: 1e-21.
 constexpr long double small_deviation = 3e-4L;
-// Quadratic convergence: the next step would change less than the last digit.
+// Convergence is quadratic: the next step would change less than the last digit.
 constexpr long double equal_means = 1e-10L;
 
 }  // namespace

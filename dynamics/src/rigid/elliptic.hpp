@@ -1,6 +1,6 @@
 #pragma once
 
-/// Elliptic integrals in long double, for the constants of closed forms that are used over many periods.
+/// Elliptic integrals in long double, for constants of closed forms that are used over many periods.
 namespace vectrix::elliptic {
 
 /// Carlson's R_F(x, y, z) = 1/2 int_0^inf dt / sqrt((t + x)(t + y)(t + z)) by duplication (Carlson 1995,

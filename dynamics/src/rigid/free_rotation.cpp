@@ -9,7 +9,7 @@
 namespace vectrix::detail {
 namespace {
 
-/// exp(i angle) of an angle in turns; whole turns are taken off in long double.
+/// exp(i angle) of an angle in turns; whole turns are removed in long double.
 std::complex<double> unit_complex(long double turns) {
   const double angle = 2.0 * std::numbers::pi * static_cast<double>(turns - std::rint(turns));
   return {std::cos(angle), std::sin(angle)};
@@ -43,7 +43,7 @@ JacobiNumbers ComplementarySeries::at(long double seconds) const {
   const double root_x = std::exp(-v), x = root_x * root_x;
   const double root_y = std::exp(v - largest_v), y = root_y * root_y;
 
-  // theta_1, theta_2 over q'^(1/4) e^v, theta_3 and theta_4 at i v'
+  // theta_1 and theta_2 divided by q'^(1/4) e^v; theta_3 and theta_4; all at i v'
   double theta1 = 0.0, theta2 = 0.0, theta3 = 1.0, theta4 = 1.0, sign = 1.0;
   double x_power = x, y_power = 1.0;
   for (std::size_t n = 0; n < odd.size(); ++n) {
@@ -56,7 +56,7 @@ JacobiNumbers ComplementarySeries::at(long double seconds) const {
     theta4 += sign * term;
     x_power *= x;
   }
-  // theta_2(a + i v/2 | q'^(1/2)) over q'^(1/8) e^(v/2): root_nome^(n^2) root_y^n and
+  // theta_2(a + i v/2 | q'^(1/2)) divided by q'^(1/8) e^(v/2). Its terms: root_nome^(n^2) root_y^n and
   // root_nome^(n (n + 1)) root_x^(n + 1)
   double real = 0.0, imaginary = 0.0, up = 1.0, down = root_x;
   for (std::size_t n = 0; n < cosine.size(); ++n) {

@@ -28,8 +28,9 @@ std::array<double, 3> narrow(const Vector& x) {
   return {narrow(x.x()), narrow(x.y()), narrow(x.z())};
 }
 
-/// The body in axes of which the third is the one that h goes around, the signs such that h3 > 0 and h1 >= 0
-/// at the epoch. The distances |H^2 - 2 T J_i|, and the |J_i - J_j|, keep all formulas free of differences.
+/// The body in axes ordered so that h goes around the third one. The signs are such that h3 > 0 and h1 >= 0
+/// at the epoch. The formulas use the distances |H^2 - 2 T J_i| and |J_i - J_j|, and so contain no
+/// difference.
 struct Polhode {
   explicit Polhode(const PrincipalBody& body) {
     const Eigen::Index last = body.nearer_first ? 0 : 2;
@@ -62,7 +63,7 @@ struct Polhode {
     const Real length = std::hypot(cosine, sine);
     return elliptic::incomplete(sine / length, cosine / length, complementary_square);
   }
-  /// d(Phi/2)/dt where dn = 1:  Phi' = H/J3 + (2 T - H^2/J3) / (H (1 + h3)), h of length 1
+  /// d(Phi/2)/dt where dn = 1:  Phi' = H/J3 + (2 T - H^2/J3) / (H (1 + h3)), with h scaled to length 1
   Real half_turn_rate() const {
     return (H / J(2) + sign * near3 / (H * J(2)) / (1.0L + J(2) * rate.z() / H)) / 2.0L;
   }
@@ -168,7 +169,7 @@ ComplementarySeries complementary_series(const Polhode& body, const Periods& of)
   return series;
 }
 
-/// A spin about an axis that keeps its direction, or rest: the third axis along w.
+/// A spin about a fixed axis, or rest: the third axis is along w.
 DirectSeries even_turn(Real speed) {
   DirectSeries series{};
   series.sn_factor = series.cn_factor = series.dn_factor = 1.0;
@@ -181,7 +182,7 @@ DirectSeries even_turn(Real speed) {
 FreeRotationSeries free_rotation_series(const PrincipalBody& body, const std::array<double, 4>& q_i_from_b) {
   FreeRotationSeries series{};
   series.smallest_moment = narrow(body.moments(0));
-  if (!(series.smallest_moment > 0.0)) return series;  // no body: the caller refuses it, by its name
+  if (!(series.smallest_moment > 0.0)) return series;  // not a body; the caller throws
   Eigen::Matrix<Real, 3, 3> axes;
   if (body.steady) {
     const Vector w_b = body.axes * body.rate;

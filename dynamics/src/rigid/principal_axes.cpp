@@ -7,12 +7,12 @@
 namespace vectrix {
 namespace {
 
-// Twice the digits of the inputs: differences of their products keep all digits of a double.
+// Twice the digits of the inputs, so that differences of products of inputs keep all digits of a double.
 using Quad = boost::multiprecision::number<boost::multiprecision::cpp_bin_float_quad::backend_type,
                                            boost::multiprecision::et_off>;
 using QuadVector = std::array<Quad, 3>;
-using QuadMatrix = std::array<QuadVector, 3>;  // its columns
-// Convergence is quadratic, and beyond it nothing is left to turn.
+using QuadMatrix = std::array<QuadVector, 3>;  // columns of the matrix
+// Convergence is quadratic: after this number of sweeps the off-diagonal entries are zero.
 constexpr int sweeps = 12;
 
 struct Eigen3 {
@@ -20,7 +20,7 @@ struct Eigen3 {
   QuadMatrix vectors;
 };
 
-// Jacobi's method: turns about axis k until the tensor is diagonal. A diagonal tensor stays as it is.
+// Jacobi's method: rotates about axis k until the tensor is diagonal. A diagonal tensor is not changed.
 Eigen3 eigenvalues(const Eigen::Matrix3d& tensor) {
   QuadMatrix a;
   QuadMatrix v;
@@ -59,7 +59,7 @@ Eigen3 eigenvalues(const Eigen::Matrix3d& tensor) {
   return {{a[0][0], a[1][1], a[2][2]}, v};
 }
 
-// In increasing order, the vectors right-handed: an exchange changes the sign of one.
+// Sorts in increasing order and keeps the vectors right-handed: an exchange changes the sign of one.
 void sort(Eigen3& e) {
   const auto order = [&](std::size_t i, std::size_t j) {
     if (e.values[i] <= e.values[j]) return;

@@ -4,8 +4,9 @@
 
 namespace vectrix {
 
-/// A rigid body in its principal axes, J1 <= J2 <= J3, with what its motion without torque depends on. All
-/// numbers are accurate to the last digits of long double, the small ones too: they are computed with 34.
+/// A rigid body in its principal axes, J1 <= J2 <= J3, and the quantities on which its torque-free motion
+/// depends. All numbers, also small ones, are accurate to the last digits of long double: they are computed
+/// with 34 digits.
 struct PrincipalBody {
   using Real = long double;
   using Vector = Eigen::Matrix<Real, 3, 1>;
@@ -15,7 +16,7 @@ struct PrincipalBody {
   Real J21, J32, J31;  ///< J2 - J1, J3 - J2, J3 - J1
   Vector rate;         ///< w^p
   Real momentum;       ///< H = |J w|
-  /// |H^2 - 2 T J_i|, zero for a spin about axis i; and whether H^2 - 2 T J2 is negative.
+  /// H^2 - 2 T J_i|, zero for a spin about axis i; and whether H^2 - 2 T J2 is negative.
   Vector distance;
   bool nearer_first;
   bool steady;  ///< w x J w = 0: the rate does not change

@@ -4,7 +4,8 @@
 
 #include "draw.hpp"
 
-/// Forces at their points, whose moments are sums: shared by the tests of moments and wrenches.
+/// Forces and the points where they act; the expected moments are sums. Shared by the tests of moments and
+/// wrenches.
 namespace vectrix::test {
 
 struct Camera : moving_frame {};

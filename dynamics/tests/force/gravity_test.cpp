@@ -34,8 +34,8 @@ TEST(PointMassGravity, a_pull_that_overflows_is_refused) {
       "point_mass_gravity(r in " + frame_name<Gcrf>() + "): |r| is 1e-105 m");
 }
 
-/// Eight masses at +-r: their moments of third order vanish, so that the torque is off by (size /
-/// distance)^2.
+/// Eight masses at +-r: their moments of third order vanish, so that the error of the torque is of order
+/// (size / distance)^2.
 struct Dumbbells {
   std::array<double, 4> masses = {1.0, 2.5, 0.7, 4.0};
   std::array<Vector3d, 4> places = {Vector3d(1.0, 0.2, -0.3), Vector3d(-0.4, 0.9, 0.1),
@@ -50,7 +50,7 @@ struct Dumbbells {
     return tensor(J(0, 0), J(1, 1), J(2, 2), J(0, 1), J(0, 2), J(1, 2));
   }
 
-  /// Torque about the centre, which is at r, of Newton's attraction on each mass.
+  /// Torque about the centre, which is at r, of Newton's attraction on every mass.
   Vector3d torque(double mu, const Vector3d& r) const {
     Vector3d sum = Vector3d::Zero();
     for (std::size_t i = 0; i < 4; ++i) {
@@ -76,7 +76,7 @@ TEST(GravityGradient, is_the_sum_over_the_masses_to_second_order_in_size) {
       const Vector3d exact = body.torque(mu, r);
       return (torque_b.coordinates() - exact).norm() / exact.norm();
     };
-    EXPECT_LT(relative_error(100.0), 1e-3);  // some times (1/100)^2
+    EXPECT_LT(relative_error(100.0), 1e-3);  // a few times (1/100)^2
     EXPECT_NEAR(relative_error(100.0) / relative_error(1000.0), 100.0, 1.0);
   }
 }

@@ -67,7 +67,8 @@ TEST(Moment, law3_shift_gives_the_sum_about_the_new_point) {
   }
 }
 
-/// H_p = J_c w + m v_c x r_cp of a rigid body, from the velocities v_c + w x (r_k - c) of its masses.
+/// H_p = J_c w + m v_c x r_cp of a rigid body; checked against the velocities v_c + w x (r_k - c) of its
+/// masses.
 TEST(Moment, the_momentum_of_a_rigid_body_about_any_point) {
   Draw draw(4);
   for (int i = 0; i < 100; ++i) {
@@ -147,7 +148,7 @@ static_assert(!Adds<BodyTorque, BodyMomentum>);
 static_assert(!Adds<BodyTorque, Vector<Body, si::torque>>);
 static_assert(!Multiplies<Dcm<Body, Camera>, BodyTorque>);
 static_assert(Shifts<TorqueAt<Thruster>, ToHinge, Force>);
-static_assert(!Shifts<TorqueAt<Hinge>, ToHinge, Force>);  // the displacement leads from the old point
+static_assert(!Shifts<TorqueAt<Hinge>, ToHinge, Force>);  // the displacement must start at the old point
 static_assert(!Shifts<TorqueAt<Thruster, Camera>, ToHinge, Force>);
 static_assert(!Shifts<TorqueAt<Thruster>, ToHinge, Vector<Camera, si::force>>);
 static_assert(!Shifts<TorqueAt<Thruster>, ToHinge, Vector<Body, si::momentum>>);

@@ -28,7 +28,7 @@ TEST(Wrench, law1_about_one_point_they_add) {
   }
 }
 
-/// The same wrench re-expressed before and after a shift.
+/// A wrench re-expressed and then shifted equals one shifted and then re-expressed.
 TEST(Wrench, law2_reexpression_and_shift_commute) {
   Draw draw(7);
   for (int i = 0; i < 100; ++i) {
@@ -53,7 +53,7 @@ TEST(Wrench, law3_shift_keeps_the_force_and_there_and_back_is_the_same) {
   EXPECT_EQ(back.torque().coordinates(), Vector3d(10.0, 20.0, 30.0));
 }
 
-/// F . v + M . w, the power of a wrench on a rigid body, is the same at every point of it.
+/// F . v + M . w, the power of a wrench on a rigid body, is the same at all points of the body.
 TEST(Wrench, its_power_does_not_depend_on_the_point) {
   Draw draw(8);
   for (int i = 0; i < 100; ++i) {

@@ -52,7 +52,7 @@ concept Multiplies = requires(const J& j, const W& w) {
   j* w;
 };
 
-// J_b w_ab^b: the rate of the same body, in its own axes.
+// J_b w_ab^b: the rate of the same body b, in the axes of b.
 static_assert(Multiplies<Inertia<Body>, BodyRate>);
 static_assert(!Multiplies<Inertia<Wheel>, BodyRate>);
 static_assert(!Multiplies<Inertia<Body>, AngularVelocity<Gcrf, Body, In<Gcrf>>>);
@@ -70,13 +70,13 @@ TEST(Inertia, is_the_sum_over_the_masses) {
   std::mt19937_64 random(1);
   for (int i = 0; i < 100; ++i) {
     const auto body = random_body(random);
-    Matrix3d sum = Matrix3d::Zero();  // of m r_i r_j: second moments
+    Matrix3d sum = Matrix3d::Zero();  // sum of m r_i r_j: second moments
     for (const auto& [m, r] : body) sum += m * r * r.transpose();
     const auto J = products(sum(1, 1) + sum(2, 2), sum(2, 2) + sum(0, 0), sum(0, 0) + sum(1, 1), sum(0, 1),
                             sum(0, 2), sum(1, 2));
     EXPECT_LT((J.matrix() - inertia_of(body).matrix()).norm(), rounding);
     EXPECT_LT((J.inverse_matrix() * J.matrix() - Matrix3d::Identity()).norm(),
-              1e3 * rounding);  // its condition
+              1e3 * rounding);  // times the condition number
   }
 }
 
@@ -128,12 +128,12 @@ TEST(Inertia, what_no_body_has_is_refused) {
   expect_bad_input([] { tensor(1.0, 2.0, 4.0); },
                    "the largest principal moment of (1, 2, 4) kg m^2 exceeds the sum of the others by 1");
   expect_bad_input(
-      [] { tensor(3.0, 3.0, 3.0, 1.8); },  // moments 1.2, 3, 4.8: the diagonal alone is a sphere's
+      [] { tensor(3.0, 3.0, 3.0, 1.8); },  // moments 1.2, 3, 4.8; the diagonal alone looks like a sphere
       "exceeds the sum of the others by 0.");
 }
 
 TEST(Inertia, a_flat_plate_is_a_body_and_a_line_is_none_however_they_lie) {
-  EXPECT_NO_THROW(tensor(1.0, 2.0, 3.0));  // a plate in the xy plane, 1 + 2 = 3
+  EXPECT_NO_THROW(tensor(1.0, 2.0, 3.0));  // a plate in the xy plane: 1 + 2 = 3
   std::mt19937_64 random(3);
   for (int i = 0; i < 200; ++i) {
     const Matrix3d R =
@@ -152,7 +152,7 @@ TEST(Inertia, the_inverse_is_right_at_any_size) {
   for (const double size : {1e-250, 1e-110, 1e110, 1e250}) {
     const auto J = size * si::kilogram_square_metre;
     const auto inertia = inertia_from_tensor(in<Body>, 2.0 * J, 2.0 * J, 2.0 * J, 0.0 * J, 0.0 * J, 0.0 * J);
-    // Two divisions by the trace round, each by half an ulp.
+    // The two divisions by the trace each round by half an ulp.
     EXPECT_NEAR(inertia.inverse_matrix()(1, 1) * size, 0.5, 1e-15) << size;
   }
 }
@@ -188,13 +188,13 @@ TEST(Euler, a_spin_about_a_principal_axis_stays) {
   }
 }
 
-/// Euler's equation divides by the moments.
+/// Euler's equation divides by the moments of inertia.
 TEST(InertiaDoor, refuses_moments_whose_inverse_is_not_a_number) {
   expect_bad_input([] { tensor(1e308, 1e308, 1e308); }, " kg m^2 are too large to be divided by");
   expect_bad_input([] { tensor(1e-310, 1e-310, 1e-310); }, " kg m^2 are too small to be divided by");
 }
 
-/// With no rate, J alpha is the torque.
+/// At zero rate, J alpha is the torque.
 TEST(Inertia, times_alpha_is_the_torque_at_rest) {
   const auto J = tensor(3.0, 4.0, 5.0);
   const auto torque = torque_body(30.0, 40.0, 50.0);

@@ -3,7 +3,7 @@
 
 #include "point_masses.hpp"
 
-// Mass, centre of mass and inertia of bodies and of what they are joined to, against sums over point masses.
+// Mass, centre of mass and inertia of bodies and of joined bodies, against sums over point masses.
 namespace vectrix::test {
 namespace {
 
@@ -15,7 +15,7 @@ template <class B> MassProperties<B> properties(const Masses& body) {
                          inertia<B, CentreOfMassOf<B>, B>(body.inertia_about(body.centre())));
 }
 
-/// A panel, given in its own frame, mounted on a bus: its masses are turned and moved.
+/// A panel, given in its own frame and mounted on a bus: its masses are rotated and moved.
 TEST(MassProperties, laws_1_2_3_a_satellite_of_parts_is_that_of_all_their_masses) {
   Draw draw(6);
   for (int i = 0; i < 100; ++i) {

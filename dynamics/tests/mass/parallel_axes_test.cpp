@@ -3,7 +3,7 @@
 
 #include "point_masses.hpp"
 
-// A user's own point beside all of the library's names.
+// A point defined by the user, next to all names of the library.
 using namespace vectrix;
 namespace {
 struct CentreOfMass : named_point {};
@@ -15,7 +15,7 @@ namespace vectrix::test {
 namespace {
 
 constexpr double rounding = 1e-12;  // a hundred operations on numbers of order 10
-constexpr double visible = 1e-2;    // far above rounding: what a wrong formula changes
+constexpr double visible = 1e-2;    // far above rounding: a wrong formula changes the result by more
 
 TEST(Inertia, law1_change_of_axes_is_the_inertia_of_the_turned_masses) {
   Draw draw(1);
@@ -29,7 +29,7 @@ TEST(Inertia, law1_change_of_axes_is_the_inertia_of_the_turned_masses) {
   }
   const Matrix3d J = inertia<Body, Hinge, Bus>(random_masses(draw).inertia_about(Vector3d::Zero())).matrix();
   const Matrix3d R = draw.rotation();
-  EXPECT_GT((R * J * R.transpose() - R.transpose() * J * R).norm(), visible);  // the test sees the difference
+  EXPECT_GT((R * J * R.transpose() - R.transpose() * J * R).norm(), visible);  // else the test proves nothing
 }
 
 TEST(Inertia, brought_into_the_body_s_own_axes_it_can_be_divided_by) {
@@ -174,7 +174,7 @@ static_assert(!Shifts<Inertia<Body>, FromHinge, Mass> && !Shifts<Inertia<Body, H
 static_assert(!Shifts<Inertia<Bus>, ToHinge, Mass>);
 static_assert(!Shifts<Inertia<Body>, ToHinge>);
 static_assert(!Shifts<Inertia<Body, CentreOfMassOf<Body>, In<Bus>>, ToHinge, Mass>);
-// Parallel axes lead through the centre of mass.
+// The shift must start or end at the centre of mass.
 static_assert(!Shifts<Inertia<Body, Hinge>, Displacement<Hinge, Bus, In<Body>>, Mass>);
 static_assert(Multiplies<Dcm<Bus, Body>, Inertia<Body>>);
 static_assert(!Multiplies<Dcm<Body, Bus>, Inertia<Body>>);

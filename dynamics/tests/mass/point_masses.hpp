@@ -5,14 +5,15 @@
 
 #include "draw.hpp"
 
-/// Bodies of point masses, whose inertias are sums, and short doors: shared by the tests of inertias.
+/// Bodies of point masses, whose inertias are sums, and short forms of the doors. Shared by the tests of
+/// inertias.
 namespace vectrix::test {
 
 struct Bus : moving_frame {};
 struct Satellite : moving_frame {};
 template <int I> struct Panel : moving_frame {};
 
-/// A body of point masses, in some frame: the oracle.
+/// A body of point masses, in some frame: the reference for the tests.
 struct Masses {
   std::vector<double> m;
   std::vector<Vector3d> r;
@@ -36,7 +37,7 @@ struct Masses {
     }
     return J;
   }
-  /// The same masses in other axes, from another origin: r^a = R r^b + r_ab^a.
+  /// The same masses in other axes and from another origin: r^a = R r^b + r_ab^a.
   Masses placed(const Matrix3d& R, const Vector3d& origin) const {
     Masses other{m, {}};
     for (const Vector3d& r_k : r) other.r.emplace_back(R * r_k + origin);

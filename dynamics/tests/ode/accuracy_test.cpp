@@ -8,9 +8,9 @@ namespace {
 class OdeAccuracy : public testing::TestWithParam<Method> {};
 INSTANTIATE_TEST_SUITE_P(Methods, OdeAccuracy, testing::ValuesIn(methods), name);
 
-/// The tolerance bounds the error of one step; errors of some thousand steps gather. Largest ratio of error
-/// to tolerance allowed over the runs below, about three times what is measured (BDF, of order 5, drifts
-/// most).
+/// The tolerance bounds the error of one step; over some thousand steps errors accumulate. This is the
+/// largest allowed ratio of error to tolerance over the runs below, about three times the measured one (BDF,
+/// of order 5, drifts most).
 double gathered(Method method) {
   switch (method) {
     case Method::cvode_adams:
@@ -73,7 +73,7 @@ TEST_P(OdeAccuracy, torque_free_axisymmetric_body) {
   EXPECT_LT(node_error(solve(problem), exact), gathered(GetParam()) * tolerance);
 }
 
-/// Kepler ellipse, mu = a = 1, e = 1/2, five revolutions: the step has to follow the pericentre.
+/// Kepler ellipse, mu = a = 1, e = 1/2, five revolutions: the step size must change near the pericentre.
 TEST_P(OdeAccuracy, kepler_ellipse) {
   constexpr double e = 0.5;
   Problem problem;
@@ -100,7 +100,7 @@ TEST_P(OdeAccuracy, kepler_ellipse) {
   EXPECT_LT(node_error(solve(problem), exact), gathered(GetParam()) * tolerance);
 }
 
-/// x' = -x + sin t: the rate depends on time, so the clock given to it counts.
+/// x' = -x + sin t: the rate depends on time, so errors of the time matter.
 TEST_P(OdeAccuracy, forced_relaxation) {
   Problem problem = oscillator(GetParam(), 50.0, tolerance);
   problem.rhs = [](double, double t, State y, std::span<double> ydot) { ydot[0] = -y[0] + std::sin(t); };
@@ -116,7 +116,7 @@ TEST_P(OdeAccuracy, error_falls_with_the_tolerance) {
   double previous = 1.0;
   for (const double t : {1e-4, 1e-6, 1e-8, 1e-10}) {
     const double error = node_error(solve(oscillator(GetParam(), 30.0, t)), oscillator_state);
-    EXPECT_LT(error, 0.2 * previous) << "tolerance " << t;  // a hundredth is ideal, variable order is uneven
+    EXPECT_LT(error, 0.2 * previous) << "tolerance " << t;  // ideally a hundredth
     previous = error;
   }
 }
@@ -141,12 +141,12 @@ TEST_P(OdeAccuracy, rates_of_nodes_are_those_of_the_right_hand_side) {
   for (std::size_t i = 0; i < solution.node_count(); ++i) {
     const Node node = solution.node(i);
     const std::array rate{node.y[1], -node.y[0]};
-    EXPECT_LT(distance(node.ydot, rate), 1e3 * tolerance);  // BDF's slope: error of a step over its length
+    EXPECT_LT(distance(node.ydot, rate), 1e3 * tolerance);  // BDF's slope: error over step length
   }
 }
 
 TEST_P(OdeAccuracy, dense_output_survives_crowded_nodes) {
-  // A kick in the middle makes the integrator restart with steps thousands of times shorter than their
+  // A pulse in the middle makes the integrator restart with steps thousands of times shorter than their
   // neighbours.
   Problem problem = oscillator(GetParam(), 10.0, 1e-12);
   problem.breakpoints = {5.0};
@@ -158,7 +158,8 @@ TEST_P(OdeAccuracy, dense_output_survives_crowded_nodes) {
   }
 }
 
-/// With tolerances that accept every step the longest step is the step: error(h) / error(h / 2) = 2^order.
+/// With tolerances that accept every step, all steps have the maximum length: error(h) / error(h / 2) =
+/// 2^order.
 TEST(OdeOrder, runge_kutta_tables_converge_with_their_order) {
   constexpr double end = 8.0;
   const auto error = [&](Method method, double step) {
@@ -166,10 +167,10 @@ TEST(OdeOrder, runge_kutta_tables_converge_with_their_order) {
     problem.maximum_step = step;
     const Solution solution = solve(problem);
     EXPECT_LE(solution.statistics().steps,
-              static_cast<std::size_t>(end / step) + 5);  // a few shorter ones to start
+              static_cast<std::size_t>(end / step) + 5);  // plus a few shorter steps at the start
     return distance(solution.at(end), oscillator_state(end));
   };
-  constexpr double slack = 0.3;  // leading term only: measured within 0.15 of the order
+  constexpr double slack = 0.3;  // because of the higher terms; measured within 0.15 of the order
   EXPECT_NEAR(std::log2(error(Method::arkode_dormand_prince_5, 0.125) /
                         error(Method::arkode_dormand_prince_5, 0.0625)),
               5.0, slack);
@@ -177,7 +178,7 @@ TEST(OdeOrder, runge_kutta_tables_converge_with_their_order) {
               slack);
 }
 
-/// Some ten thousand steps: SUNDIALS' own clock is off by then, and the states with it by 1e-10.
+/// After some ten thousand steps, SUNDIALS' own clock is wrong, and the states would be wrong by 1e-10.
 TEST(OdeClock, rounding_of_time_does_not_gather) {
   Problem problem = oscillator(Method::arkode_fehlberg_8, 1000.0, 1e-14);
   problem.maximum_step = 0.09;
@@ -186,11 +187,12 @@ TEST(OdeClock, rounding_of_time_does_not_gather) {
             2e-12);  // rounding of states and of the node times, 6e-14 each
 }
 
-/// Thirteen stages a step: the rate at a node is the first stage of the next step, and not evaluated twice.
+/// Thirteen stages a step: the rate at a node is the first stage of the next step, so it is not evaluated
+/// twice.
 TEST(OdeCost, fehlberg_8_takes_thirteen_evaluations_a_step) {
   const Statistics run = solve(oscillator(Method::arkode_fehlberg_8, 100.0, 1e-10)).statistics();
   EXPECT_LE(run.rhs_evaluations,
-            13 * (run.steps + run.error_test_failures) + 10);  // and the choice of a first step
+            13 * (run.steps + run.error_test_failures) + 10);  // plus the choice of the first step
 }
 
 TEST(OdeStiff, bdf_takes_long_steps_where_explicit_methods_cannot) {
@@ -205,7 +207,7 @@ TEST(OdeStiff, bdf_takes_long_steps_where_explicit_methods_cannot) {
   EXPECT_LT(solution.statistics().steps, 2000U);  // an explicit method needs 1e6 * 10 / 3
   for (int i = 1; i <= 1000; ++i) {
     const double t = 0.01 * i;
-    ASSERT_NEAR(solution.at(t)[0], std::cos(t) + 1e-6 * std::sin(t), 1e-6);  // a hundred tolerances
+    ASSERT_NEAR(solution.at(t)[0], std::cos(t) + 1e-6 * std::sin(t), 1e-6);  // a hundred times the tolerance
   }
 }
 

@@ -13,7 +13,7 @@ namespace {
 class OdeFailure : public testing::TestWithParam<Method> {};
 INSTANTIATE_TEST_SUITE_P(Methods, OdeFailure, testing::ValuesIn(methods), name);
 
-/// The failure a problem ends in.
+/// The failure of a problem that must fail.
 Failure failure_of(const Problem& problem) {
   try {
     (void)solve(problem);
@@ -29,7 +29,7 @@ void expect_text(const std::exception& error, const std::string& part) {
 
 constexpr double trouble_time = 5.0;
 
-/// An oscillator whose right-hand side does something else from trouble_time on.
+/// An oscillator whose right-hand side is replaced from trouble_time on.
 template <class Act> Problem troubled(Method method, Act act) {
   Problem problem = oscillator(method, 20.0, 1e-9);
   const auto rhs = problem.rhs;
@@ -42,7 +42,7 @@ template <class Act> Problem troubled(Method method, Act act) {
 
 void expect_solution_until_trouble(const Solution& solution) {
   EXPECT_LE(solution.end(), trouble_time);
-  EXPECT_GT(solution.end(), trouble_time - 0.7);  // one step of the longest
+  EXPECT_GT(solution.end(), trouble_time - 0.7);  // the longest step
   EXPECT_LT(node_error(solution, oscillator_state), 1e-4);
   EXPECT_LT(distance(solution.at(2.2), oscillator_state(2.2)), 1e-4);
 }
@@ -126,7 +126,7 @@ TEST_P(OdeFailure, a_blow_up_ends) {
   problem.initial_state = {1.0};
   set_tolerance(problem, 1e-9);
   const Failure failure = failure_of(problem);
-  EXPECT_NEAR(failure.solution().end(), 1.0, 1e-5);  // the pole moves by the gathered error
+  EXPECT_NEAR(failure.solution().end(), 1.0, 1e-5);  // the pole moves by the accumulated error
   EXPECT_NEAR(failure.solution().at(0.5)[0], 2.0, 1e-6);
 }
 

@@ -11,7 +11,7 @@
 
 #include <vectrix/dynamics/ode/solve.hpp>
 
-/// Problems with closed solutions, shared by the tests of the integration layer.
+/// Problems with closed-form solutions, shared by the tests of the integration layer.
 namespace vectrix::ode::test {
 
 using State = std::span<const double>;

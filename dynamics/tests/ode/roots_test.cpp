@@ -14,7 +14,7 @@ constexpr double pi = std::numbers::pi;
 constexpr double tolerance = 1e-12;
 constexpr double end = 100.0;  // 31 zeros of the sine after 0
 
-/// Error of the state over its rate, which is 1 at a zero of the sine.
+/// Time error of a zero: error of the state divided by its rate, which is 1 at a zero of the sine.
 double time_error(Method method) {
   return method == Method::cvode_bdf ? 1e-7 : 1e-8;
 }
@@ -27,7 +27,7 @@ TEST_P(OdeRoots, all_zeros_are_found_once_and_in_order) {
   Problem problem = oscillator(GetParam(), end, tolerance);
   problem.roots = {sine()};
   const Solution solution = solve(problem);
-  ASSERT_EQ(solution.events().size(), 31U);  // the zero at the start is none
+  ASSERT_EQ(solution.events().size(), 31U);  // the zero at the start does not count
   for (std::size_t i = 0; i < 31; ++i) {
     const Event& event = solution.events()[i];
     EXPECT_NEAR(event.time, static_cast<double>(i + 1) * pi, time_error(GetParam()));
@@ -55,7 +55,7 @@ TEST_P(OdeRoots, direction_is_respected) {
 
 TEST_P(OdeRoots, a_function_of_time_is_located_to_rounding) {
   Problem problem = oscillator(GetParam(), end, 1e-6);
-  problem.maximum_step = 0.2;  // below the distance of the zeros, or some would go unseen
+  problem.maximum_step = 0.2;  // shorter than the distance of the zeros, so that none is missed
   problem.roots = {{"fast", [](double t, State) { return std::sin(10.0 * t); }}};
   const Solution solution = solve(problem);
   ASSERT_EQ(solution.events().size(), 318U);  // floor(1000 / pi)
@@ -99,20 +99,20 @@ TEST_P(OdeRoots, a_stop_ends_the_solution) {
   EXPECT_EQ(solution.output_times().size(), 2U);
   EXPECT_THROW((void)solution.at(7.0), BadInput);
   EXPECT_LT(node_error(solution, oscillator_state), time_error(GetParam()));
-  for (double t = 0.0; t < solution.end(); t += 0.01) {  // dense output up to the stop
+  for (double t = 0.0; t < solution.end(); t += 0.01) {  // dense output until the stop
     ASSERT_LT(distance(solution.at(t), oscillator_state(t)), time_error(GetParam()));
   }
 }
 
 TEST_P(OdeRoots, a_stop_soon_after_the_start_is_as_accurate) {
-  // Few nodes lie before it and none after, so the step that passed it has to be taken again.
+  // There are few nodes before the root and none after it, so the step that passed it must be repeated.
   for (int i = 1; i <= 50; ++i) {
     const double exact = 0.02 * i;
     Problem problem = oscillator(GetParam(), end, tolerance);
     problem.roots = {{"soon", [&](double, State y) { return y[1] + std::sin(exact); }, Direction::any, true}};
     const double found = solve(problem).end();
     ASSERT_NEAR(found, exact,
-                (GetParam() == Method::cvode_bdf ? 1e4 : 200.0) * tolerance);  // as the nodes there
+                (GetParam() == Method::cvode_bdf ? 1e4 : 200.0) * tolerance);  // as at the nodes there
   }
 }
 
@@ -151,7 +151,7 @@ TEST_P(OdeRoots, the_stop_is_the_last_of_simultaneous_events) {
 }
 
 TEST(OdeRootAccuracy, fehlberg_8_locates_zeros_within_a_few_tolerances) {
-  // ARKODE's own cubic interpolant is off by 1e-9 here.
+  // ARKODE's own cubic interpolant has an error of 1e-9 here.
   Problem problem = oscillator(Method::arkode_fehlberg_8, 10.0, 1e-13);
   problem.roots = {sine()};
   for (const Event& event : solve(problem).events()) {

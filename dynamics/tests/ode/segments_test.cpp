@@ -105,12 +105,12 @@ TEST_P(OdeSegments, segments_within_the_rounding_of_time) {
   problem.breakpoints = {1.5, next, next + 1e-14};
   const Solution solution = solve(problem);
   EXPECT_EQ(solution.segment_count(), 4U);
-  EXPECT_LT(node_error(solution, oscillator_state), 1e-7);  // as without breakpoints; BDF is the worst
+  EXPECT_LT(node_error(solution, oscillator_state), 1e-7);  // as without breakpoints; BDF is worst
 }
 
 TEST_P(OdeSegments, a_start_far_from_zero) {
   Problem problem = pulsed(GetParam());
-  constexpr double epoch = 8e8;  // seconds since J2000, say: time is rounded to 1.2e-7 there
+  constexpr double epoch = 8e8;  // s, for example since J2000: there times are rounded to 1.2e-7 s
   problem.start += epoch;
   problem.end += epoch;
   problem.breakpoints = {epoch + on, epoch + off};
@@ -119,17 +119,17 @@ TEST_P(OdeSegments, a_start_far_from_zero) {
     ydot[1] = pulse(segment_start - epoch);
   };
   const Solution solution = solve(problem);
-  EXPECT_LT(distance(solution.at(problem.end), pulsed_state(10.0)), 1e-6);  // ten roundings of time
+  EXPECT_LT(distance(solution.at(problem.end), pulsed_state(10.0)), 1e-6);  // ten times the rounding of time
 }
 
 TEST_P(OdeSegments, a_start_so_far_that_most_steps_are_within_the_rounding_of_time) {
   Problem problem = oscillator(GetParam(), 10.0, 1e-10);
-  constexpr double epoch = 1e15;  // times are multiples of 1/8 there
+  constexpr double epoch = 1e15;  // there times are multiples of 1/8
   problem.start = epoch;
   problem.end = epoch + 10.0;
   const Solution solution = solve(problem);
   EXPECT_LT(distance(solution.at(problem.end), oscillator_state(10.0)),
-            1e-6);  // SUNDIALS never sees the epoch
+            1e-6);  // SUNDIALS does not see the epoch
   EXPECT_LE(solution.node_count(), 81U);
 }
 

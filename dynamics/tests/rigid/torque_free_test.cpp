@@ -28,11 +28,11 @@ Motion motion(const Eigen::Vector3d& moments, const Eigen::Vector3d& w) {
                      state_at(0.0, Eigen::Quaterniond(0.5, -0.5, 0.5, 0.5), w));
 }
 
-// torque_free_hard_exact.csv: Euler's equation and the quaternion's, by their Taylor series to degree 60 in
-// 100 digits (40 and 40 for 1e5 s), from exactly the doubles of torque_free_hard_cases.csv; another degree
-// and step give the same 20 digits. The cases are those where closed forms go wrong: beside, on and within a
-// rounding of the separatrix, a start 1e-30 from the unstable axis, nearly equal moments, nearly pure spins,
-// and a run of 1e5 s.
+// torque_free_hard_exact.csv: Taylor series of Euler's equation and of the quaternion's equation, to degree
+// 60, in 100 digits (40 and 40 for 1e5 s). The inputs are exactly the doubles of torque_free_hard_cases.csv;
+// another degree and step give the same 20 digits. These cases are difficult for closed forms: near, on and
+// within a rounding of the separatrix, a start 1e-30 from the unstable axis, nearly equal moments, nearly
+// pure spins, and a run of 1e5 s.
 TEST(TorqueFree, AgreesWithTwentyDigitsInEveryRegime) {
   const std::string data = std::string(VECTRIX_SOURCE_DIR) + "/dynamics/tests/data/";
   const CsvTable cases = CsvTable::read(
@@ -85,7 +85,7 @@ TEST(TorqueFree, ItsRateRepeatsAfterThePeriod) {
   const Motion spun = torque_free(top.scenario().inertia, top.scenario().initial);
   EXPECT_NEAR(spun.period().value(), 2.0 * std::numbers::pi / std::abs(0.5 * (1.0 - 1.5)), 1e-13);
   for (const double t : {-7.0, 1.0, 300.0}) {
-    EXPECT_LE(error(spun.at(seconds(t)), top.exact(t)), 100.0 * attitude_rounding) << t;  // the oracle's t w
+    EXPECT_LE(error(spun.at(seconds(t)), top.exact(t)), 100.0 * attitude_rounding) << t;  // rounding of t w
   }
 
   for (const double w3 : {0.1, 0.9, 1.1, 3.0}) {
@@ -99,7 +99,8 @@ TEST(TorqueFree, ItsRateRepeatsAfterThePeriod) {
   EXPECT_EQ(motion({1.0, 2.0, 2.25}, {0.0, 0.0, 1.0}).period().value(), infinity);
 }
 
-// On the separatrix the spin ends at the intermediate axis, with all of the angular momentum, for ever.
+// On the separatrix the spin approaches the intermediate axis, with all of the angular momentum, and stays
+// there.
 TEST(TorqueFree, EndsAtTheIntermediateAxisOnTheSeparatrix) {
   const Motion last_flip = motion({1.0, 2.0, 2.25}, {0.75, 0.4, 1.0});
   const double H = Eigen::Vector3d(0.75, 0.8, 2.25).norm();
@@ -111,10 +112,10 @@ TEST(TorqueFree, EndsAtTheIntermediateAxisOnTheSeparatrix) {
   }
 }
 
-// Any tensor in any axes, any state: a motion through one of its own states is the same motion, momentum and
-// energy are kept, and the start is the start.
+// For any tensor in any axes and any state: the motion through one of its own states is the same motion;
+// momentum and energy are constant; the motion at the start is the given state.
 TEST(TorqueFree, IsAFlow) {
-  constexpr double passed_on = 1e-12;  // rounding of the state, grown over 30 rad
+  constexpr double passed_on = 1e-12;  // rounding of the state, which grows over 30 rad
   Draw draw(20260101);
   for (int i = 0; i < 300; ++i) {
     // Principal moments of a box with sides a, b, c.

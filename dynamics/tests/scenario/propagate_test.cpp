@@ -4,7 +4,7 @@
 
 #include "rigid_bodies.hpp"
 
-// Propagations against closed solutions.
+// Propagations against closed-form solutions.
 namespace vectrix::test {
 namespace {
 
@@ -14,8 +14,8 @@ using ode::Method;
 
 constexpr double pi = std::numbers::pi;
 
-/// What the errors of the steps add up to at the default tolerances (1e-12), over the some tens of radians of
-/// the motions below: about five times what is measured. BDF (order 5) and Adams take the most steps.
+/// The accumulated error at the default tolerances (1e-12), over the some tens of radians of the motions
+/// below: about five times the measured one. BDF (order 5) and Adams take the most steps.
 double accuracy(Method method) {
   switch (method) {
     case Method::cvode_adams:
@@ -34,7 +34,8 @@ class Propagate : public testing::TestWithParam<std::tuple<Method, AttitudeState
  protected:
   Method method() const { return std::get<0>(GetParam()); }
   double accuracy() const { return test::accuracy(method()); }
-  /// Of an orbit, relative to its size: an error of its energy moves the body along it as the square of time.
+  /// Of an orbit, relative to its size: an error of its energy moves the body along the orbit as the square
+  /// of time.
   double orbit_accuracy(double revolutions) const { return 3.0 * revolutions * accuracy(); }
   BodyPropagation until(double end) const {
     return {.end = seconds(end), .method = method(), .attitude = std::get<1>(GetParam())};
@@ -66,7 +67,7 @@ double largest_node_error(const Trajectory<Gcrf, Body>& trajectory, const Exact&
 }
 
 TEST_P(Propagate, torque_free_axisymmetric_body) {
-  for (const double c : {3.0, 0.5}) {  // flat and long
+  for (const double c : {3.0, 0.5}) {  // flat and slender
     const AxisymmetricBody body{.c = c};
     const auto trajectory = propagate(body.scenario(), until(60.0));
     EXPECT_EQ(trajectory.end(), seconds(60.0));
@@ -74,7 +75,7 @@ TEST_P(Propagate, torque_free_axisymmetric_body) {
   }
 }
 
-/// Kepler's ellipse, by Kepler's equation, beside an attitude that it does not touch.
+/// Kepler's ellipse, by Kepler's equation, together with an attitude that it does not affect.
 TEST_P(Propagate, kepler_ellipse_in_the_same_state) {
   constexpr double mu = 3.986004418e14, a = 1e7, e = 0.2;
   const double n = std::sqrt(mu / (a * a * a));
@@ -132,7 +133,8 @@ TEST_P(Propagate, pulses_about_a_principal_axis) {
   struct Pulse {
     double from, until, torque;
   };
-  // One begins with the propagation, two overlap, two touch, one lasts beyond the end, one is over before.
+  // One pulse begins with the propagation, two overlap, two touch, one lasts beyond the end, one ends before
+  // it.
   const std::vector<Pulse> pulses = {
       {10.0, 12.5, 0.5}, {11.3, 14.1, -0.8}, {14.1, 14.2, 3.0}, {27.0, 1e9, 0.2}, {1.0, 9.0, 100.0}};
   BodyScenario scenario = spinning(start, w0);
@@ -201,7 +203,7 @@ TEST_P(Propagate, a_short_burst_of_torque_is_seen_with_a_maximum_step) {
 
 /// Pitch of a satellite in a circular orbit, phi from the radial: with yaw x (radial), roll y, pitch z,
 ///     phi'' = -3/2 n^2 k sin 2 phi,  k = (Jy - Jx) / Jz
-/// so that phi'^2 + 3 n^2 k sin^2 phi is constant, and small phi swing with sqrt(3 n^2 k).
+/// so that phi'^2 + 3 n^2 k sin^2 phi is constant, and small phi oscillate at sqrt(3 n^2 k).
 struct GravityGradientPendulum {
   double mu = 3.986004418e14;
   double radius = 7e6;
@@ -229,7 +231,7 @@ TEST_P(Propagate, small_libration_by_the_gravity_gradient) {
   const double frequency = std::sqrt(3.0 * pendulum.k) * pendulum.n;
   const double end = 10.0 * 2.0 * pi / frequency;  // 6.7 revolutions
   const auto trajectory = propagate(pendulum.scenario(phi0), until(end));
-  // The period is longer than the small libration's by phi0^2 / 4: 2.5e-7 of the phase, 63 rad.
+  // The period exceeds that of the small libration by the fraction phi0^2 / 4: 2.5e-7 of the phase, 63 rad.
   const double tolerance = 2e-5 * phi0 + orbit_accuracy(6.7 * 6.7);
   for (int i = 0; i <= 100; ++i) {
     const BodyState state = trajectory.at(seconds(i * end / 100.0));
@@ -247,11 +249,11 @@ TEST_P(Propagate, large_libration_keeps_its_first_integral) {
     const double phi = pendulum.phi(state);
     const double speed = state.w_ib_b.coordinates().z() / pendulum.n - 1.0;
     const double integral = speed * speed + 3.0 * pendulum.k * std::pow(std::sin(phi), 2);
-    EXPECT_NEAR(integral, 3.0 * pendulum.k * std::pow(std::sin(phi0), 2), 3.0 * accuracy());  // its slope
+    EXPECT_NEAR(integral, 3.0 * pendulum.k * std::pow(std::sin(phi0), 2), 3.0 * accuracy());  // slope up to 3
     EXPECT_EQ(state.w_ib_b.coordinates().head<2>(), Eigen::Vector2d::Zero());
     largest = std::max(largest, std::abs(phi));
   }
-  EXPECT_NEAR(largest, phi0, 0.1);  // it swings, and does not turn over
+  EXPECT_NEAR(largest, phi0, 0.1);  // it oscillates and does not turn over
 }
 
 TEST_P(Propagate, a_torque_free_motion_runs_backwards_after_its_rate_is_reversed) {

@@ -2,7 +2,7 @@
 
 #include "rigid_bodies.hpp"
 
-// What a scenario is, and what propagate() refuses.
+// The parts of a scenario, and what propagate() refuses.
 namespace vectrix::test {
 namespace {
 
@@ -82,7 +82,7 @@ TEST(ScenarioTorque, is_the_sum_of_all) {
             1e-12);
 }
 
-// g++ 12 once failed on these, with an internal error.
+// g++ 12 failed on these with an internal error.
 TEST(ScenarioTorque, may_be_written_in_the_braces_of_its_scenario) {
   const auto spring = [](const BodyState& state) { return torque_body(state.time.value(), 0.0, 0.0); };
   const std::vector<BodyScenario> scenarios = {
@@ -103,14 +103,14 @@ TEST(ScenarioTorque, a_gradient_without_orbit_is_refused) {
 }
 
 TEST(ScenarioMomentum, is_turned_into_the_inertial_frame) {
-  const AxisymmetricBody exact;  // its momentum is fixed in space
+  const AxisymmetricBody exact;  // its angular momentum is fixed in space
   const Vector3d at_start = angular_momentum(exact.scenario(), exact.exact(0.0)).coordinates();
   const Vector3d later = angular_momentum(exact.scenario(), exact.exact(7.0)).coordinates();
   EXPECT_LT((later - at_start).norm(), 1e-14 * 10.0);
   EXPECT_NEAR(at_start.norm(), Vector3d(0.6, -0.4, 1.5).norm(), 1e-14);
 }
 
-/// Expects that propagate() refuses body() after `change`, saying `text`.
+/// Expects that propagate() refuses body() after `change`, with `text` in the message.
 template <class Change> void expect_refused_scenario(const Change& change, const std::string& text) {
   BodyScenario scenario = body();
   change(scenario);
@@ -151,7 +151,8 @@ TEST(RefusedScenario, a_pulse_that_does_not_last) {
   expect_refused_scenario(with_pulse(0.0, infinity), "a pulse from 0 s to inf s does not last");
 }
 
-/// Expects that propagate() refuses a second of body() after `change` of how, saying `text`.
+/// Expects that propagate() refuses one second of body() after `change` of the settings, with `text` in the
+/// message.
 template <class Change> void expect_refused_propagation(const Change& change, const std::string& text) {
   BodyPropagation how{.end = seconds(1.0)};
   change(how);

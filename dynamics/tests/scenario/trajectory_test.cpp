@@ -7,7 +7,7 @@
 
 #include "rigid_bodies.hpp"
 
-// What propagate() gives back: the trajectory, its events, its conservation report, or a failure.
+// The results of propagate(): the trajectory, its events, its conservation report, or a failure.
 namespace vectrix::test {
 namespace {
 
@@ -26,7 +26,7 @@ BodyPropagation until(double end) {
   return {.end = seconds(end)};
 }
 
-// Nothing of a trajectory can be changed: what it gives is a copy.
+// A trajectory cannot be changed: it returns copies.
 static_assert(!std::is_default_constructible_v<BodyTrajectory>);
 static_assert(std::is_copy_constructible_v<BodyTrajectory>);
 static_assert(std::same_as<decltype(std::declval<BodyTrajectory&>().statistics()), ode::Statistics>);
@@ -63,7 +63,7 @@ TEST(Trajectory, is_an_edge_of_a_frame_graph) {
   const auto now = graph.at(seconds(33.3));
   const auto state = trajectory.at(seconds(33.3));
   EXPECT_EQ(now.rotation(to<Gcrf>, from<Body>).matrix(), state.R_i_from_b().matrix());
-  // Of the camera, which is fixed on the body, in the body's axes.
+  // Rate of the camera, which is fixed on the body, in the axes of the body.
   EXPECT_EQ(now.angular_velocity(of<Camera>, relative_to<Gcrf>, in<Body>).coordinates(),
             state.w_ib_b.coordinates());
   EXPECT_THROW(graph.at(seconds(60.5)).rotation(to<Gcrf>, from<Body>), BadInput);
@@ -124,7 +124,7 @@ TEST(Roots, are_found_and_reported_with_their_direction) {
     how.attitude = attitude;
     how.roots = {meridian("meridian"), meridian("up", ode::Direction::rising)};
     const auto events = propagate(turntable(), how).events();
-    ASSERT_EQ(events.size(), 9U);  // 6 times the meridian: 2 pi, 4 pi, ... 12 pi; of these 3 times up
+    ASSERT_EQ(events.size(), 9U);  // 6 times the meridian: 2 pi, 4 pi, ... 12 pi; 3 of these rising
     std::size_t passages = 0;
     for (const auto& event : events) {
       if (event.name == "meridian") ++passages;
@@ -166,7 +166,7 @@ TEST(Roots, of_time_alone_are_seen_with_a_maximum_step) {
   EXPECT_EQ(events[1].direction, ode::Direction::rising);
 }
 
-/// The failure of a propagation that is expected to fail.
+/// Returns the failure of a propagation that must fail.
 PropagationFailure<Gcrf, Body> failure(const BodyScenario& scenario, const BodyPropagation& how) {
   try {
     propagate(scenario, how);
@@ -176,7 +176,7 @@ PropagationFailure<Gcrf, Body> failure(const BodyScenario& scenario, const BodyP
   throw std::logic_error("the propagation did not fail");
 }
 
-/// The texts of an exception and of what is nested in it, one per line.
+/// The texts of an exception and of its nested exceptions, one per line.
 std::string chain(const std::exception& error) {
   try {
     std::rethrow_if_nested(error);
@@ -319,16 +319,16 @@ TEST(ConservationReport, says_what_a_loose_tolerance_costs) {
   EXPECT_GT(loose.orthonormality, 1e3 * tight.orthonormality);
   EXPECT_GT(loose.rotational_energy.value(), 1e3 * tight.rotational_energy.value());
   EXPECT_GT(loose.angular_momentum.value(), 1e3 * tight.angular_momentum.value());
-  EXPECT_LT(loose.angular_momentum.value(), 0.1);  // and still is a fraction of the momentum
+  EXPECT_LT(loose.angular_momentum.value(), 0.1);  // but smaller than the momentum
 }
 
-/// What is reported is the relative change between the nodes: here of a motion with another body's inertia.
+/// The report gives the relative change between the nodes. Here it uses the inertia of another body.
 TEST(ConservationReport, finds_a_change) {
   const BodyScenario flown = body.scenario();
   BodyScenario claimed = flown;
   claimed.inertia = tensor(2.0, 2.6, 3.0);  // T and h of this body are not constant in the motion
   const auto trajectory = propagate(flown, until(60.0));
-  const double w = std::hypot(0.3, 0.2);  // turns in the xy plane: 2T swings by 0.6 wy^2
+  const double w = std::hypot(0.3, 0.2);  // turns in the xy plane: 2T varies by 0.6 wy^2
   const double start = 2.0 * 0.09 + 2.6 * 0.04 + 3.0 * 0.25;
   const double largest = 0.6 * std::max(w * w - 0.04, 0.04);
   EXPECT_NEAR(conservation(claimed, trajectory).rotational_energy.value(), largest / start,

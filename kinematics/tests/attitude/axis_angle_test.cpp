@@ -15,7 +15,7 @@ namespace {
 
 using std::numbers::pi;
 
-/// Relative: a norm and an arc tangent or a sine round three times.
+/// Relative: a norm, and an arc tangent or a sine, round three times.
 constexpr double few_ulps = 6 * epsilon;
 
 AxisAngle<Gcrf, Body> turn(double angle, const Eigen::Vector3d& axis) {

@@ -14,13 +14,14 @@ namespace {
 
 using std::numbers::pi;
 
-/// A product of three turns, and one undone: each entry is a sum of products with a rounding each.
+/// A product of three rotations, and its inverse: each entry is a sum of products with one rounding each.
 constexpr double few_ulps = 8 * epsilon;
-/// Within it of a singularity the third angle is zero by choice, and what the entries say otherwise is left.
+/// Closer than this to a singularity the third angle is set to zero; the resulting difference of the entries
+/// remains.
 constexpr double choice = 8 * epsilon;
 
-/// Random triples of angles, the second also at distances from a quarter and half a turn down to a rounding;
-/// and quarter turns in all three.
+/// Random triples of angles. The second angle is also near zero, a quarter and half a turn, down to the
+/// distance of one rounding. And quarter turns in all three.
 std::vector<Eigen::Vector3d> triples() {
   std::mt19937_64 random(20261102);
   std::uniform_real_distribution<double> turn(-pi, pi);
@@ -48,7 +49,7 @@ template <class Sequence> EulerAngles<Sequence, Gcrf, Body> angles_of(const Eige
   return euler_angles(Sequence{}, of<Body>, relative_to<Gcrf>, t(0) * si::radian, t(1) * si::radian,
                       t(2) * si::radian);
 }
-/// The difference of two angles, which count once round.
+/// The difference of two angles, modulo 2 pi.
 double apart(double angle, double other) {
   return std::abs(std::remainder(angle - other, 2 * pi));
 }
@@ -58,7 +59,7 @@ Eigen::Matrix3d exact(const Turns& turns, const Eigen::Vector3d& t) {
   const Eigen::Matrix<long double, 3, 1> angles = t.cast<long double>();
   return product_of(turns, angles).cast<double>();
 }
-/// By Eigen's AngleAxis.
+/// The same matrix by Eigen's AngleAxis.
 Eigen::Matrix3d eigens(const Turns& turns, const Eigen::Vector3d& t) {
   const auto turn = [&](std::size_t n) {
     return Eigen::AngleAxisd(t(Eigen::Index(n)), Eigen::Vector3d::Unit(turns.axes[n]));
@@ -81,7 +82,7 @@ TYPED_TEST(Euler, TheirMatrixIsTheProductOfTheirTurns) {
   }
 }
 
-// R -> angles -> R, also where the angles that made R are lost.
+// R -> angles -> R, also where the angles that made R cannot be recovered.
 TYPED_TEST(Euler, OfEveryRotationMakeThatRotation) {
   std::vector<Eigen::Matrix3d> list;
   for (const auto& t : all_triples()) list.push_back(dcm(angles_of<TypeParam>(t)).matrix());
@@ -96,7 +97,7 @@ TYPED_TEST(Euler, OfEveryRotationMakeThatRotation) {
   }
 }
 
-// angles -> R -> angles, to rounding as near to the singularity as R still tells them apart.
+// angles -> R -> angles, to rounding, as near to the singularity as R can distinguish them.
 TYPED_TEST(Euler, ComeBackFromTheirMatrixToRounding) {
   for (const auto& given : all_triples()) {
     Eigen::Vector3d t = given;
@@ -145,7 +146,7 @@ TEST(EulerAngles, OfEigenAreIntrinsicAndOfTheMatrixOfTheTurnedFrame) {
   }
 }
 
-// The matrix from a to b of yaw, pitch and roll, as flight mechanics prints it.
+// The matrix from a to b of yaw, pitch and roll, as printed in flight mechanics.
 TEST(EulerAngles, Of321AreYawPitchAndRoll) {
   const double yaw = 0.4, pitch = -0.7, roll = 2.1;
   const auto R_b_from_a = inverse(dcm(angles_of<Intrinsic<3, 2, 1>>({yaw, pitch, roll})));

@@ -17,7 +17,7 @@ using Extended = Eigen::Matrix<long double, 3, 1>;
 
 // Relative: norm, sine or arc tangent, quotient and product round once or twice each.
 constexpr double few_ulps = 6 * epsilon;
-// Of log(exp()) by way of nine numbers, relative to the angle.
+// Of log(exp()) through nine numbers, relative to the angle.
 constexpr double ulps_by_dcm = 16 * epsilon;
 
 RotationVector<Gcrf, Body> turn(const Eigen::Vector3d& theta) {
@@ -27,8 +27,8 @@ Quaternion<Gcrf, Body> unit(const Eigen::Quaterniond& q) {
   return quaternion_scalar_first(to<Gcrf>, from<Body>, q.w(), q.x(), q.y(), q.z());
 }
 
-/// Rotation vectors of every size from 1e-300 to pi, the joints of the series included, about axes and
-/// diagonals.
+/// Rotation vectors of every size from 1e-300 to pi, about axes and diagonals, including the sizes where the
+/// series begin.
 std::vector<Eigen::Vector3d> rotation_vectors() {
   std::vector<double> angles{pi,         std::nextafter(pi, 0.0),
                              pi - 1e-15, pi - 1e-12,
@@ -47,7 +47,7 @@ std::vector<Eigen::Vector3d> rotation_vectors() {
   for (const double angle : angles) {
     for (const auto& axis : axes) {
       Eigen::Vector3d theta = angle * axis.normalized();
-      // Rounding may have made it longer than a half turn, and the other way is then the shorter.
+      // Rounding may have made it longer than half a turn; then the opposite rotation is shorter.
       while (theta.cast<long double>().norm() > std::numbers::pi_v<long double>) theta *= 1 - epsilon;
       list.push_back(theta);
     }
@@ -120,7 +120,7 @@ TEST(Log, UndoesExp) {
     EXPECT_LE((log(exp_quaternion(turn(theta))).coordinates() - theta).norm(), few_ulps * theta.norm())
         << theta.transpose();
     const Eigen::Vector3d by_dcm = log(exp(turn(theta))).coordinates();
-    // Within rounding of pi nine numbers do not tell +n from -n.
+    // Within rounding of pi, nine numbers cannot distinguish +n from -n.
     const bool either_sign = theta.norm() > pi - 1e-14;
     const double difference =
         either_sign ? std::min((by_dcm - theta).norm(), (by_dcm + theta).norm()) : (by_dcm - theta).norm();

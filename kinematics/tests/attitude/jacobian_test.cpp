@@ -1,5 +1,5 @@
-// The Jacobians of SO(3) and SE(3) in closed form against power series in long double, which know no closed
-// form.
+// The Jacobians of SO(3) and SE(3) in closed form, compared with power series in long double, which contain
+// no closed form.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -14,9 +14,9 @@ using std::numbers::pi;
 using Six = Eigen::Matrix<double, 6, 1>;
 using SixBySix = Eigen::Matrix<double, 6, 6>;
 
-/// Of entries of order 1: products of a coefficient good to two roundings with two crosses.
+/// Entries of order 1: products of two cross matrices and a coefficient, which has two roundings.
 constexpr double few = 4;
-/// The inverse in closed form, one quotient more; and its lower block, three products of matrices.
+/// The inverse in closed form has one more quotient; its lower block has three products of matrices.
 constexpr double inverse_few = 6;
 constexpr double many = 24;
 
@@ -37,7 +37,7 @@ TEST(Jacobian, OfRotationsIsThePowerSeries) {
   }
 }
 
-// J_l is the mean of the rotations on the way: the integral of exp(s theta), s from 0 to 1.
+// J_l is the mean of the rotations exp(s theta) along the way: their integral for s from 0 to 1.
 TEST(Jacobian, OfManyTurnsIsTheMeanRotation) {
   for (const double angle : {1e2, 1e5, 1e8, 1e150}) {
     const auto J = left_jacobian(turn_of({0, 0, angle}));
@@ -62,7 +62,7 @@ TEST(Jacobian, ItsInverseIsAccurateToAHalfTurn) {
   }
 }
 
-// Beyond, what the rounding of |theta| is of the distance from the full turn.
+// Beyond that, the error is the rounding of |theta| divided by the distance from the full turn.
 TEST(Jacobian, ItsInverseLosesWhatTheDistanceFromAFullTurnLoses) {
   for (double distance_left = 1.0; distance_left > 1e-13; distance_left /= 10) {
     for (const double angle : {2 * pi - distance_left, 2 * pi + distance_left, 4 * pi - distance_left}) {
@@ -125,7 +125,7 @@ TEST(Jacobian, OfScrewsIsThePowerSeriesOfTheBracket) {
   }
 }
 
-// The integral of exp(s A), s from 0 to 1: of 2A half that of A and half that of exp(A) times it.
+// The integral of exp(s A), s from 0 to 1: for 2A it is half that of A plus half of exp(A) times that of A.
 ExtendedMatrix<6> doubled_power_series(const ExtendedMatrix<6>& A, int doublings) {
   const ExtendedMatrix<6> part = A / std::ldexp(1.0L, doublings);
   ExtendedMatrix<6> exponential = power_series<6>(part, 0);
@@ -137,7 +137,7 @@ ExtendedMatrix<6> doubled_power_series(const ExtendedMatrix<6>& A, int doublings
   return integral;
 }
 
-// Its lower block has the derivatives of coefficients, in which terms of the order of |theta|^2 cancel.
+// Its lower block contains derivatives of coefficients, in which terms of order |theta|^2 cancel.
 TEST(Jacobian, OfScrewsKeepsItsDigitsOverManyTurns) {
   for (const double angle : {6.0, 20.0, 85.0, 1000.0}) {
     for (const Six& xi : screws_of(angle, 1.0)) {

@@ -12,7 +12,7 @@
 
 #include "testing/attitudes.hpp"
 
-// Parameters of any scalar: float and long double, several attitudes at once, numbers with a derivative.
+// Parameters of any scalar: float, long double, several attitudes at once, numbers with a derivative.
 namespace vectrix_test {
 namespace {
 
@@ -22,7 +22,7 @@ using Lanes = std::experimental::simd<double, std::experimental::simd_abi::deduc
 
 constexpr int instances = 100;
 
-/// Twelve numbers, scalar first: a quaternion of any length, whose numbers are not small; w, alpha.
+/// Twelve numbers: a quaternion of any length, scalar first, whose numbers are not small; w; alpha.
 template <class S> struct Given {
   Eigen::Quaternion<S> q;
   Eigen::Matrix<S, 3, 1> w, alpha;
@@ -38,7 +38,7 @@ template <class S> Given<S> converted(const Given<double>& from) {
   return {from.q.template cast<S>(), from.w.template cast<S>(), from.alpha.template cast<S>()};
 }
 
-/// The parameters and their derivatives, to R and back to w and alpha.
+/// Parameters and their derivatives, converted to R and back to w and alpha.
 template <class S, class Make> std::vector<S> numbers_of(const Given<S>& given, const Make& make) {
   using std::sqrt;
   const S norm = sqrt(S(given.q.coeffs().dot(given.q.coeffs())));
@@ -71,7 +71,7 @@ template <class Check> void for_each_kind(const Check& check) {
   check([](const auto& q) { return gibbs_vector(dcm(q)); });
 }
 
-/// The second derivatives grow as the square of 1/distance, and with them what is rounded.
+/// The second derivatives grow as the square of 1/distance, and so do their rounding errors.
 template <class Number> double scale_of(const std::vector<Number>& list) {
   double largest = 1.0;
   for (const Number& number : list) largest = std::max(largest, std::abs(static_cast<double>(number)));
@@ -127,7 +127,7 @@ TEST(ParametersOfAnyScalar, EachLaneIsThatOfADouble) {
   }
 }
 
-// What is made of a quaternion that moves has the derivative that rate() says.
+// Parameters made from a moving quaternion have the derivative that rate() gives.
 TEST(ParametersOfAnyScalar, TheDerivativeOfTheConversionIsTheRate) {
   std::mt19937_64 random(20261109);
   for (int i = 0; i < instances; ++i) {
@@ -153,7 +153,7 @@ TEST(ParametersOfAnyScalar, TheDerivativeOfTheConversionIsTheRate) {
   }
 }
 
-// There the choice is a constant, and the parameters have no derivative.
+// At the singularity the choice of the angle is a constant, so the parameters have no derivative.
 TEST(ParametersOfAnyScalar, NumbersWithADerivativeAreRefusedAtTheSingularity) {
   const auto R = aligned<Dual>(to<Gcrf>, from<Body>);
   const auto angles = message<BadInput>([&] { euler_angles(intrinsic<3, 1, 3>, R); });

@@ -18,7 +18,7 @@ template <class B, class A> Quaternion<B, A> any_quaternion() {
   return quaternion_scalar_first(to<B>, from<A>, q.w(), q.x(), q.y(), q.z());
 }
 
-// 1. r^b = q r^a q*, the same as R_a^b r^a.
+// 1. r^b = q r^a q*, equal to R_a^b r^a.
 RC_GTEST_PROP(Quaternion, Law1MapsCoordinatesAsItsDcm, ()) {
   const auto q_b_from_a = any_quaternion<Body, Gcrf>();
   const auto r_a = vector<si::length>(in<Gcrf>, *triple());

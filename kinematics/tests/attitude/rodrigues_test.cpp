@@ -17,7 +17,7 @@ namespace {
 using std::numbers::pi;
 using Extended = Eigen::Matrix<long double, 3, 1>;
 
-/// Relative: a sum, a quotient and a tangent of long double round once each, a norm three times.
+/// Relative: a sum, a quotient and a tangent of long double round once each, a norm rounds three times.
 constexpr double few_ulps = 6 * epsilon;
 
 ModifiedRodrigues<Gcrf, Body> sigma_of(const Eigen::Vector3d& numbers) {
@@ -34,7 +34,7 @@ Quaternion<Gcrf, Body> turn(long double angle, const Eigen::Vector3d& axis) {
 RotationVector<Gcrf, Body> theta_of(const Eigen::Vector3d& theta) {
   return rotation_vector(of<Body>, relative_to<Gcrf>, vector<si::angle>(in<Gcrf>, theta));
 }
-/// Angles from 1e-300 to nearly a full turn.
+/// Angles from 1e-300 to almost a full turn.
 std::vector<double> angles() {
   std::vector<double> list{0.5, 1, 2, 3, 3.14, pi - 1e-6, pi - 1e-10, pi, pi + 1e-6, 4, 5, 6, 6.28};
   for (double angle = 0.1; angle > 1e-300; angle /= 317) list.push_back(angle);
@@ -43,7 +43,7 @@ std::vector<double> angles() {
 const Eigen::Vector3d axes[] = {Eigen::Vector3d(2, -1, 2) / 3, Eigen::Vector3d::UnitZ(),
                                 Eigen::Vector3d(-0.6, 0, 0.8)};
 
-// sigma = n tan(phi/4), g = n tan(phi/2): the numbers of q = (cos phi/2, n sin phi/2), by long double.
+// sigma = n tan(phi/4), g = n tan(phi/2): from the numbers of q = (cos phi/2, n sin phi/2), in long double.
 TEST(Rodrigues, AreTheTangentsToRounding) {
   for (const double angle : angles()) {
     for (const auto& axis : axes) {
@@ -98,7 +98,7 @@ TEST(ModifiedRodrigues, SwitchOnlyWhenLongerThanOneAndSayIt) {
   const auto changed = switch_to_shadow(sigma_of({1.5, -2, 0}));
   EXPECT_TRUE(changed.switched);
   EXPECT_LE(distance(changed.parameters.coordinates(), Eigen::Vector3d(-0.24, 0.32, 0)), epsilon);
-  const auto half = switch_to_shadow(sigma_of({0, -1, 0}));  // of equal length, and so kept
+  const auto half = switch_to_shadow(sigma_of({0, -1, 0}));  // equal length, so it is not switched
   EXPECT_FALSE(half.switched);
   EXPECT_EQ(half.parameters.coordinates().y(), -1);
 }
@@ -110,8 +110,8 @@ TEST(ModifiedRodrigues, AtHalfATurnTheFirstNonZeroComponentIsPositive) {
   }
 }
 
-// sigma_BA of Basilisk is v/(1 + w) of q_a_from_b: a quarter of a turn about z is tan(22.5 deg) along z, and
-// its matrix, transposed, is dcm_BA = [0 1 0; -1 0 0; 0 0 1].
+// sigma_BA of Basilisk is v/(1 + w) of q_a_from_b: a quarter turn about z is tan(22.5 deg) along z. Its
+// matrix, transposed, is dcm_BA = [0 1 0; -1 0 0; 0 0 1].
 TEST(ModifiedRodrigues, OfAQuarterTurnHaveTheirPublishedNumbers) {
   const auto sigma = sigma_of({0, 0, std::tan(pi / 8)});
   Eigen::Matrix3d dcm_BA;
@@ -162,7 +162,8 @@ TEST(Rodrigues, TheirDoorsTakeFiniteNumbersAwayFromTheSingularity) {
   EXPECT_NE(message<BadInput>([=] { gibbs_of({0, nan, 0}); }), "");
 }
 
-// The vector is the same in both frames, its negative that of the way back, and its size the angle's.
+// The vector is the same in both frames. Its negative is that of the inverse rotation, and its length depends
+// only on the angle.
 RC_GTEST_PROP(Rodrigues, AreVectorsAlongTheAxis, ()) {
   const Eigen::Vector3d theta = *triple() + Eigen::Vector3d(1e-3, 0, 0);
   const auto R = exp(theta_of(theta));

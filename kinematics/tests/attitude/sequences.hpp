@@ -6,7 +6,7 @@
 #include <array>
 #include <vectrix/kinematics/attitude/euler_sequence.hpp>
 
-/// The 24 sequences of Euler angles, for typed tests, and their product of turns.
+/// The 24 sequences of Euler angles, for typed tests, and the product of their rotations.
 namespace vectrix_test {
 
 using vectrix::Extrinsic;
@@ -19,7 +19,7 @@ using Sequences =
                    Extrinsic<2, 1, 3>, Extrinsic<3, 2, 1>, Extrinsic<1, 2, 1>, Extrinsic<1, 3, 1>,
                    Extrinsic<2, 1, 2>, Extrinsic<2, 3, 2>, Extrinsic<3, 1, 3>, Extrinsic<3, 2, 3>>;
 
-/// A sequence as numbers: its axes, and whether they turn along.
+/// A sequence as numbers: its axes, and whether they are body-fixed (turn along).
 struct Turns {
   std::array<int, 3> axes;
   bool intrinsic;
@@ -31,7 +31,7 @@ template <int I, int J, int K> Turns turns_of(Extrinsic<I, J, K>) {
   return {{I - 1, J - 1, K - 1}, false};
 }
 
-/// The matrix that turns by the angle about the axis.
+/// The matrix of the rotation by the angle about the axis.
 template <class S> Eigen::Matrix<S, 3, 3> one_turn(int axis, const S& angle) {
   using std::cos;
   using std::sin;
@@ -43,8 +43,8 @@ template <class S> Eigen::Matrix<S, 3, 3> one_turn(int axis, const S& angle) {
   R(next, last) = -R(last, next);
   return R;
 }
-/// R_b^a of the three turns: each new one multiplies from the right about an axis of b, from the left about
-/// one of a.
+/// R_b^a of the three rotations. A new rotation multiplies from the right if its axis is one of b, and from
+/// the left if it is one of a.
 template <class S> Eigen::Matrix<S, 3, 3> product_of(const Turns& turns, const Eigen::Matrix<S, 3, 1>& t) {
   Eigen::Matrix<S, 3, 3> R = Eigen::Matrix<S, 3, 3>::Identity();
   for (int n = 0; n < 3; ++n) {

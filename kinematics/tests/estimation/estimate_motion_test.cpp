@@ -15,7 +15,7 @@ using Eigen::Vector3d;
 using Samples = std::vector<AttitudeSample<Gcrf, Body>>;
 
 constexpr int trials = 4000;
-/// A normal matrix of condition 1e4 or so.
+/// A normal matrix with a condition number of about 1e4.
 constexpr double fitted = 1e6 * epsilon;
 
 Quantity<si::time> seconds(double t) {
@@ -36,7 +36,8 @@ struct Truth {
   Vector3d w{0.9, -1.5, 1.0};
   Vector3d alpha{-0.4, 0.3, 0.6};
   Quaterniond at(double t) const { return q0 * turn(w * t + alpha * t * t / 2); }
-  /// Samples a tenth of a second apart around t = 0, more of them after it, each with an error in b.
+  /// Samples a tenth of a second apart around t = 0, more of them after it than before, each with an error in
+  /// b.
   Samples samples(Noise& noise, double sigma) const {
     Samples list;
     for (int i = -6; i <= 8; ++i) list.push_back(sample(0.1 * i, at(0.1 * i) * turn(noise.column(sigma))));
@@ -59,7 +60,7 @@ TEST(EstimateMotion, OfExactSamplesIsExact) {
   EXPECT_EQ(found.freedom, 3U * (15 - 4));
 }
 
-// A constant rate, asked for away from the sample in the middle.
+// A constant rate, requested at an instant other than the middle sample.
 TEST(EstimateMotion, OfAConstantRate) {
   const Vector3d w(0.0, 0.3, -0.4);
   Samples list;
@@ -70,7 +71,7 @@ TEST(EstimateMotion, OfAConstantRate) {
   EXPECT_LE(found.angular_acceleration.coordinates().norm(), fitted);
 }
 
-// Of a body at rest it is the regression of three angles: the variance of a slope is sigma^2 / sum t^2.
+// For a body at rest it is the regression of three angles: the variance of a slope is sigma^2 / sum t^2.
 TEST(EstimateMotion, AtRestTheCovarianceIsThatOfARegression) {
   Samples list;
   for (int i = -2; i <= 2; ++i) list.push_back(sample(i, turn({1.0, 2.0, 0.5})));
@@ -83,7 +84,7 @@ TEST(EstimateMotion, AtRestTheCovarianceIsThatOfARegression) {
   expect(found.acceleration_covariance, 4 * 5.0 / 70);  // 4 n / (n sum t^4 - (sum t^2)^2)
 }
 
-// The errors of all three are what their covariances say, and the loss is.
+// The errors of all three agree with their covariances, and so does the loss.
 TEST(EstimateMotion, TheCovariancesAreThoseOfItsErrors) {
   const Truth truth;
   Noise noise(20240606);
@@ -107,7 +108,8 @@ TEST(EstimateMotion, TheCovariancesAreThoseOfItsErrors) {
   EXPECT_TRUE(losses.agrees()) << losses.mean();
 }
 
-// The samples' signs, and a constant change of a, change nothing; one of b turns rate and covariance.
+// The signs of the samples, and a constant change of a, have no effect; a constant change of b rotates rate
+// and covariance.
 TEST(EstimateMotion, AChangeOfEitherFrameTurnsTheEstimate) {
   const Truth truth;
   Noise noise(20240607);
@@ -166,7 +168,7 @@ concept Estimates = requires(const Samples& samples, Quantity<si::time> t, const
   estimate_motion<degree>(samples, t, t, sigma);
 };
 static_assert(Estimates<2, Quantity<si::angle>>);
-static_assert(!Estimates<1, Quantity<si::angle>>);  // which has no acceleration
+static_assert(!Estimates<1, Quantity<si::angle>>);  // this has no acceleration
 static_assert(!Estimates<3, Quantity<si::angular_velocity>>);
 
 }  // namespace

@@ -13,7 +13,7 @@ using Eigen::Quaterniond;
 using Eigen::Vector3d;
 using Rotations = std::vector<WeightedRotation<Body, Gcrf>>;
 
-/// Rotations within one radian of each other have an agreement of at least a half, and each adds a rounding.
+/// Rotations within one radian of each other have an agreement of at least a half. Each adds one rounding.
 constexpr double averaged = 64 * epsilon;
 
 Quaternion<Body, Gcrf> typed(const Quaterniond& q) {
@@ -26,7 +26,7 @@ Quaterniond turn(const Vector3d& theta) {
 MeanRotation<Body, Gcrf> mean(const Rotations& list) {
   return mean_rotation(to<Body>, from<Gcrf>, list);
 }
-/// Rotations near one of all attitudes.
+/// Rotations near a random attitude.
 Rotations rotations() {
   const Quaterniond q = *attitude();
   Rotations list;
@@ -35,7 +35,8 @@ Rotations rotations() {
   return list;
 }
 
-// The dominant eigenvector of sum w q q^T, by Eigen: Markley's own form, with signs as they come.
+// The dominant eigenvector of sum w q q^T, by Eigen: Markley's own form, with the quaternions' signs as
+// given.
 RC_GTEST_PROP(MeanRotation, IsTheDominantEigenvectorOfTheQuaternions, ()) {
   const Quaterniond q = *attitude();
   Rotations list;
@@ -78,7 +79,7 @@ TEST(MeanRotation, OfTwoIsHalfWayAndByWeight) {
   EXPECT_LE(distance(mean_rotation(to<Body>, from<Gcrf>, std::vector{at(0.2), at(1.0)}).rotation.matrix(),
                      at(0.6).matrix()),
             rounding);
-  // About one axis it is the angle of the weighted sum of the directions.
+  // For rotations about one axis it is the angle of the weighted sum of the directions.
   const double angle = std::atan2(3 * std::sin(0.2) + std::sin(1.0), 3 * std::cos(0.2) + std::cos(1.0));
   const auto found = mean({weighted(at(0.2), 3.0), weighted(at(1.0), 1.0)});
   EXPECT_LE(distance(found.rotation.matrix(), at(angle).matrix()), rounding);
@@ -101,7 +102,8 @@ TEST(MeanRotation, OfOneIsItself) {
   EXPECT_NEAR(found.agreement, 1.0, rounding);
 }
 
-// The scatter of many is their covariance: a chi-square test of its own trace, along axes of different size.
+// The scatter of many rotations is their covariance: a chi-square test of its trace, with different errors
+// along the axes.
 TEST(MeanRotation, TheScatterIsTheCovariance) {
   Noise noise(20240604);
   const Vector3d sigma(1e-3, 4e-3, 2e-3);
@@ -113,9 +115,9 @@ TEST(MeanRotation, TheScatterIsTheCovariance) {
   const auto found = mean(list);
   const Matrix3d normal =
       sigma.cwiseInverse().asDiagonal() * found.scatter.matrix() * sigma.cwiseInverse().asDiagonal();
-  // Five standard deviations of an estimated variance, sqrt(2/n), and of a covariance, which is less.
+  // Five standard deviations of an estimated variance, sqrt(2/n), and of a covariance, which is smaller.
   EXPECT_LE(distance(normal, Matrix3d::Identity()), 5 * std::sqrt(2.0 / count));
-  // The mean itself is within five of its own.
+  // The mean itself is within five of its own standard deviations.
   const Vector3d e =
       log(found.rotation * inverse(trust_dcm(to<Camera>, from<Gcrf>, q.toRotationMatrix()))).coordinates();
   EXPECT_LE(e.cwiseQuotient(sigma).cwiseAbs().maxCoeff(), 5 / std::sqrt(count));

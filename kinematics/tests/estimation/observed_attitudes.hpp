@@ -6,7 +6,7 @@
 
 #include "testing/attitudes.hpp"
 
-/// What the tests of rotations from data share: random directions, measured with errors.
+/// Shared by the tests of rotations from data: random directions, measured with errors.
 namespace vectrix_test {
 
 inline vectrix::Vector<Gcrf, vectrix::si::dimensionless> reference(const Eigen::Vector3d& r) {
@@ -28,7 +28,7 @@ class Noise {
   explicit Noise(std::uint64_t seed) : random_(seed) {}
   double operator()(double sigma) { return sigma * normal_(random_); }
   Eigen::Vector3d column(double sigma) { return {(*this)(sigma), (*this)(sigma), (*this)(sigma)}; }
-  /// r turned by sigma about each of two axes across it.
+  /// r turned by sigma about each of two axes perpendicular to it.
   Eigen::Vector3d across(const Eigen::Vector3d& r, double sigma) {
     const Eigen::Vector3d u = r.unitOrthogonal();
     return r.normalized() + (*this)(sigma)*u + (*this)(sigma)*r.normalized().cross(u);
@@ -39,7 +39,7 @@ class Noise {
   std::normal_distribution<double> normal_;
 };
 
-/// The mean of squares that should have the chi-square distribution.
+/// The mean of squares that must have the chi-square distribution.
 class ChiSquare {
  public:
   explicit ChiSquare(double freedom) : freedom_(freedom) {}

@@ -12,7 +12,8 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using Observations = std::vector<Observation<Body, Gcrf>>;
 
-/// Directions at least this far from parallel: what a rounding moves the attitude by is below 1/sine of it.
+/// Directions at least this far from parallel: a rounding changes the attitude by less than rounding / sine
+/// of this angle.
 constexpr double least_sine = 0.1;
 constexpr double solved = 64 * epsilon / (least_sine * least_sine);
 constexpr int trials = 4000;
@@ -29,7 +30,7 @@ Observation<Body, Gcrf> seen(const Dcm<Body, Gcrf>& R, const Vector3d& r, double
   return observation(R * reference(r), reference(r), rad(sigma));
 }
 
-// Without errors any method must return the rotation itself.
+// Without errors any method must return the exact rotation.
 RC_GTEST_PROP(Triad, ReturnsTheRotationOfExactVectors, ()) {
   const auto [r, s] = two_directions();
   const auto R = body_from_gcrf(*attitude());
@@ -39,7 +40,7 @@ RC_GTEST_PROP(Triad, ReturnsTheRotationOfExactVectors, ()) {
   RC_ASSERT(distance(found.matrix(), R.matrix()) <= solved);
 }
 
-// The first direction is met exactly, the second in its half plane.
+// The first direction is met exactly, the second one only in its half plane.
 RC_GTEST_PROP(Triad, TheFirstCountsFully, ()) {
   const auto [r, s] = two_directions();
   const auto [u, v] = two_directions();
@@ -59,7 +60,7 @@ TEST(Triad, ClosedForm) {
   EXPECT_EQ(R.matrix(), expected);
 }
 
-// Shuster and Oh's covariance as they print it; ours is a sum of squares.
+// Shuster and Oh's covariance as printed; the library computes a sum of squares.
 RC_GTEST_PROP(Triad, TheCovarianceIsShustersAndOhs, ()) {
   const auto [r, s] = two_directions();
   const auto R = body_from_gcrf(*attitude());
@@ -106,7 +107,8 @@ TEST(Triad, FlowsThroughOtherScalars) {
   EXPECT_LE((R * r_a - r_b).coordinates().norm(), 1e-6F);
 }
 
-// Three directions at right angles, one error: P = sigma^2/2 I, and 2/3 of the weight feels any turn.
+// Three perpendicular directions, one error: P = sigma^2/2 I. For any axis, 2/3 of the weight is sensitive to
+// a turn about it.
 TEST(Wahba, ThreeOrthogonalObservations) {
   const auto R = body_from_gcrf(Eigen::Quaterniond(0.5, 0.1, -0.7, 0.4).normalized());
   const auto found =
@@ -118,7 +120,8 @@ TEST(Wahba, ThreeOrthogonalObservations) {
   EXPECT_LE(found.loss, rounding * rounding / 1e-4);
 }
 
-// Two at right angles: about each the other alone tells, about the third axis both.
+// Two perpendicular directions. A turn about one of them is seen by the other alone, a turn about the third
+// axis by both.
 TEST(Wahba, TwoOrthogonalObservations) {
   const auto found = wahba(to<Body>, from<Gcrf>,
                            std::vector{observation(unit_x(in<Body>), unit_y(in<Gcrf>), rad(0.01)),
@@ -129,7 +132,7 @@ TEST(Wahba, TwoOrthogonalObservations) {
   EXPECT_NEAR(std::abs(found.least_observed.x().value()), 1.0, rounding);
 }
 
-// Two observations of the same size are met alike: each is left by half of the mismatch.
+// Two observations with the same error are fitted alike: each has half of the mismatch.
 TEST(Wahba, TwoObservationsShareTheirMismatch) {
   const double angle = 1.0, wider = 1.002;
   const auto in_plane = [](double a) { return Vector3d(std::cos(a), std::sin(a), 0); };
@@ -141,12 +144,12 @@ TEST(Wahba, TwoObservationsShareTheirMismatch) {
   EXPECT_NEAR(found.loss, 2 * 2.0 * (1 - std::cos((wider - angle) / 2)), rounding);
 }
 
-// wahba(Q b, a) = Q wahba(b, a) and wahba(b, Q^T a) = wahba(b, a) Q; the order does not matter.
+// wahba(Q b, a) = Q wahba(b, a) and wahba(b, Q^T a) = wahba(b, a) Q; the order of observations has no effect.
 RC_GTEST_PROP(Wahba, AChangeOfEitherFrameTurnsTheAnswer, ()) {
   const Matrix3d Q = *rotation_matrix();
   Matrix3d reference_columns = *rotation_matrix();
   Matrix3d measured_columns = *rotation_matrix() * reference_columns;
-  for (int i = 0; i < 3; ++i) {  // errors of up to 0.3 rad: what is left is observable
+  for (int i = 0; i < 3; ++i) {  // errors of up to 0.3 rad: still observable
     reference_columns.col(i) += 0.3 / std::sqrt(3.0) * *triple();
     measured_columns.col(i) += 0.3 / std::sqrt(3.0) * *triple();
   }
@@ -170,7 +173,7 @@ RC_GTEST_PROP(Wahba, AChangeOfEitherFrameTurnsTheAnswer, ()) {
   RC_ASSERT(std::abs(turned.loss - plain.loss) <= solved * (1 + plain.loss));
 }
 
-// No rotation nearby has a smaller loss, however large the errors.
+// No rotation nearby has a smaller loss, even with large errors.
 RC_GTEST_PROP(Wahba, TheLossIsLeast, ()) {
   const auto known = two_directions(), seen_in_b = two_directions();
   const std::vector list{weighted_observation(measured(seen_in_b.first), reference(known.first), 1.0),
@@ -202,7 +205,7 @@ class Estimates : public testing::Test {
     }
     return list;
   }
-  /// The small turn from the true attitude to the found one in b, in its standard deviations.
+  /// The small rotation in b from the true attitude to the estimated one, in its standard deviations.
   template <class Estimate> double square(const Estimate& found) const {
     const Matrix3d turn = found.rotation.matrix() * R.matrix().transpose();
     const Vector3d e = log(trust_dcm(to<Camera>, from<Body>, turn)).coordinates();
@@ -237,10 +240,11 @@ TEST_F(Estimates, TheCovarianceOfTriadIsThatOfItsErrors) {
   EXPECT_TRUE(mismatches.agrees()) << mismatches.mean();
 }
 
-// Wahba's estimate is the best one: less uncertain about every axis than triad's of the same two. Of measured
-// vectors their errors would be as large as the difference: both covariances are taken where these lie.
+// Wahba's estimate is the best one: about every axis its uncertainty is at most that of triad from the same
+// two observations. With measured vectors the errors would be as large as the difference, so both covariances
+// are evaluated at the true vectors.
 TEST_F(Estimates, WahbaIsNeverWorseThanTriad) {
-  constexpr double decomposed = 1e-12;  // thousands of roundings, of an eigenvalue problem and an inverse
+  constexpr double decomposed = 1e-12;  // thousands of roundings: eigenvalue problem and inverse
   Observations list;
   for (std::size_t i = 0; i < 2; ++i) {
     list.push_back(
@@ -250,7 +254,8 @@ TEST_F(Estimates, WahbaIsNeverWorseThanTriad) {
   const Matrix3d plain = triad(to<Body>, from<Gcrf>, list[0], list[1]).covariance.matrix();
   const Eigen::Vector3d more = Eigen::SelfAdjointEigenSolver<Matrix3d>(plain - best).eigenvalues();
   EXPECT_GE(more(0), -decomposed * plain.norm());
-  // What triad does not take from the second vector, about the normal of the two: of s1^2 and s2^2 together.
+  // About the normal of the two, triad does not use the second vector: its variance is sigma1^2. Wahba's
+  // combines sigma1^2 and sigma2^2.
   const double s1 = sigmas[0] * sigmas[0], s2 = sigmas[1] * sigmas[1];
   EXPECT_NEAR(more(2), s1 - s1 * s2 / (s1 + s2), decomposed * plain.norm());
 }
@@ -269,10 +274,10 @@ TEST(Wahba, WhatFixesNoRotationIsRefused) {
       << parallel;
   EXPECT_TRUE(contains(said({seen(R, x), seen(R, x + 1e-6 * y)}), "at least 1e-10 is needed"));
   EXPECT_EQ(said({seen(R, x), seen(R, x + 1e-4 * y)}), "");
-  // A mirror image: every half turn fits as well as any other.
+  // A mirror image: every half turn fits equally well.
   const auto mirrored = [](const Vector3d& r) { return observation(measured(-r), reference(r), rad(0.01)); };
   EXPECT_TRUE(contains(said({mirrored(x), mirrored(y), mirrored(z)}), "contradict each other"));
-  // Of float the bound is that of its rounding, and the message says so.
+  // For float the bound is that of its rounding, and the message says so.
   const auto one_of_float = [](const Vector3d& r, float weight) {
     const Eigen::Vector3f direction = r.cast<float>();
     return weighted_observation(vector<si::dimensionless>(in<Body>, direction),
@@ -282,7 +287,7 @@ TEST(Wahba, WhatFixesNoRotationIsRefused) {
     wahba(to<Body>, from<Gcrf>, std::vector{one_of_float(x, 1.0f), one_of_float(y, 1e-6f)});
   });
   EXPECT_TRUE(contains(of_float, "at least 1.9073486328125e-06 is needed")) << of_float;
-  // One outweighs the other by more than a number holds.
+  // The ratio of the weights is larger than a number can represent.
   EXPECT_TRUE(contains(said({seen(R, x, 1e-8), seen(R, y, 1.0)}), "outweighs the rest"));
 }
 
@@ -315,7 +320,7 @@ TEST(Observation, WhatIsNoneIsRefused) {
                        "|r| is 0"));
 }
 
-// Weights of any size: no sum of them overflows.
+// Weights of any size: their sum does not overflow.
 TEST(Wahba, HugeAndTinyWeights) {
   const auto R = body_from_gcrf(Eigen::Quaterniond(0.5, 0.1, -0.7, 0.4).normalized());
   for (const double weight : {1e308, 1e-308}) {

@@ -16,7 +16,8 @@ template <class A, class B> auto constant_edge(const Dcm<A, B, Dual2>& R_a_from_
   return edge([value = Motion(R_a_from_b).accelerating()](Quantity<si::time>) { return value; });
 }
 
-/// Gcrf -- Body -- Camera -- Wheel<1>, and Gcrf -- Ground, edges both ways, as a graph of types and by name.
+/// Gcrf -- Body -- Camera -- Wheel<1>, and Gcrf -- Ground, edges in both directions, as a typed graph and as
+/// a named graph.
 struct Both {
   Dual2 t = instant(*coordinate());
   Dcm<Gcrf, Body, Dual2> gcrf_from_body = turning<Gcrf, Body>(0.7, t);
@@ -52,7 +53,8 @@ template <class Check> void for_all_types(const Check& check) {
   each(list, [&](auto b) { each(list, [&](auto a) { each(list, [&](auto c) { check(b, a, c); }); }); });
 }
 
-// The same numbers as the graph of types, at every level, from typed edges and asked by type and by handle.
+// The same numbers as in the typed graph, at every level, from typed edges, with queries by type and by
+// handle.
 RC_GTEST_PROP(NamedBridge, AnswersAsTheGraphOfTypesDoes, ()) {
   const Both both;
   const auto types = both.types();
@@ -77,7 +79,7 @@ RC_GTEST_PROP(NamedBridge, AnswersAsTheGraphOfTypesDoes, ()) {
   });
 }
 
-// Words of a handle, a name and a type mix; the answer is then named.
+// A handle, a name and a type may be mixed in one query; the answer is then named.
 RC_GTEST_PROP(NamedBridge, TypesNamesAndHandlesMix, ()) {
   const Both both;
   const NamedSnapshot named = both.graph.at(now);
@@ -89,7 +91,7 @@ RC_GTEST_PROP(NamedBridge, TypesNamesAndHandlesMix, ()) {
             named.angular_velocity(of<Camera>, relative_to<Gcrf>, in<Camera>).coordinates());
 }
 
-// An answer of the run-time graph is an edge of a graph of types, at each level.
+// An answer of the run-time graph can be an edge of a typed graph, at each level.
 RC_GTEST_PROP(NamedBridge, AnswersAreEdgesOfTheGraphOfTypes, ()) {
   const Both both;
   const auto R_itrf_from_wheel = turned_x(to<Itrf>, from<Wheel<1>>, 0.4 * si::radian);

@@ -13,7 +13,7 @@ constexpr auto now = 0.0 * si::second;
 const double nan = std::numeric_limits<double>::quiet_NaN();
 const double infinity = std::numeric_limits<double>::infinity();
 
-/// gcrf -(rate)- body -(static)- camera; camera -(rigid)- lens; and itrf alone.
+/// gcrf -(rate)- body -(static)- camera; camera -(rigid)- lens; and itrf without an edge.
 class NamedGraphErrors : public testing::Test {
  protected:
   NamedGraph graph;
@@ -58,7 +58,7 @@ TEST_F(NamedGraphErrors, TwoTreesHaveNoPathBetweenThem) {
       [&] { graph.at(now).angular_velocity(Of(body), RelativeTo(gcrf), In(itrf)); });
 }
 
-// That there is no path is not kept.
+// The graph does not cache that there is no path.
 TEST_F(NamedGraphErrors, APathIsFoundAsSoonAsThereIsOne) {
   const NamedSnapshot snapshot = graph.at(now);
   EXPECT_THROW(snapshot.rotation(To(camera), From(itrf)), BadInput);
@@ -75,7 +75,7 @@ TEST_F(NamedGraphErrors, AnEdgeMustNotCloseACycle) {
   expect(R"(add_edge(to "body", from "body"): an edge joins two frames)", [&] {
     graph.add_edge(edge(To(body), From(body), [this](Quantity<si::time>) { return spinning(gcrf, body); }));
   });
-  // Refused, it has left nothing behind.
+  // The refused edge has changed nothing.
   EXPECT_EQ(graph.at(now).rotation(To(gcrf), From(lens)).matrix(), Eigen::Matrix3d::Identity());
 }
 
@@ -101,7 +101,7 @@ TEST_F(NamedGraphErrors, AMissingRateNamesItsEdge) {
   expect(
       R"(angular_acceleration(of "camera", relative to "body", in "lens"): the edge "body" - "camera" has no acceleration)",
       [&] { graph.at(now).angular_acceleration(Of(camera), RelativeTo(body), In(lens)); });
-  // What is not between the two may be static.
+  // An edge that is not between the two frames may be static.
   EXPECT_EQ(graph.at(now).angular_velocity(Of(body), RelativeTo(gcrf), In(lens)).coordinates(),
             Eigen::Vector3d(0, 0, 1));
   EXPECT_EQ(graph.at(now).angular_acceleration(Of(lens), RelativeTo(camera), In(body)).coordinates(),
@@ -157,7 +157,7 @@ TEST_F(NamedGraphErrors, WhatIsNoRotationStopsAtTheDoor) {
       [&] { graph.at(now).rotation(To(itrf), From(gcrf)); });
 }
 
-// What a function throws arrives as it is, and is forgotten.
+// An exception of an edge function arrives unchanged, and is not cached.
 TEST_F(NamedGraphErrors, WhatAFunctionThrowsArrivesUnchanged) {
   struct NoData {
     int code;
@@ -181,7 +181,7 @@ TEST_F(NamedGraphErrors, WhatAFunctionThrowsArrivesUnchanged) {
   EXPECT_EQ(graph.at(now).rotation(To(itrf), From(camera)).matrix(), Eigen::Matrix3d::Identity());
 }
 
-// The cache stays within its bound, and what has no room in it is answered all the same.
+// The cache stays within its bound. Queries without room in the cache are answered correctly too.
 TEST(NamedGraphCache, IsBoundedAndCorrectBeyondItsBound) {
   for (const std::size_t bound : {0U, 1U, 5U, 1000U}) {
     NamedGraph graph(bound);

@@ -13,12 +13,12 @@ namespace {
 
 constexpr auto now = 0.0 * si::second;
 
-/// A path of up to eleven products of rotations, against up to twenty-two of the oracle.
+/// A path of up to eleven products of rotations, compared with up to twenty-two of the reference.
 constexpr double long_rounding = 128 * epsilon;
-/// The same with derivatives: each step multiplies them by numbers up to 10 and 100.
+/// The same with derivatives: each step multiplies them by factors up to 10 and 100.
 constexpr double long_motion_tolerance = 100 * motion_tolerance;
 
-/// A random tree of frames at one instant, and the oracle: the motion of each frame seen from frame 0, by
+/// A random tree of frames at one instant, and the reference: the motion of each frame seen from frame 0, by
 /// products of differentiable matrices.
 struct RandomTree {
   using Matrix = Eigen::Matrix<Dual2, 3, 3>;
@@ -27,8 +27,7 @@ struct RandomTree {
   std::vector<NamedFrame> frames;
   std::vector<Matrix> R_0_from;
 
-  /// `add(a, b, motion of b seen from a)` adds the edge. Edges come in random order, each in either
-  /// direction.
+  /// `add(a, b, motion of b seen from a)` adds the edge. Edges come in random order and random direction.
   template <class Add> explicit RandomTree(const Add& add) {
     std::mt19937_64 generator(*rc::gen::arbitrary<std::uint64_t>());
     const auto below = [&](std::size_t n) {
@@ -60,7 +59,7 @@ struct RandomTree {
           Motion<Gcrf, Body>(Dcm<Gcrf, Body, Dual2>(detail::trusted, link.R_a_from_b)));
   }
 
-  /// Of frame j seen from frame i.
+  /// Motion of frame j seen from frame i.
   Motion<Gcrf, Body> motion(std::size_t i, std::size_t j) const {
     return Motion<Gcrf, Body>(
         Dcm<Gcrf, Body, Dual2>(detail::trusted, Matrix(R_0_from[i].transpose() * R_0_from[j])));
@@ -122,7 +121,7 @@ RC_GTEST_PROP(NamedGraph, RatesAndAccelerationsAreThoseOfTheDifferentiatedPath, 
   });
 }
 
-// Handles, names and both mixed ask the same.
+// Handles, names and a mixture give the same query.
 RC_GTEST_PROP(NamedGraph, NamesAskWhatHandlesAsk, ()) {
   const RandomTree tree(add_accelerating);
   const NamedSnapshot snapshot = tree.graph.at(now);
@@ -136,7 +135,7 @@ RC_GTEST_PROP(NamedGraph, NamesAskWhatHandlesAsk, ()) {
   RC_ASSERT(tree.graph.frames() == tree.frames);
 }
 
-/// gcrf -- body -- camera, and itrf alone.
+/// gcrf -- body -- camera, and itrf without an edge.
 struct Small {
   NamedGraph graph;
   NamedFrame gcrf = graph.add_frame("gcrf", FrameMotion::inertial);
@@ -218,7 +217,7 @@ TEST(NamedGraph, MovesWithItsFrames) {
             turned_y(To(a), From(b), 0.1 * si::radian).matrix());
 }
 
-// Thousands of names: the index grows several times, and finds each.
+// Thousands of names: the index grows several times and still finds each name.
 TEST(NamedGraph, ManyFramesAreFoundByName) {
   NamedGraph graph;
   constexpr unsigned count = 5000;

@@ -15,17 +15,17 @@ namespace {
 constexpr std::size_t frame_count = 60;
 constexpr int readers = 4;
 constexpr int rounds = 8;
-/// Up to sixty products of rotations, three roundings each.
+/// Up to sixty products of rotations, with three roundings each.
 constexpr double rounding = 256 * std::numeric_limits<double>::epsilon();
 
-/// A tree to be built, edge by edge in random order, and what is known of it at each step.
+/// A tree that is built edge by edge in random order, with the correct answers at each step.
 struct Plan {
   struct Link {
     std::size_t a, b;
   };
   std::vector<Eigen::Matrix3d> attitude;  // of each frame, in the same axes
   std::vector<Link> links;
-  /// After how many edges two frames are joined.
+  /// The number of edges after which two frames are joined.
   std::vector<std::vector<std::size_t>> joined_after;
 
   explicit Plan(std::mt19937_64& generator) {
@@ -58,7 +58,7 @@ std::string name(std::size_t i) {
   return "frame " + std::to_string(i);
 }
 
-/// What the threads of a round share. Progress is said before and after each edge.
+/// Shared by the threads of a round. Progress is recorded before and after each edge.
 struct Round {
   explicit Round(const Plan& planned, std::size_t cached_paths) : plan(planned), graph(cached_paths) {}
 
@@ -83,7 +83,7 @@ struct Round {
     }
   }
 
-  // Frames and edges of another tree, with names that make the index grow.
+  // Adds frames and edges of another tree, with names that make the index grow.
   void write_elsewhere() {
     NamedFrame before = graph.add_frame("elsewhere", FrameMotion::moving);
     for (int i = 0; i < 300; ++i) {
@@ -110,7 +110,8 @@ struct Round {
       } catch (const BadInput&) {
         answered = false;
       }
-      // An answer needs an edge that was begun; a refusal, one that was not there before the question.
+      // If there is an answer, its edges must have been begun; if there is a refusal, an edge must have been
+      // missing before the query.
       if (answered ? plan.joined_after[i][j] > begun : plan.joined_after[i][j] <= done_before) ++wrong;
     }
   }
@@ -120,7 +121,7 @@ TEST(NamedGraphThreads, AnswersAreRightWhileEdgesAreAdded) {
   std::mt19937_64 generator(20240229);
   for (int round = 0; round < rounds; ++round) {
     const Plan plan(generator);
-    Round shared(plan, round % 2 == 0 ? 64 : 1024);  // a cache that fills up, and one that does not
+    Round shared(plan, round % 2 == 0 ? 64 : 1024);  // with a cache that fills up, and with one that does not
     for (std::size_t i = 0; i < frame_count; ++i)
       shared.frames.push_back(shared.graph.add_frame(name(i), FrameMotion::moving));
     std::vector<std::thread> threads;
@@ -134,14 +135,14 @@ TEST(NamedGraphThreads, AnswersAreRightWhileEdgesAreAdded) {
   }
 }
 
-// While a tree is rooted anew, old and new places of its frames are seen side by side: its paths hold all the
-// same.
+// While a tree gets a new root, a reader sees old and new positions of its frames in the tree together. Its
+// paths must still be correct.
 TEST(NamedGraphThreads, PathsHoldWhileTheirTreeIsJoinedToALargerOne) {
   constexpr int joinings = 10;
   constexpr int leaves =
-      20'000;  // a joining takes milliseconds: also on one processor somebody asks meanwhile
+      20'000;  // joining takes milliseconds, so that a query runs meanwhile even on one processor
   for (int joining = 0; joining < joinings; ++joining) {
-    NamedGraph graph(0);  // no path is kept: each is found anew
+    NamedGraph graph(0);  // paths are not cached: each is searched again
     std::vector<NamedFrame> star;
     const auto add_star = [&](const std::string& prefix, int count) {
       star = {graph.add_frame(prefix, FrameMotion::moving)};
@@ -173,7 +174,7 @@ TEST(NamedGraphThreads, PathsHoldWhileTheirTreeIsJoinedToALargerOne) {
   }
 }
 
-// Threads ask one sampled edge and one function at the same time.
+// Threads query one sampled edge and one function edge at the same time.
 TEST(NamedGraphThreads, EdgesAreReadByManyThreads) {
   NamedGraph graph;
   const NamedFrame a = graph.add_frame("a", FrameMotion::inertial);

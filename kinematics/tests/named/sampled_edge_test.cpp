@@ -11,7 +11,7 @@ using namespace vectrix_test;
 
 namespace {
 
-/// Slerp evaluates sine and cosine of the same angles in another way, a rounding or two each.
+/// Slerp evaluates sine and cosine of the same angles in another way: one or two roundings each.
 constexpr double slerp_rounding = 32 * epsilon;
 
 class SampledEdge : public testing::Test {
@@ -37,7 +37,7 @@ class SampledEdge : public testing::Test {
     EXPECT_EQ(message<BadInput>(action), text);
   }
 };
-/// For properties, which rapidcheck calls outside of a fixture.
+/// For property tests, which rapidcheck calls outside a fixture.
 struct Attitudes : SampledEdge {
   using SampledEdge::body;
   using SampledEdge::gcrf;
@@ -52,7 +52,8 @@ Quaternion<Gcrf, Body> typed(const Eigen::Quaterniond& q) {
   return quaternion_scalar_first(to<Gcrf>, from<Body>, q.w(), q.x(), q.y(), q.z());
 }
 
-// In each segment it is the Slerp of the two samples; steps equal or not, turns of any size, either sign.
+// In each segment it is the Slerp of the two samples, for equal and unequal steps, turns of any size and
+// either sign.
 RC_GTEST_PROP(SampledEdges, IsTheSlerpOfNeighbours, ()) {
   Attitudes a;
   const bool equal_steps = *rc::gen::arbitrary<bool>();
@@ -91,7 +92,8 @@ RC_GTEST_PROP(SampledEdges, TheSignOfAQuaternionDoesNotMatter, ()) {
   RC_ASSERT(distance(a.rate(0.3), b.rate(0.3)) <= slerp_rounding * 4);
 }
 
-// At a sample the rate is that of the segment that begins there; at the last, of the one that ends.
+// At a sample the rate is that of the segment that begins there; at the last sample, of the segment that ends
+// there.
 TEST_F(SampledEdge, TheRateJumpsAtASample) {
   auto list = samples({0, 1, 3});
   list.back() = sample(3.0, Eigen::Quaterniond(Eigen::AngleAxisd(0.9, Eigen::Vector3d::UnitZ())));

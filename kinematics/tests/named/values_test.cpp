@@ -12,7 +12,7 @@ using namespace vectrix_test;
 
 namespace {
 
-/// Four frames, and values between them.
+/// Four frames, and values that relate them.
 struct Values {
   NamedGraph graph;
   NamedFrame a = graph.add_frame("a", FrameMotion::moving);
@@ -68,7 +68,7 @@ RC_GTEST_PROP(NamedDcm, InnerFramesThatDifferAreRefused, ()) {
             R"(product of R to "c" from "b" and R to "b" from "a": "b" and "b" are frames of two graphs)");
 }
 
-// The doors are those of Dcm, with its errors.
+// The doors are those of Dcm, with the same errors.
 RC_GTEST_PROP(NamedDcm, DoorsAreThoseOfDcm, ()) {
   const Values x;
   const auto angle = *coordinate() * si::radian;
@@ -111,13 +111,13 @@ RC_GTEST_PROP(NamedDcm, TheDoorsTakeTwoFrames, ()) {
   RC_ASSERT(refusal([&] { x.alpha(x.a, x.a, x.c, x.v1); }) == still);
 }
 
-// A chain is another quantity, as between types: w_ab += w_bc would be w_ac.
+// A chain gives another quantity, as with types: w_ab += w_bc would be w_ac.
 template <class Rate>
 concept ChainsInPlace = requires(Rate& rate) {
   rate += rate;
 };
 static_assert(!ChainsInPlace<NamedAngularVelocity>);
-// An edge refers to its graph, which must have a name.
+// An edge refers to its graph, so the graph must have a name.
 template <class Graph>
 concept GivesAnEdge = requires(Graph&& graph) {
   std::forward<Graph>(graph).template typed_edge<Dcm<Gcrf, Body>>();
@@ -213,7 +213,8 @@ TEST(NamedValues, PrintWithTheirFrames) {
             R"([0 1 0; -1 0 0; 0 0 1] to "a" from "b"; (1, 0, -2) rad/s of "b" relative to "a" in "b")");
 }
 
-// A typed value and a named one do not mix, nor does a name at a door: a name belongs to no graph yet.
+// Typed and named values do not mix. A door does not take a name, because a name does not belong to a graph
+// yet.
 template <class Left, class Right>
 concept Multiplies = requires(const Left& left, const Right& right) {
   left* right;

@@ -11,13 +11,13 @@ using namespace vectrix_test;
 
 namespace {
 
-/// Two differentiated chains of up to three edges, whose derivatives reach 1e3 m/s^2.
+/// Two differentiated chains of up to three edges, with derivatives up to 1e3 m/s^2.
 constexpr double place_tolerance = 1e-10;
 
 struct Far : moving_frame {};
 
-/// A tree: gcrf - body - camera - wheel 1 and gcrf - wheel 2, the second edge given against the walk; and
-/// far, of which body knows the rotation alone, at every level.
+/// A tree: gcrf - body - camera - wheel 1 and gcrf - wheel 2; the second edge is given in the opposite
+/// direction. And far: body knows its rotation alone, at every level.
 struct Tree {
   Dual2 t = instant(*coordinate());
   Transform<Gcrf, Body, Dual2> gcrf_body = travelling<Gcrf, Body>(0.7, t);
@@ -32,7 +32,7 @@ struct Tree {
                        edge([value = Motion<Body, Far>(body_far).accelerating()](double) { return value; }));
   }
 
-  // X_f^gcrf(t); the place of far is never asked for.
+  // X_f^gcrf(t); the position of far is never requested.
   template <class F> Transform<Gcrf, F, Dual2> from_gcrf() const {
     const auto nowhere = coincident<Gcrf, Gcrf, Gcrf, Dual2>(of<Gcrf>, relative_to<Gcrf>, in<Gcrf>);
     if constexpr (std::is_same_v<F, Gcrf>) {
@@ -52,14 +52,14 @@ struct Tree {
     }
   }
 
-  // r_pq^a(t), and so what a sees.
+  // r_pq^a(t), from which follows the motion seen from a.
   template <class P, class Q, class A> Track<P, Q, A> seen() const {
     const auto r_pq_i = -from_gcrf<P>().translation + from_gcrf<Q>().translation;
     return Track<P, Q, A>(inverse(from_gcrf<A>().rotation) * r_pq_i);
   }
 };
 
-/// What the graph says of q relative to p, seen from a, expressed in c, is the derivative of r_pq^a.
+/// The graph's answer for q relative to p, seen from a, expressed in c, must be the derivative of r_pq^a.
 template <class P, class Q, class A, class C> void check(const Tree& tree) {
   const auto graph = tree.graph();
   const auto now = graph.at(0.0);
@@ -80,10 +80,10 @@ RC_GTEST_PROP(GraphPlaces, AreTheDerivativesForEveryObserver, ()) {
   check<Gcrf, Body, Gcrf, Gcrf>(tree);                // along one edge
   check<Body, Camera, Body, Gcrf>(tree);              // against one edge
   check<Gcrf, Wheel<1>, Gcrf, Body>(tree);            // seen from the near end
-  check<Gcrf, Wheel<1>, Wheel<1>, Gcrf>(tree);        // from the far end
-  check<Wheel<2>, Wheel<1>, Camera, Wheel<2>>(tree);  // from a frame on the path
-  check<Body, Wheel<1>, Wheel<2>, Camera>(tree);      // from beyond the path
-  check<Wheel<1>, Gcrf, Far, Far>(tree);              // from a frame whose place nobody knows
+  check<Gcrf, Wheel<1>, Wheel<1>, Gcrf>(tree);        // seen from the far end
+  check<Wheel<2>, Wheel<1>, Camera, Wheel<2>>(tree);  // seen from a frame on the path
+  check<Body, Wheel<1>, Wheel<2>, Camera>(tree);      // seen from beyond the path
+  check<Wheel<1>, Gcrf, Far, Far>(tree);              // seen from a frame without a position
 }
 
 RC_GTEST_PROP(GraphPlaces, TheTransformIsTheProduct, ()) {
@@ -130,7 +130,7 @@ TEST(GraphPlaces, ARigidlyMountedCameraIsCarriedAround) {
             Eigen::Vector3d::Zero());
 }
 
-// Each edge is evaluated once an instant, also where the walk to the result's frame shares edges.
+// Each edge is evaluated once per instant, also if the path to the result's frame shares edges.
 TEST(GraphPlaces, EachEdgeIsEvaluatedOnce) {
   int evaluations = 0;
   const Transform place{
@@ -168,7 +168,7 @@ static_assert(!KnowsPlace<Turned> && KnowsPlace<Fixed> && KnowsPlace<Moving>);
 static_assert(!KnowsVelocity<Turned> && !KnowsVelocity<Fixed> && KnowsVelocity<Moving>);
 static_assert(!KnowsAcceleration<Moving> && KnowsAcceleration<Whole>);
 
-// The identity has the graph's scalar, too.
+// The identity also has the scalar of the graph.
 using OfFloats = GraphSnapshot<double, ConstantEdge<Transform<Gcrf, Body, float>>>;
 static_assert(std::is_same_v<decltype(std::declval<const OfFloats&>().transform(to<Gcrf>, from<Gcrf>)),
                              Transform<Gcrf, Gcrf, float>>);

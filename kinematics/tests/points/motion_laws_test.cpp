@@ -5,8 +5,8 @@
 
 #include "testing/attitudes.hpp"
 
-// The laws of a moving edge are kept by those of the library, and each mistake is told by the law that it
-// breaks.
+// The moving edges of the library satisfy the laws of motion. Each mistake is reported by the law that it
+// violates.
 using namespace vectrix;
 using namespace vectrix_test;
 
@@ -20,7 +20,7 @@ Quantity<si::time> seconds(double t) {
 const auto now = seconds(0.7);
 const auto step = seconds(1e-3);
 
-// Two turns about different axes, and a place that goes round: R, w, alpha, r, v and a in closed form.
+// Two rotations about different axes, and a position on a circle: R, w, alpha, r, v and a in closed form.
 Dcm<Gcrf, Body> attitude(double t) {
   return inverse(turned_x(to<Body>, from<Camera>, 0.4 * t * si::radian) *
                  turned_z(to<Camera>, from<Gcrf>, 0.3 * t * t * si::radian));

@@ -4,10 +4,10 @@
 
 #include "testing/motions.hpp"
 
-/// Frames that turn and move, differentiated automatically: the oracle for velocities and accelerations.
+/// Frames that rotate and move, differentiated automatically: the reference for velocities and accelerations.
 namespace vectrix_test {
 
-/// r_pq^a and its first two derivatives, which are what an observer in a sees.
+/// r_pq^a and its first two derivatives, as seen by an observer in a.
 template <class P, class Q, class A> struct Track {
   Eigen::Vector3d r, v, a;
 
@@ -30,7 +30,7 @@ template <class P, class Q, class A> struct Track {
   }
 };
 
-/// A place that moves with acceleration along a bent line. `seed` tells them apart.
+/// A position that moves with acceleration along a curve. `seed` selects the curve.
 template <class P, class Q, class A>
 vectrix::Displacement<P, Q, vectrix::In<A>, Dual2> moving(double seed, const Dual2& t) {
   using namespace vectrix;
@@ -39,12 +39,12 @@ vectrix::Displacement<P, Q, vectrix::In<A>, Dual2> moving(double seed, const Dua
   return displacement(of<Q>, relative_to<P>, vector<si::length>(in<A>, r));
 }
 
-/// X_b^a(t), turning and moving.
+/// X_b^a(t), rotating and moving.
 template <class A, class B> vectrix::Transform<A, B, Dual2> travelling(double seed, const Dual2& t) {
   return {turning<A, B>(seed, t), moving<A, B, A>(1.0 - seed, t)};
 }
 
-/// What X_b^a(t) says of the motion of b as a sees it.
+/// The motion of b as seen from a, from X_b^a(t).
 template <class A, class B>
 vectrix::AcceleratingTransform<A, B> motion(const vectrix::Transform<A, B, Dual2>& X) {
   const Track<A, B, A> track(X.translation);

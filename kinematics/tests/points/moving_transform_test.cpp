@@ -10,7 +10,7 @@ namespace {
 
 struct Tip : named_point {};
 
-/// Derivatives reach 1e3 m/s^2 where three motions are chained; each product adds some ten roundings.
+/// Derivatives reach 1e3 m/s^2 where three motions are chained; each product adds about ten roundings.
 constexpr double chain_tolerance = 1e-11;
 
 /// The point at the tip of an arm that moves in b, which turns in a: seen from both, expressed in b.
@@ -55,7 +55,7 @@ RC_GTEST_PROP(Acceleration, TheApparentAccelerationsAreWhatTheTurningObserverAdd
   RC_ASSERT(distance(a_b.coordinates(), arm.seen_from_b.a) <= chain_tolerance);
 }
 
-// A carousel turns about z at 2 rad/s; a stone lies 3 m out on x and rolls inwards along x at 1 m/s.
+// A carousel turns about z at 2 rad/s. A stone is 3 m out on x and rolls inwards along x at 1 m/s.
 TEST(Acceleration, TheApparentAccelerationsPointAsInTheTextbook) {
   const auto w = angular_velocity(of<Body>, relative_to<Gcrf>,
                                   vector<si::angular_velocity>(in<Body>, Eigen::Vector3d(0, 0, 2)));
@@ -66,8 +66,8 @@ TEST(Acceleration, TheApparentAccelerationsPointAsInTheTextbook) {
   const auto v = velocity(of<Tip>, relative_to<Body>, observed_from<Body>,
                           vector<si::velocity>(in<Body>, Eigen::Vector3d(-1, 0, 0)));
   EXPECT_EQ(centrifugal_acceleration(w, r).coordinates(), Eigen::Vector3d(12, 0, 0));  // outwards
-  EXPECT_EQ(coriolis_acceleration(w, v).coordinates(), Eigen::Vector3d(0, 4, 0));      // ahead of the turn
-  EXPECT_EQ(euler_acceleration(alpha, r).coordinates(), Eigen::Vector3d(0, -15, 0));   // left behind
+  EXPECT_EQ(coriolis_acceleration(w, v).coordinates(), Eigen::Vector3d(0, 4, 0));      // along the rotation
+  EXPECT_EQ(euler_acceleration(alpha, r).coordinates(), Eigen::Vector3d(0, -15, 0));   // against the rotation
 }
 
 TEST(Velocity, RestIsClaimedByName) {
@@ -77,7 +77,7 @@ TEST(Velocity, RestIsClaimedByName) {
             Eigen::Vector3d::Zero());
 }
 
-/// Three motions that do not commute, and the transforms that they are the derivatives of.
+/// Three motions that do not commute, and the transforms whose derivatives they are.
 struct Chain {
   Dual2 t = instant(*coordinate());
   Transform<Gcrf, Body, Dual2> ab = travelling<Gcrf, Body>(0.7, t);

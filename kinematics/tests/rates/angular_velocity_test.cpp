@@ -48,7 +48,7 @@ RC_GTEST_PROP(AngularVelocity, Law3ReexpressionKeepsThePair, ()) {
   RC_ASSERT(w_ab_d.coordinates() == R_d_from_c.matrix() * w_ab_c.coordinates());
 }
 
-// Law 1 against the derivative of the product: vee(d/dt(R_b^a R_d^b) (R_b^a R_d^b)^T).
+// Law 1, compared with the derivative of the product: vee(d/dt(R_b^a R_d^b) (R_b^a R_d^b)^T).
 RC_GTEST_PROP(AngularVelocity, Law1IsThatOfTheDifferentiatedProduct, ()) {
   const Dual2 t = instant(*coordinate());
   const auto R_ab = turning<Gcrf, Body>(0.7, t);
@@ -60,7 +60,7 @@ RC_GTEST_PROP(AngularVelocity, Law1IsThatOfTheDifferentiatedProduct, ()) {
   RC_ASSERT(distance(w_ad_a.coordinates(), ad.w_a()) <= motion_tolerance);
 }
 
-// Law 1 of the accelerations, with its cross term, against the second derivative of the product.
+// Law 1 of the accelerations, with its cross term, compared with the second derivative of the product.
 RC_GTEST_PROP(AngularAcceleration, Law1ChainIsThatOfTheTwiceDifferentiatedProduct, ()) {
   const Dual2 t = instant(*coordinate());
   const auto R_ab = turning<Gcrf, Body>(0.7, t);
@@ -86,7 +86,7 @@ TEST(AngularAcceleration, Law1FailsWithoutItsCrossTerm) {
   EXPECT_GT(distance(ab.alpha_a() + ab.R * bd.alpha_a(), ad.alpha_a()), visible);
 }
 
-// 2. alpha_ba^c = -alpha_ab^c, also that of the differentiated inverse.
+// 2. alpha_ba^c = -alpha_ab^c; also that of the differentiated inverse.
 RC_GTEST_PROP(AngularAcceleration, Law2ReversalChangesTheSign, ()) {
   const auto alpha = any_acceleration<Gcrf, Body, Camera>();
   const AngularAcceleration<Body, Gcrf, In<Camera>> reversed = -alpha;
@@ -182,7 +182,7 @@ RC_GTEST_PROP(AngularVelocity, NormAndDotAreThoseOfTheCoordinates, ()) {
   RC_ASSERT(dot(h, w).value() == energy.value());
 }
 
-// q and R re-express alike.
+// q and R re-express in the same way.
 RC_GTEST_PROP(AngularVelocity, AQuaternionReexpressesAsItsMatrix, ()) {
   const auto R = any_dcm<Camera, Body>();
   const auto q = quaternion(R);

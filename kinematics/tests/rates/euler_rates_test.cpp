@@ -17,7 +17,7 @@ template <class Sequence> EulerAngles<Sequence, Gcrf, Body> angles_of(const Eige
                       t(2) * si::radian);
 }
 
-/// Not in the typed test, so that automatic differentiation is compiled once and not 24 times.
+/// Outside the typed test, so that automatic differentiation is compiled once and not 24 times.
 MovingNumbers<3> moving_angles(std::mt19937_64& random, const Turns& turns) {
   const Eigen::Matrix<Dual2, 3, 1> t = quadratics(random, 3.0);
   return {t, trust_dcm(to<Gcrf>, from<Body>, product_of(turns, t))};
@@ -36,7 +36,8 @@ TYPED_TEST(EulerRates, AreTheDerivativesInBothFramesAndBothWays) {
   }
 }
 
-// What is lost is what the distance says: a rate of 1 rad/s is 1/distance of the first and third angle's.
+// The loss of digits follows the distance: a rate of 1 rad/s is a rate of 1/distance of the first and third
+// angle.
 TYPED_TEST(EulerRates, NearTheSingularityOnlyAsManyDigitsGoAsItIsNear) {
   for (const double away : {1e-3, 1e-6, 1e-9, 1e-12}) {
     const double second = (TypeParam::proper ? 0.0 : std::numbers::pi / 2) + away;
@@ -61,7 +62,7 @@ TYPED_TEST(EulerRates, AtTheSingularityAreBadInputThatSaysHowNear) {
       << text;
   const auto again = message<BadInput>([&] { second_rate(x, w, alpha_of<Gcrf>({1, 2, 3})); });
   EXPECT_NE(again, "");
-  // The way back is regular there.
+  // The inverse map is regular there.
   const auto xdot = parameter_rate(x, 1.0 * si::radian / si::second, 0.0 * si::radian / si::second,
                                    1.0 * si::radian / si::second);
   const double both = angular_velocity(x, xdot, in<Gcrf>).coordinates().norm();
@@ -84,7 +85,7 @@ TEST(Euler123, ItsMatrixInTheOuterFrame) {
   EXPECT_LE(distance(rate(x, omega_of<Gcrf>(w)).coordinates(), note.inverse() * w), rounding);
 }
 
-// Note 000: w^b is that with Rdot = R [w^b]x; of the same product its matrix is
+// Note 000: w^b is the rate with Rdot = R [w^b]x. For the same product, its matrix is
 //     [cos b cos c sin c 0; -cos b sin c cos c 0; sin b 0 1]
 TEST(Euler123, ItsMatrixInTheBody) {
   const double b = -0.4, g = 2.1;

@@ -53,7 +53,7 @@ RC_GTEST_PROP(MovingDcm, TheRateMayBeGivenInEitherFrame, ()) {
   RC_ASSERT(same(moving_dcm(ab.rotation(), ab.rotation() * ab.w_ab_b()), ab));
 }
 
-/// An edge's function that counts its evaluations.
+/// Edge function that counts its evaluations.
 template <class Value> struct Counting {
   Value value;
   int* count;
@@ -90,7 +90,7 @@ RC_GTEST_PROP(FrameGraph, RatesAndAccelerationsAreThoseOfTheDifferentiatedPath, 
   RC_ASSERT(distance(alpha_back.coordinates(), -down.alpha_a()) <= motion_tolerance);
   RC_ASSERT(evaluations[0] == 1 && evaluations[1] == 1 && evaluations[2] == 1 && evaluations[3] == 0);
 
-  // Across branches, expressed in a frame off the path.
+  // Across branches, expressed in a frame that is not on the path.
   const Motion<Wheel<2>, Camera> across(inverse(m.gcrf_from_wheel) * m.gcrf_from_body *
                                         inverse(m.camera_from_body));
   const auto w_off = snapshot.angular_velocity(of<Camera>, relative_to<Wheel<2>>, in<Wheel<1>>);
@@ -106,7 +106,8 @@ RC_GTEST_PROP(FrameGraph, RatesAndAccelerationsAreThoseOfTheDifferentiatedPath, 
   RC_ASSERT(distance(by_hand.coordinates(), w_off.coordinates()) <= motion_tolerance);
 }
 
-// Wherever the paths to b and to c part, also of a snapshot without a name, which keeps nothing.
+// For every point where the paths to b and to c separate; also for a snapshot without a name, which caches
+// nothing.
 RC_GTEST_PROP(FrameGraph, MotionsAreExpressedInAnyFrameEachEdgeEvaluatedOnce, ()) {
   const Motions m;
   int evaluations[3] = {};
@@ -152,7 +153,7 @@ TEST(FrameGraph, ARigidEdgeIsAtRest) {
             rounding);
 }
 
-// What an edge does not know, overload resolution refuses.
+// A query for what an edge does not know is refused by overload resolution.
 template <class Snapshot, class B, class A, class C>
 concept AnswersRate = requires(const Snapshot& snapshot) {
   snapshot.angular_velocity(of<B>, relative_to<A>, in<C>);

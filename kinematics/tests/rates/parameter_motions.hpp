@@ -7,7 +7,7 @@
 
 #include "testing/motions.hpp"
 
-/// Parameters that move, against automatic differentiation of their matrix alone.
+/// Moving parameters, compared with automatic differentiation of their matrix alone.
 namespace vectrix_test {
 
 using namespace vectrix;
@@ -19,7 +19,7 @@ template <class X> AngularAcceleration<Gcrf, Body, In<X>> alpha_of(const Eigen::
   return angular_acceleration(of<Body>, relative_to<Gcrf>, vector<si::angular_acceleration>(in<X>, alpha));
 }
 
-/// N numbers, their derivatives, and the motion of the matrix that they make.
+/// N numbers, their derivatives, and the motion of the matrix made from them.
 template <int N> struct MovingNumbers {
   Eigen::Matrix<double, N, 1> value, first, second;
   Motion<Gcrf, Body> motion;
@@ -44,7 +44,7 @@ inline Eigen::Matrix<Dual2, 3, 1> quadratics(std::mt19937_64& random, double siz
   return list;
 }
 
-/// x is the parameters of numbers.value; `amplified` is how much larger the derivatives are than the rate.
+/// x is the parameters of numbers.value. `amplified` is the ratio of the derivatives to the rate.
 template <class X, int N>
 void expect_their_kinematics(const X& x, const MovingNumbers<N>& numbers, double amplified) {
   const auto xdot = parameter_rate(x, numbers.first);

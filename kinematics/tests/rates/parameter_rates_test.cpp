@@ -31,7 +31,7 @@ MovingNumbers<N> moving(const Eigen::Matrix<Dual2, N, 1>& numbers, const Door& d
   return {numbers, dcm(door(numbers))};
 }
 
-// Short turns and long ones, some beyond half a turn, where the shadow is the shorter.
+// Short rotations and long ones, some beyond half a turn, where the shadow set is shorter.
 TEST(ModifiedRodriguesRate, IsTheDerivativeInBothFramesAndBothWays) {
   std::mt19937_64 random(20261104);
   for (int i = 0; i < instances; ++i) {
@@ -50,7 +50,7 @@ TEST(GibbsRate, IsTheDerivativeInBothFramesAndBothWays) {
   }
 }
 
-// The angle goes up to three turns; its axis is kept a unit vector.
+// The angle is up to three turns; the axis stays a unit vector.
 TEST(AxisAngleRate, IsTheDerivativeInBothFramesAndBothWays) {
   std::mt19937_64 random(20261106);
   for (int i = 0; i < instances; ++i) {
@@ -93,14 +93,14 @@ TEST(AxisAngleRate, ItsDoorKeepsTheAxisAUnitVector) {
   }
 }
 
-// n . n'' = -|n'|^2: of the two accelerations of a turning axis one is lawful.
+// n . n'' = -|n'|^2: of two second derivatives of a moving axis, one is valid.
 TEST(AxisAngleRate, ASecondRateThatStretchesTheAxisIsBadInput) {
   const auto x = axis_angle(of<Body>, relative_to<Gcrf>, unit_x(in<Gcrf>), 1.0 * si::radian);
   const auto xdot = parameter_rate(x, Eigen::Vector4d(0, 0, 2, 0));
   const auto alpha = [&](double along) {
     return angular_acceleration(x, xdot, second_parameter_rate(x, Eigen::Vector4d(0, along, 0, 0)), in<Body>);
   };
-  // alpha = s n'' + phi' terms, none, - (1 - c) n x n'', none along n: -4 sin 1 about x.
+  // alpha = s n'' (+ phi' terms, here zero) - (1 - c) n x n'' (along n, here zero): -4 sin 1 about x.
   EXPECT_LE(distance(alpha(-4).coordinates(), Eigen::Vector3d(-4 * std::sin(1.0), 0, 0)), rounding);
   const std::string text = message<BadInput>([&] { alpha(0); });
   EXPECT_TRUE(contains(text, "angular_acceleration(angle and axis of ") &&
@@ -108,7 +108,7 @@ TEST(AxisAngleRate, ASecondRateThatStretchesTheAxisIsBadInput) {
       << text;
 }
 
-// At no turn the parameters are a quarter and half of the rotation vector, and their rates of the rate.
+// At zero rotation the parameters are a quarter and half of the rotation vector, and their rates of its rate.
 TEST(ModifiedRodriguesRate, AtNoTurnIsAQuarterOfTheRateAndOfGibbsHalf) {
   const Eigen::Vector3d w(0.25, -0.75, 0.5);
   const Eigen::Vector3d none = Eigen::Vector3d::Zero();

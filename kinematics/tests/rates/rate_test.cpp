@@ -68,7 +68,7 @@ TEST(DcmRate, OfAnotherRotationIsBadInput) {
                        "the matrix is not skew"));
 }
 
-// d/dt q = 1/2 q (0, w^b) = 1/2 (0, w^a) q: the derivative of dcm(q) along it is that of the DCM.
+// d/dt q = 1/2 q (0, w^b) = 1/2 (0, w^a) q: the derivative of dcm(q) in this direction is that of the DCM.
 RC_GTEST_PROP(QuaternionRate, BodyAndReferenceFormAreTheDerivative, ()) {
   const auto ab = any_motion();
   const auto q = quaternion(ab.rotation());

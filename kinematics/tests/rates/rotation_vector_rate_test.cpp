@@ -1,5 +1,5 @@
-// The rotation vector's rate and second rate, by the Jacobians, against the derivatives of the rotation
-// alone.
+// The rate and second rate of the rotation vector, by the Jacobians, compared with the derivatives of the
+// rotation alone.
 #include <gtest/gtest.h>
 
 #include <vectrix/kinematics/attitude/jacobian.hpp>
@@ -27,7 +27,7 @@ MovingNumbers<3> through(const Vector3d& theta, std::mt19937_64& random) {
   return {moving, exp(rotation_vector(of<Body>, relative_to<Gcrf>, vector<si::angle>(in<Gcrf>, moving)))};
 }
 
-// No turn, the joints of the series, half a turn, and beyond a full one, to which 6.2 rad comes near.
+// Zero, the angles where the series begin, half a turn, and beyond a full turn, to which 6.2 rad is near.
 TEST(RotationVectorRate, IsTheDerivativeInBothFramesAndBothWays) {
   std::mt19937_64 random(20260301);
   std::uniform_real_distribution<double> number(-1.0, 1.0);
@@ -69,11 +69,11 @@ TEST(RotationVectorRate, IsBortzsEquation) {
   const Vector3d bortz = w + theta.cross(w) / 2 +
                          (1 - half / std::tan(half)) / theta.squaredNorm() * theta.cross(theta.cross(w));
   EXPECT_LE(distance(rate(turn_of(theta), omega_of<Body>(w)).coordinates(), bortz), rounding);
-  // In the other frame the sign of the second term is the other one.
+  // In the other frame the sign of the second term is opposite.
   EXPECT_GT(distance(rate(turn_of(theta), omega_of<Gcrf>(w)).coordinates(), bortz), visible);
 }
 
-// theta_ba = -theta_ab, and so its rates; w_ba = -w_ab.
+// theta_ba = -theta_ab, and the same for its rates; w_ba = -w_ab.
 TEST(RotationVectorRate, Reverses) {
   std::mt19937_64 random(20260303);
   const auto numbers = through({0.3, -0.8, 1.1}, random);
@@ -95,7 +95,7 @@ TEST(RotationVectorRate, AtAFullTurnIsBadInputThatSaysHowNear) {
                          second_rate(theta, w, alpha_of<Body>({0, 1, 0}));
                        }),
                        "rad from the singularity, a full turn"));
-  // The other way it is as good as anywhere.
+  // The inverse map has full accuracy there.
   const auto there = angular_velocity(theta, parameter_rate(theta, Vector3d(1, 2, 3)), in<Body>);
   EXPECT_LE(distance(there.coordinates(), Vector3d(0, 0, 3)), rounding);
 }
@@ -115,7 +115,7 @@ TEST(RotationVector, SaysHowFarFromAFullTurnItIs) {
   }
 }
 
-// d|theta| = n . dtheta, of any size; at none it has no derivative.
+// d|theta| = n . dtheta, for any size; at zero there is no derivative.
 TEST(RotationVector, TheDerivativeOfItsAngleIsAlongTheAxis) {
   using Dual = Eigen::AutoDiffScalar<Eigen::Matrix<double, 1, 1>>;
   const auto slope = [](const Vector3d& theta) {

@@ -13,7 +13,7 @@ using Second = AngularAcceleration<Gcrf, Body, In<Body>>;
 Motion<Gcrf, Body> any_motion() {
   return Motion<Gcrf, Body>(turning<Gcrf, Body>(0.7, instant(*coordinate())));
 }
-/// Rates and accelerations go into the second derivative by squares and as they are.
+/// The second derivative depends on the squares of the rates, and linearly on the accelerations.
 double tolerance(const Motion<Gcrf, Body>& ab) {
   return motion_tolerance * std::max(1.0, ab.Rddot.norm());
 }
@@ -47,13 +47,15 @@ TEST(DcmSecondRate, ItsDoorTakesOnlyOneOfThatRotationAndRate) {
   Eigen::Matrix3d bad = ab.Rddot;
   bad(2, 0) = std::numeric_limits<double>::quiet_NaN();
   EXPECT_TRUE(contains(said(bad), "of R^T times it entry (1, 1) is nan")) << said(bad);
-  // A steady turn: all of it is centripetal, and the angular acceleration is nothing.
+  // Rotation at a constant rate: the second derivative is centripetal only, and the angular acceleration is
+  // zero.
   const auto steady = second_rate(R, ab.w_ab_b(), unaccelerated(of<Body>, relative_to<Gcrf>, in<Body>));
   const auto alpha = angular_acceleration(R, Rdot, dcm_second_rate(R, Rdot, steady.matrix()), in<Gcrf>);
   EXPECT_LE(alpha.coordinates().norm(), tolerance(ab));
 }
 
-// qddot = q (-|w|^2/4, alpha^b/2) = (-|w|^2/4, alpha^a/2) q, against Rddot by the product rule of R(q).
+// qddot = q (-|w|^2/4, alpha^b/2) = (-|w|^2/4, alpha^a/2) q, compared with Rddot by the product rule for
+// R(q).
 RC_GTEST_PROP(QuaternionSecondRate, IsTheDerivativeInBothFramesAndBothWays, ()) {
   const auto ab = any_motion();
   const auto q = quaternion(ab.rotation());
@@ -90,7 +92,7 @@ TEST(QuaternionRate, ItsDoorsTakeOnlyWhatKeepsTheNorm) {
   const double w = qdot.eigen().w(), x = qdot.eigen().x(), y = qdot.eigen().y(), z = qdot.eigen().z();
   EXPECT_EQ(quaternion_rate_scalar_first(q, w, x, y, z).eigen().coeffs(), qdot.eigen().coeffs());
   EXPECT_EQ(quaternion_rate_scalar_last(q, x, y, z, w).eigen().coeffs(), qdot.eigen().coeffs());
-  // The order of the numbers, mistaken, moves the norm.
+  // If the numbers are in the wrong order, the norm is not constant.
   const auto mistaken = message<BadInput>([&] { quaternion_rate_scalar_last(q, w, x, y, z); });
   EXPECT_TRUE(contains(mistaken, "derivative of q(")) << mistaken;
   EXPECT_TRUE(contains(mistaken, "the norm of q would leave 1")) << mistaken;

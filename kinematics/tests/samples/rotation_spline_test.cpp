@@ -18,8 +18,8 @@ using Samples = std::vector<AttitudeSample<Gcrf, Body>>;
 using Spline = RotationSpline<Gcrf, Body>;
 
 constexpr auto longest_gap = 10.0 * si::second;
-/// Turns of up to 1.5 rad in at least 0.5 s: rates of some 5 rad/s and accelerations of some 50 rad/s^2,
-/// found by a linear solution of condition 3 or so.
+/// Turns of up to 1.5 rad in at least 0.5 s: rates of about 5 rad/s and accelerations of about 50 rad/s^2,
+/// from a linear system with a condition number of about 3.
 constexpr double rates_solved = 1e3 * epsilon;
 constexpr double accelerations_solved = 1e4 * epsilon;
 
@@ -76,7 +76,7 @@ RC_GTEST_PROP(RotationSpline, PassesThroughItsSamples, ()) {
     RC_ASSERT(distance(R_of(spline(one.time)), dcm(one.q_a_from_b).matrix()) <= 4 * rounding);
 }
 
-// Rotation, rate and acceleration just before a sample are those at it.
+// Rotation, rate and acceleration just before a sample equal those at the sample.
 RC_GTEST_PROP(RotationSpline, IsTwiceDifferentiableAtItsSamples, ()) {
   const auto list = random_samples();
   const Spline spline(list, longest_gap, rate(*triple()), rate(*triple()));
@@ -112,8 +112,8 @@ RC_GTEST_PROP(RotationSpline, ItsRatesAreDerivatives, ()) {
   RC_ASSERT(distance(alpha_of(here), wdot) <= accelerations_solved);
 }
 
-// A constant change of a turns R alone; one of b turns the rates with it; the signs of quaternions do
-// nothing.
+// A constant change of a rotates R alone; one of b rotates the rates too; the signs of quaternions have no
+// effect.
 RC_GTEST_PROP(RotationSpline, AChangeOfEitherFrameTurnsTheSpline, ()) {
   const auto list = random_samples();
   const auto t = seconds(inside(list));
@@ -159,8 +159,8 @@ RC_GTEST_PROP(RotationSpline, TheEndsAreAsSaid, ()) {
   RC_ASSERT(distance(w_of(given(list.back().time)), last) <= rates_solved);
 }
 
-// About one axis it is the cubic spline of the angle: of 0, 0, 1 at 0, 1, 2 s with natural ends
-// alpha = 6/4 t, then 6/4 (2 - t), and w(1) = 1/2.
+// About one axis it is the cubic spline of the angle: of 0, 0, 1 at 0, 1, 2 s with natural ends alpha = 6/4
+// t, then 6/4 (2 - t), and w(1) = 1/2.
 TEST(RotationSpline, AboutOneAxisIsTheCubicSpline) {
   const Vector3d n = Vector3d(2, -1, 2) / 3;
   const Samples list{
@@ -206,7 +206,7 @@ Vector3d errors(int steps, bool natural, double from, double until) {
   }
   return worst;
 }
-/// The order from one halving of the step; it is reached to a tenth or two.
+/// The order, from halving the step once; it is reached to 0.1 or 0.2.
 Vector3d order(bool natural, double from, double until) {
   const Vector3d coarse = errors(40, natural, from, until), fine = errors(80, natural, from, until);
   return {std::log2(coarse(0) / fine(0)), std::log2(coarse(1) / fine(1)), std::log2(coarse(2) / fine(2))};
@@ -262,7 +262,7 @@ TEST(RotationSpline, BadSamplesAreRefused) {
   EXPECT_EQ(ask(10) + ask(14), "");
 }
 
-// Turns of 3 rad about axes at random, after times at random, are too much for some.
+// Turns of 3 rad about random axes after random times: for some of them the rates do not converge.
 TEST(RotationSpline, RatesThatDoNotSettleAreRefused) {
   std::mt19937_64 random(20240605);
   std::uniform_real_distribution<double> number(-1.0, 1.0);

@@ -14,7 +14,7 @@ namespace {
 using Eigen::Quaterniond;
 using Samples = std::vector<AttitudeSample<Gcrf, Body>>;
 
-/// The named edge evaluates sine and cosine of the same angles in another way, a rounding or two each.
+/// The named edge evaluates sine and cosine of the same angles in another way: one or two roundings each.
 constexpr double slerp_rounding = 32 * epsilon;
 
 Quantity<si::time> seconds(double t) {
@@ -30,7 +30,7 @@ Samples about_z(const std::vector<double>& times) {
   return list;
 }
 
-// What an attitude file says does not depend on whether its frames are types or names.
+// An attitude file gives the same attitudes with typed and with named frames.
 RC_GTEST_PROP(SampledAttitude, IsTheEdgeOfTheNamedGraph, ()) {
   NamedGraph named;
   const auto gcrf = named.add_frame("gcrf", FrameMotion::inertial);
@@ -79,7 +79,7 @@ TEST(SampledAttitude, OutsideAndInAGapIsRefused) {
                        Eigen::AngleAxisd(0.1 * t, Eigen::Vector3d::UnitZ()).toRotationMatrix()),
               rounding);
   }
-  // Between two gaps a sample has no step beside it.
+  // Between two gaps a sample has no neighbour.
   const SampledAttitude lonely(about_z({0, 5, 10}), seconds(2.0));
   EXPECT_TRUE(contains(message<BadInput>([&] { lonely(seconds(5)); }), "time 5 s is in a gap of 5 s"));
 }

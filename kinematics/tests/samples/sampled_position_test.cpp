@@ -13,7 +13,7 @@ using namespace vectrix_test;
 
 namespace {
 
-// Rounding of numbers of the size 100.
+// Rounding of numbers of about 100.
 constexpr double rounding_of_100 = 1e-13;
 
 using Motion = PointMotion<Itrf, Body, Itrf>;
@@ -27,7 +27,7 @@ double error(const Motion& found, const Motion& exact) {
                   (found.velocity.coordinates() - exact.velocity.coordinates()).norm());
 }
 
-// r(t) = (t^3, 1 - t^2, t), which a cubic has to reproduce.
+// r(t) = (t^3, 1 - t^2, t), which a cubic must reproduce.
 Motion cubic(double t) {
   return sample({t * t * t, 1.0 - t * t, t}, {3.0 * t * t, -2.0 * t, 1.0});
 }
@@ -47,7 +47,7 @@ TEST(Hermite, IsOffACircleByItsFourthDerivative) {
   const auto middle = hermite(circle(0.0), circle(h), h * si::second, 0.5 * h * si::second);
   const double error = (middle.position.coordinates() - circle(0.5 * h).position.coordinates()).norm();
   const double law = std::pow(h, 4) / 384.0;
-  const double next_order = 0.01;  // h^2, the relative size of what the law leaves out
+  const double next_order = 0.01;  // h^2, the relative size of the terms that the law omits
   EXPECT_NEAR(error, law, next_order * law);
 }
 
@@ -67,7 +67,7 @@ std::vector<PositionSample<Itrf, Body>> cubic_at(const std::vector<double>& time
   return samples;
 }
 
-// The place is an edge: seen from a frame that turns, the velocity has w x r, and the axes do not turn.
+// The position is an edge. Seen from a rotating frame its velocity contains w x r; its axes do not turn.
 TEST(SampledPosition, IsAnEdgeThatDoesNotTurn) {
   const auto rate = 0.25 * si::radian / si::second;
   const auto turning = edge([=](Quantity<si::time> t) {

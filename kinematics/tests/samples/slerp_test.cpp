@@ -47,7 +47,8 @@ RC_GTEST_PROP(Slerp, TheSignOfAQuaternionDoesNotMatter, ()) {
   RC_ASSERT(distance(plus(t).rotation.matrix(), minus(t).rotation.matrix()) <= rounding);
 }
 
-// The derivative of the matrix is R [w]x. All of one slerp: at a half turn, two could go two ways.
+// The derivative of the matrix is R [w]x. Both from one slerp: at half a turn, two slerps could go opposite
+// ways.
 RC_GTEST_PROP(Slerp, ItsRateIsTheDerivativeOfItsRotation, ()) {
   const auto q0 = *attitude();
   const auto q1 = *attitude();

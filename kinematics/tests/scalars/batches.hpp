@@ -6,8 +6,8 @@
 
 namespace vectrix_test {
 
-/// Batches of doubles, as wide as a register and otherwise. clang puts none into Eigen's matrices that wants
-/// more alignment than the machine's registers.
+/// Batches of doubles, of the width of a register and of other widths. clang cannot store a batch in Eigen's
+/// matrices if it needs more alignment than the machine's registers.
 #ifdef __clang__
 using Batches = testing::Types<std::experimental::native_simd<double>,
                                std::experimental::simd<double, std::experimental::simd_abi::scalar>>;

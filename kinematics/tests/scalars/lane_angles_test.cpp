@@ -5,15 +5,15 @@
 #include "batches.hpp"
 #include "testing/any_scalar.hpp"
 
-// The library's own sine, cosine and arc tangent against long double.
+// The library's own sine, cosine and arc tangent, compared with long double.
 namespace vectrix_test {
 namespace {
 
 constexpr int instances = 20000;
-/// One rounding of the angle less its quarter turns, and one of each of the last two operations.
+/// One rounding of the angle minus its quarter turns, and one of each of the last two operations.
 constexpr double sine_ulp = 2.0;
-/// Half an ulp each of difference, sum and quotient, which are at most as large in the result, of the series,
-/// of pi/4, pi/2 or pi and of the sum with it.
+/// Half an ulp for each of: difference, sum and quotient, which have at most that effect in the result; the
+/// series; pi/4, pi/2 or pi; and the sum with it.
 constexpr double arc_tangent_ulp = 3.0;
 
 double ulp_error(double found, long double wanted) {
@@ -25,7 +25,7 @@ double ulp_error(double found, long double wanted) {
 template <class S> struct LaneAngles : testing::Test {};
 TYPED_TEST_SUITE(LaneAngles, Batches);
 
-/// Angles of every size up to `largest`, and those next to a multiple of a quarter turn.
+/// Angles of every size up to `largest`, and angles next to a multiple of a quarter turn.
 std::vector<double> hard_angles(double largest) {
   std::mt19937_64 random(20261123);
   std::uniform_real_distribution<double> exponent(-30.0, std::log10(largest)), sign(-1.0, 1.0);
@@ -65,7 +65,7 @@ TYPED_TEST(LaneAngles, SineOfALargeAngleIsThatOfADouble) {
   EXPECT_TRUE(none_of(sine == sine) && none_of(cosine == cosine));
 }
 
-/// (y, x) of every quadrant, on the axes, and of every size.
+/// (y, x) in every quadrant, on the axes, and of every size.
 std::vector<std::pair<double, double>> hard_points() {
   std::vector<std::pair<double, double>> points;
   for (const double angle : hard_angles(M_PI)) points.emplace_back(std::sin(angle), std::cos(angle));

@@ -4,11 +4,12 @@
 
 #include "testing/any_scalar.hpp"
 
-// Batches in which one lane takes the series and another the closed form: each is that of a double.
+// Batches in which one lane uses the series and another the closed form: each must equal the result for a
+// double.
 namespace vectrix_test {
 namespace {
 
-/// As in simd_test.cpp: the same operations, sines that may round otherwise, some hundred times amplified.
+/// As in simd_test.cpp: the same operations; sines may round differently, amplified some hundred times.
 constexpr double lane_tolerance = 512 * epsilon;
 
 template <class S> struct LaneMix : testing::Test {};

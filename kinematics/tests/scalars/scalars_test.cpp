@@ -3,8 +3,8 @@
 #include "testing/any_scalar.hpp"
 #include "testing/motions.hpp"
 
-// float, double, long double and automatic differentiation through frames, graph and kinematics, against long
-// double and its differences.
+// float, double, long double and automatic differentiation through frames, graph and kinematics, compared
+// with long double and its differences.
 namespace vectrix_test {
 namespace {
 
@@ -19,7 +19,7 @@ constexpr double roundings = 1e3;
   check(rates);             \
   check(graph_answers)
 
-/// Each number of a list against a reference.
+/// Compares each number of a list with a reference.
 template <class S, class Reference>
 void expect_near(const std::vector<S>& found, const std::vector<Reference>& reference, double tolerance,
                  const char* what) {
@@ -54,7 +54,7 @@ TYPED_TEST(Scalars, GiveWhatLongDoubleGivesToTheirRounding) {
 constexpr long double step = 1e-5L;
 constexpr double difference_tolerance = 1e-6;
 
-// The derivatives of the projecting door would be those of an iteration that has stopped.
+// The projected door takes no number with a derivative: it would be the derivative of a stopped iteration.
 template <class S>
 concept Projects = requires(const Eigen::Matrix<S, 3, 3>& matrix) {
   nearest_dcm(to<Body>, from<Gcrf>, matrix);
@@ -65,7 +65,7 @@ TEST(Scalars, AutomaticDerivativesAreThoseOfLongDoubleDifferences) {
   std::mt19937_64 random(20260102);
   for (int i = 0; i < instances; ++i) {
     const Given<double> numbers = random_numbers(random);
-    // Each number x moves as x + c sin(n) s, n being its place, and s the variable.
+    // The n-th number x moves as x + c sin(n) s, where s is the variable.
     const auto moved = [&]<class S>(const S& s) {
       int n = 0;
       return converted<S>(numbers, [&](double x) { return S(S(x) + s * S(std::sin(++n))); });
@@ -91,8 +91,9 @@ TEST(Scalars, AutomaticDerivativesAreThoseOfLongDoubleDifferences) {
   }
 }
 
-// w_ab = vee(Rdot R^T) and alpha_ab its derivative: a graph that knows the rates of its edges, at a number,
-// against the second derivatives of a graph that knows rotations alone, at a time with derivatives.
+// w_ab = vee(Rdot R^T) and alpha_ab its derivative. A graph that knows the rates of its edges, at a plain
+// instant, is compared with the second derivatives of a graph that knows rotations alone, at an instant with
+// derivatives.
 TEST(Scalars, TheRatesOfAGraphAreTheDerivativesOfItsRotations) {
   std::mt19937_64 random(20260107);
   std::uniform_real_distribution<double> number(-1.0, 1.0);

@@ -5,7 +5,7 @@
 
 #include "testing/attitudes.hpp"
 
-// Several attitudes at once in floats: each lane gives what a float gives.
+// Several attitudes at once in floats: each lane gives the result of a float.
 using namespace vectrix;
 using namespace vectrix_test;
 
@@ -13,7 +13,7 @@ namespace {
 
 using Lanes = std::experimental::native_simd<float>;
 
-/// A turn, its logarithm and back: some hundred roundings of a float.
+/// A rotation, its logarithm and back: some hundred roundings of a float.
 constexpr float float_tolerance = 100 * std::numeric_limits<float>::epsilon();
 
 template <class S> Vector<Body, si::length, S> turned(const S& x) {
@@ -33,7 +33,7 @@ TEST(SimdFloat, GivesInEachLaneWhatAFloatGives) {
   }
 }
 
-// What a door and a parametrisation ask of a scalar is not double.
+// Doors and parametrisations do not require that a scalar is double.
 TEST(SimdFloat, GoesThroughEveryParametrisation) {
   const detail::Column<Lanes> x(Lanes(0.3f), Lanes(-0.2f), Lanes(0.5f));
   const auto theta = rotation_vector(of<Body>, relative_to<Gcrf>, vector<si::angle>(in<Gcrf>, x));

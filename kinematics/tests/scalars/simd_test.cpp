@@ -3,15 +3,15 @@
 #include "batches.hpp"
 #include "testing/any_scalar.hpp"
 
-// Several attitudes at once: each lane gives what a double gives, and a door refuses a bad lane.
+// Several attitudes at once: each lane gives the result of a double, and a door refuses a bad lane.
 namespace vectrix_test {
 namespace {
 
 namespace simd = std::experimental;
 
 constexpr int instances = 200;
-/// Lanes and doubles do the same operations; only sin, cos and their like may round otherwise, and that some
-/// hundred times amplified by what follows.
+/// Lanes and doubles do the same operations. Only sin, cos and similar functions may round differently, and
+/// the next operations amplify this some hundred times.
 constexpr double lane_tolerance = 512 * epsilon;
 
 template <class S> class Simd : public testing::Test {
@@ -19,7 +19,7 @@ template <class S> class Simd : public testing::Test {
   static constexpr std::size_t lanes = S::size();
   static constexpr std::size_t last = lanes - 1;
 
-  /// 1 in each lane, `bad` in the last.
+  /// 1 in each lane, but `bad` in the last.
   static S spoilt(double bad) {
     S x(1.0);
     x[last] = bad;
@@ -84,7 +84,7 @@ TYPED_TEST(Simd, HalfTurnsTakeTheSameAxisAndSign) {
   }
 }
 
-// Beyond what sine_cosine() takes apart itself the lanes go one by one.
+// Above the range of sine_cosine() the lanes are computed one by one.
 TYPED_TEST(Simd, AnglesMayBeLarge) {
   using S = TypeParam;
   for (const double angle : {1e3, 1e8, 4e9, 1e15, -1e300}) {
@@ -118,7 +118,7 @@ TYPED_TEST(Simd, ADoorRefusesABadLane) {
     EXPECT_NE(refusal([&] { nearest_quaternion_scalar_last(to<Body>, from<Gcrf>, x, one, one, one); }), "");
     EXPECT_NE(refusal([&] { vee(hat(column)); }), "");
   }
-  // Finite, but no rotation, no direction, no quaternion, no time between.
+  // Finite, but not a rotation, a direction, a quaternion or a time in the interval.
   const S zero(0.0);
   const S one(1.0);
   const auto vanishing = vector<si::length>(in<Body>, detail::Column<S>(this->spoilt(0.0), zero, zero));
@@ -153,7 +153,7 @@ TEST(Simd, PrintsItsLanes) {
   EXPECT_EQ(out.str(), "({0.5, 1.5}, {1, 1}, {0, 0}) m in " + frame_name<Body>());
 }
 
-// A comparison of lanes is no bool: what branches on one does not compile.
+// A comparison of lanes is not a bool: code that branches on one does not compile.
 static_assert(!std::is_convertible_v<simd::native_simd<double>::mask_type, bool>);
 
 }  // namespace

@@ -2,7 +2,7 @@
 
 #include "testing/attitudes.hpp"
 
-// A quantity is its numbers and nothing more.
+// A quantity has the size of its numbers.
 using namespace vectrix;
 using namespace vectrix_test;
 

@@ -1,4 +1,4 @@
-// Screws, Jacobians and rates with automatic derivatives, against differences in long double.
+// Screws, Jacobians and rates with automatic derivatives, compared with differences in long double.
 #include <gtest/gtest.h>
 
 #include "rigid_lists.hpp"
@@ -8,7 +8,7 @@ namespace vectrix_test {
 namespace {
 
 TEST(RigidMotions, TheirAutomaticDerivativesAreThoseOfDifferences) {
-  // Of a central difference in long double: h^2 times a third derivative of order 1e4, and 1e-19/h.
+  // The error of a central difference in long double: h^2 times a third derivative of order 1e4, and 1e-19/h.
   constexpr long double h = 1e-6L;
   constexpr double difference_tolerance = 1e-7;
   std::mt19937_64 random(20260402);

@@ -4,15 +4,15 @@
 
 #include "testing/any_scalar.hpp"
 
-/// Screws, Jacobians and rates as a list of numbers, of any scalar.
+/// Screws, Jacobians and rates as a list of numbers, for any scalar.
 namespace vectrix_test {
 
 /// Roundings of the list, on numbers of order 10.
 inline constexpr double few_thousand = 4e3;
 inline constexpr int instances = 100;
 
-/// A screw and its derivatives, of random size: some lanes of a batch take the series, some turn beyond 3
-/// rad.
+/// A screw and its derivatives, of random size: in one batch some lanes use the series, and some turn by more
+/// than 3 rad.
 template <class S> std::vector<S> rigid_motions(const Given<S>& given) {
   Told<S> told;
   const S size = given.t * given.t * given.t * given.t;
@@ -72,7 +72,7 @@ void expect_all_near(const std::vector<Found>& found, const std::vector<Referenc
   }
 }
 
-/// No turn is slow: its axis would be far away, with fewer digits.
+/// No rotation is slow: its axis would be far away, and its position would have fewer digits.
 inline Given<double> numbers_of(std::mt19937_64& random) {
   auto given = random_numbers(random);
   given.v[2] += Eigen::Vector3d(1.5, -1.5, 1.5);

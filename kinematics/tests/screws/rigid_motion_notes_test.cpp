@@ -1,7 +1,7 @@
-// Three formulas that lecture notes on rigid motion give, each beside what is true, by power series of the
-// matrices alone:
+// Three wrong formulas of lecture notes on rigid motion, each compared with the correct result from power
+// series of the matrices alone:
 //   - points written with the homogeneous coordinate 0;
-//   - exp(V^ t) = [R, (I - R) p; 0 1] with p = w x v/|w|^2, and with [w]x inverted on the way;
+//   - exp(V^ t) = [R, (I - R) p; 0 1] with p = w x v/|w|^2, derived with an inverse of [w]x;
 //   - Rx(w1 t) Ry(w2 t) Rz(w3 t) = exp([w]x t).
 #include <gtest/gtest.h>
 
@@ -45,13 +45,13 @@ TEST(Notes, ThePointsOfARigidMotionNeedTheCoordinateOne) {
   const Matrix4d G = series(V);
   const Vector3d q(0.2, -0.4, 1.0);
   const Vector4d as_vector = G * q.homogeneous().cwiseProduct(Vector4d(1, 1, 1, 0));
-  EXPECT_LE(distance(as_vector.head<3>(), G.topLeftCorner<3, 3>() * q), rounding);  // turned, not carried
+  EXPECT_LE(distance(as_vector.head<3>(), G.topLeftCorner<3, 3>() * q), rounding);  // rotated, not translated
   const Vector4d as_point = G * q.homogeneous();
   const auto X = exp(held(twist_with<Gcrf, Body, Gcrf, Gcrf>(V), t * si::second));
   const auto q_b = displacement(of<Camera>, relative_to<Body>, vector<si::length>(in<Body>, q));
   EXPECT_LE(distance((X * q_b).coordinates(), as_point.head<3>()), rounding);
   EXPECT_GT(distance(as_point, as_vector), visible);
-  // Its velocity is w x q + v; with 0 in the place of 1, v is gone.
+  // Its velocity is w x q + v; with 0 in place of 1, v is lost.
   const Matrix4d V_hat = four_by_four(extended(V)).cast<double>();
   const auto at_q = shift(twist_with<Gcrf, Body, Gcrf, Gcrf>(V),
                           displacement(of<Camera>, relative_to<Gcrf>, vector<si::length>(in<Gcrf>, q)));
@@ -72,20 +72,21 @@ TEST(Notes, TheDoubtfulExponentialLosesTheMotionAlongTheAxis) {
   const Vector3d v = V.tail<3>();
   const Vector3d true_one = series(V).topRightCorner<3, 1>();
   EXPECT_GT(distance(doubtful(V), true_one), visible);
-  // What it loses is w (w . v) t/|w|^2, to the last digit.
+  // The lost term is w (w . v) t/|w|^2, to the last digit.
   const Vector3d along = w * w.dot(v) * t / w.squaredNorm();
   EXPECT_LE(distance(doubtful(V) + along, true_one), rounding);
   EXPECT_LE(distance(library(V), series(V)), rounding);
   EXPECT_NEAR(screw_axis(held(twist_with<Gcrf, Body, Gcrf, Gcrf>(V), t * si::second)).advance.value(),
               along.norm() * (w.dot(v) < 0 ? -1 : 1), rounding);
-  // [w]x, which the notes invert, has no inverse; and without rotation there is nothing to divide by.
+  // [w]x, which the notes invert, is singular; and for w = 0 the notes divide by zero.
   EXPECT_NEAR(hat(w).determinant(), 0.0, rounding);
   const Six still = numbers(Vector3d::Zero(), v);
   EXPECT_FALSE(doubtful(still).allFinite());
   EXPECT_LE(distance(library(still).topRightCorner<3, 1>(), v * t), rounding);
 }
 
-// (R - I) is not p either: p = w x v/|w|^2 is a point of the axis, and rests only if the advance is none.
+// The translation (I - R) p assumes that p = w x v/|w|^2 is at rest. p is a point of the axis: it is at rest
+// only if the advance is zero.
 TEST(Notes, ThePointOfTheAxisIsCarriedAlong) {
   const Six V = numbers(w, {1.0, 2.0, -0.5});
   const Vector3d v = V.tail<3>();
@@ -108,10 +109,11 @@ TEST(Notes, ThreeTurnsAboutTheAxesAreNotOneAboutTheVector) {
   const auto one = [&](double time) { return exp(turn_of(w * time)).matrix(); };
   const double apart = (three(t) - one(t)).norm();
   EXPECT_GT(apart, 0.1);  // Frobenius norm, of 0.7 rad
-  // Additive is the one, and the three are not.
+  // The one rotation is additive in time, the product of three is not.
   EXPECT_LE(distance(one(t) * one(0.4), one(t + 0.4)), rounding);
   EXPECT_GT(distance(three(t) * three(0.4), three(t + 0.4)), visible);
-  // What is right: the derivative of the three at t = 0 is [w]x, so that they part with the square of t.
+  // The correct statement: the derivative of the product at t = 0 is [w]x, so that the two differ by the
+  // square of t.
   EXPECT_NEAR((three(t / 100) - one(t / 100)).norm() / apart, 1e-4, 2e-5);
 }
 

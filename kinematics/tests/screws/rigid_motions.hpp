@@ -7,19 +7,20 @@
 
 #include "testing/attitudes.hpp"
 
-/// What the tests of rigid motions share: screws of every regime, and power series of matrices as the oracle.
+/// Shared by the tests of rigid motions: screws of every regime, and power series of matrices as the
+/// reference.
 namespace vectrix_test {
 
 template <int N> using ExtendedMatrix = Eigen::Matrix<long double, N, N>;
 template <int N> using ExtendedColumn = Eigen::Matrix<long double, N, 1>;
 
-/// The sum of M^n/(n + first)! in long double, whose terms grow to e^|M| before they fall: up to a turn and a
-/// half that costs 14 of 64 bits.
+/// The sum of M^n/(n + first)! in long double. Its terms grow to e^|M| before they decrease: up to one and a
+/// half turns this costs 14 of 64 bits.
 template <int N> ExtendedMatrix<N> power_series(const ExtendedMatrix<N>& M, int first) {
   ExtendedMatrix<N> term = ExtendedMatrix<N>::Identity();
   for (int k = 2; k <= first; ++k) term /= k;
   ExtendedMatrix<N> sum = term;
-  int lost = 0;  // terms without effect in a row, of which every other may vanish
+  int lost = 0;  // consecutive terms without effect; every second term may be zero
   for (int n = 1; n <= 80 && lost < 3; ++n) {
     term = (term * M / (n + first)).eval();
     const ExtendedMatrix<N> before = sum;
@@ -49,7 +50,7 @@ inline ExtendedMatrix<6> bracket(const ExtendedColumn<6>& V) {
   return m;
 }
 
-/// Angles from 1e-300 to pi, the joint of the series included.
+/// Angles from 1e-300 to pi, including the angle where the series begins.
 inline std::vector<double> angles_to_a_half_turn() {
   const double pi = std::numbers::pi;
   std::vector<double> angles{0.0, 1e-300, 0.5, 1.0, 2.0, 2.9999999, 3.0, 3.0000001, pi};
@@ -57,14 +58,14 @@ inline std::vector<double> angles_to_a_half_turn() {
   for (double angle = 0.3; angle > 1e-300; angle /= 47.3) angles.push_back(angle);
   return angles;
 }
-/// And on to a turn and a half, but for the full turn.
+/// The same up to one and a half turns, without the full turn.
 inline std::vector<double> angles_beyond() {
   const double full = 2 * std::numbers::pi;
   return {3.3, 4.0, 5.0, full - 0.1, full - 1e-3, full + 1e-3, full + 0.5, 8.0, 9.0};
 }
 
-/// (theta, rho) of the given angle: about axes, diagonals and slanted lines; rho along the axis, across it,
-/// of neither, and none. `size` of rho in m.
+/// (theta, rho) of the given angle: about axes, diagonals and oblique lines; rho along the axis,
+/// perpendicular to it, in between, and zero. `size` of rho in m.
 inline std::vector<Eigen::Matrix<double, 6, 1>> screws_of(double angle, double size) {
   const Eigen::Vector3d axes[] = {{1, 0, 0}, {0, -1, 0}, {0, 1, 1}, {-1, 2, -3}, {1e-9, 0, 1}};
   const Eigen::Vector3d ways[] = {{0, 0, 0}, {0, 0, 1}, {0.5, 0, 0}, {0.3, -0.8, 0.6}};
@@ -73,7 +74,7 @@ inline std::vector<Eigen::Matrix<double, 6, 1>> screws_of(double angle, double s
     const Eigen::Vector3d n = axis.normalized();
     const double half_turn = std::numbers::pi;
     Eigen::Vector3d theta = angle * n;
-    // Rounding may have made it longer than a half turn, and the other way is then the shorter.
+    // Rounding may have made it longer than half a turn; then the opposite rotation is shorter.
     while (angle <= half_turn && theta.cast<long double>().norm() > std::numbers::pi_v<long double>) {
       theta *= 1 - epsilon;
     }

@@ -1,4 +1,4 @@
-// Screws, Jacobians and rates in float and double, against long double.
+// Screws, Jacobians and rates in float and double, compared with long double.
 #include <gtest/gtest.h>
 
 #include "rigid_lists.hpp"

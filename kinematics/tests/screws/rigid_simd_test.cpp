@@ -1,4 +1,4 @@
-// Screws, Jacobians and rates in batches: each lane gives what a double gives.
+// Screws, Jacobians and rates in batches: each lane gives the result of a double.
 #include <gtest/gtest.h>
 
 #include <vectrix/frames/scalar/lanes.hpp>
@@ -10,7 +10,7 @@ namespace {
 
 TEST(RigidMotions, EachLaneOfABatchIsThatOfADouble) {
   using S = std::experimental::native_simd<double>;
-  // Sine and cosine may round otherwise, and what follows amplifies that.
+  // Sine and cosine may round differently, and the next operations amplify the difference.
   constexpr double lane_tolerance = few_thousand * epsilon;
   std::mt19937_64 random(20260403);
   for (int i = 0; i < instances; ++i) {

@@ -1,4 +1,4 @@
-// Screw motions: exp and log of SE(3) against power series in long double, twists held constant, the axis.
+// Screw motions: exp and log of SE(3) compared with power series in long double, constant twists, the axis.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -12,12 +12,12 @@ namespace {
 using std::numbers::pi;
 using Six = Eigen::Matrix<double, 6, 1>;
 
-/// Of the translation, relative to rho: as the Jacobian that makes it.
+/// Of the translation, relative to rho: as for the Jacobian from which it is computed.
 constexpr double few_ulps = 4 * epsilon;
-/// rho of log(exp()): theta by way of nine numbers, good to 16 ulps of a half turn.
+/// rho of log(exp()): theta goes through nine numbers, with an error of 16 ulps of half a turn.
 constexpr double ulps_by_dcm = 32 * epsilon;
 
-/// |x|, also where its square over- or underflows a double.
+/// x|, also where its square overflows or underflows a double.
 template <class Derived> double length(const Eigen::MatrixBase<Derived>& x) {
   return static_cast<double>(extended(x).norm());
 }
@@ -40,7 +40,7 @@ TEST(Screw, ExpIsAccurateToRoundingForEveryAngleAndSize) {
   }
 }
 
-// A screw about the third axis, of any number of turns.
+// A screw about the third axis, with any number of turns.
 TEST(Screw, ExpOfManyTurnsClosesTheCircle) {
   for (const double angle : {1e2, 1e5, 1e8, 1e15}) {
     Six xi;
@@ -70,13 +70,13 @@ TEST(Screw, LogIsAccurateToRoundingForEveryAngleAndSize) {
       for (const Six& xi : screws_of(angle, size)) {
         const auto X = exp(screw_of(xi));
         const auto found = log(X);
-        // Of the theta that the nine numbers have, rho is known to rounding.
+        // For the theta that the nine numbers contain, rho is known to rounding.
         const Eigen::Vector3d theta = found.rotation_vector().coordinates();
         EXPECT_EQ(theta, log(X.rotation).coordinates());
         const Eigen::Vector3d rho = found.coordinates().tail<3>();
         const ExtendedColumn<3> r = power_series<3>(skew(extended(theta)), 1) * extended(rho);
         EXPECT_LE(error(X.translation.coordinates(), r), few_ulps * length(rho)) << xi.transpose();
-        // Within rounding of pi nine numbers do not tell +n from -n, and rho goes with n.
+        // Within rounding of pi, nine numbers cannot distinguish +n from -n, and rho depends on n.
         if (angle > pi - 1e-14) continue;
         EXPECT_LE(length(rho - xi.tail<3>()), ulps_by_dcm * length(xi.tail<3>())) << xi.transpose();
         EXPECT_LE(length(theta - xi.head<3>()), ulps_by_dcm * length(xi.head<3>())) << xi.transpose();
@@ -134,7 +134,7 @@ RC_GTEST_PROP(Screw, ExpUndoesLog, ()) {
   RC_ASSERT(distance(four(exp(xi_ab)), four(X)) <= tolerance);
 }
 
-// exp(Ad(X) xi) = X exp(xi) X^-1: the same motion of two frames that sit on a and b alike.
+// exp(Ad(X) xi) = X exp(xi) X^-1: the same motion of two frames that are fixed to a and b in the same way.
 RC_GTEST_PROP(Screw, OfAnotherFrameIsCarriedByTheAdjoint, ()) {
   const Six xi = any_six();
   const auto X_ca = any_transform<Camera, Gcrf>();
@@ -142,7 +142,7 @@ RC_GTEST_PROP(Screw, OfAnotherFrameIsCarriedByTheAdjoint, ()) {
   RC_ASSERT(distance(four(exp(screw_of(adjoint(X_ca) * xi))), same) <= 10 * tolerance);
 }
 
-// X exp(V_b t) = exp(V_a t) X, and in between X_a_from_b moves with the twist.
+// X exp(V_b t) = exp(V_a t) X, and in between X_a_from_b moves with the constant twist.
 RC_GTEST_PROP(HeldTwist, BodyAndReferenceFormAreOneMotion, ()) {
   const auto X = any_transform<Gcrf, Body>();
   const auto V_b = twist_with<Gcrf, Body, Body, Body>(any_six());
@@ -155,12 +155,12 @@ RC_GTEST_PROP(HeldTwist, BodyAndReferenceFormAreOneMotion, ()) {
           four(later),
           four(X) * power_series<4>(four_by_four(extended(Six(t * V_b.coordinates()))), 0).cast<double>()) <=
       10 * tolerance);
-  // Held on: the twists at the end are those of the start.
+  // The twist is constant: the twists at the end equal those at the start.
   RC_ASSERT(distance((later * V_b).coordinates(), V_a.coordinates()) <= 100 * tolerance);
   RC_ASSERT(distance(four(moved(later, V_b, -t * si::second)), four(X)) <= 10 * tolerance);
 }
 
-// From a itself there is only one way.
+// If a and b coincide at the start, the body form and the reference form give the same screw.
 RC_GTEST_PROP(HeldTwist, FromOneFrameBothFormsAreOneScrew, ()) {
   const Six V = any_six();
   const auto t = 0.7 * si::second;
@@ -170,8 +170,8 @@ RC_GTEST_PROP(HeldTwist, FromOneFrameBothFormsAreOneScrew, ()) {
   RC_ASSERT(distance(body.coordinates(), 0.7 * V) <= tolerance);
 }
 
-// A wheel of radius 0.5 m rolls along x at 3 m/s, its contact at a's origin at rest. Held there, the twist is
-// no rolling: the contact stays, as a hinge.
+// A wheel of radius 0.5 m rolls along x at 3 m/s; its contact point is at rest at a's origin. A constant
+// twist is not rolling: the contact point remains at rest, like a hinge.
 TEST(HeldTwist, OfARollingWheelAtItsContactTipsIt) {
   const auto X = Transform{
       aligned(to<Gcrf>, from<Body>),
@@ -191,7 +191,7 @@ TEST(ScrewAxis, IsALineWithATurnAndAnAdvance) {
   const ScrewAxis<Gcrf> axis{vector<si::dimensionless>(in<Gcrf>, n), vector<si::length>(in<Gcrf>, p),
                              1.1 * si::radian, 0.3 * si::metre};
   const auto xi_ab = screw_along(of<Body>, relative_to<Gcrf>, axis);
-  // A point of the axis goes along it.
+  // A point of the axis moves along it.
   const auto X = exp(xi_ab);
   EXPECT_LE(distance(X.rotation.matrix() * p + X.translation.coordinates(), p + 0.3 * n), rounding);
   EXPECT_LE(distance(X.rotation.matrix(), Eigen::AngleAxisd(1.1, n).toRotationMatrix()), rounding);

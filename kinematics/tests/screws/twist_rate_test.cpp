@@ -1,4 +1,5 @@
-// Twists and their rates of frames that turn and move, against the derivatives of the homogeneous matrix.
+// Twists and their rates for frames that rotate and move, compared with the derivatives of the homogeneous
+// matrix.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -12,7 +13,7 @@ namespace {
 
 struct Tip : named_point {};
 
-/// Derivatives reach 1e3 m/s^2 where three motions are chained; each product adds some ten roundings.
+/// Derivatives reach 1e3 m/s^2 where three motions are chained; each product adds about ten roundings.
 constexpr double chain_tolerance = 1e-11;
 
 /// X_b^a(t) and the derivatives of its matrix.
@@ -50,7 +51,7 @@ RC_GTEST_PROP(Twist, IsTheDerivativeOfTheTransform, ()) {
   RC_ASSERT(distance((ab.place() * V_b).coordinates(), six(ab.V_hat())) <= chain_tolerance);
 }
 
-// Vdot at a in a is the derivative of the six numbers of V there, and at b in b of those there.
+// Vdot at a in a is the derivative of the six numbers of V there; at b in b, of the six numbers there.
 RC_GTEST_PROP(TwistRate, IsTheDerivativeOfTheTwistInEitherFrame, ()) {
   const Journey<Gcrf, Body> ab(0.7, instant(*coordinate()));
   const TwistRate<Gcrf, Body, At<Body>, In<Body>> Vdot_b = twist_rate_of(ab.now);
@@ -88,7 +89,7 @@ RC_GTEST_PROP(TwistRate, AndTwistMakeTheAccelerationOfTheParticle, ()) {
   RC_ASSERT(distance(a.coordinates(), rddot - alpha.cross(r) - w.cross(w.cross(r))) <= chain_tolerance);
 }
 
-// A point fixed in b, by its twist and by its track: velocity and acceleration relative to a's origin.
+// A point fixed in b, by its twist and by its trajectory: velocity and acceleration relative to a's origin.
 RC_GTEST_PROP(TwistRate, MovesAPointOfTheBodyAsItsTrackSays, ()) {
   const Dual2 t = instant(*coordinate());
   const Journey<Gcrf, Body> ab(0.7, t);
@@ -107,7 +108,7 @@ RC_GTEST_PROP(TwistRate, MovesAPointOfTheBodyAsItsTrackSays, ()) {
       R_a_from_b * point_acceleration(of<Tip>, V_q, Vdot_q);
   RC_ASSERT(distance(v.coordinates(), track.v) <= chain_tolerance);
   RC_ASSERT(distance(a.coordinates(), track.a) <= chain_tolerance);
-  // The same by transport() of a point at rest.
+  // The same from transport() of a point at rest.
   const auto w_ab_b = twist_of(ab.now).angular_velocity();
   const auto alpha_ab_b = twist_rate_of(ab.now).angular_acceleration();
   const auto a_bq_a_b = transport(
@@ -117,7 +118,7 @@ RC_GTEST_PROP(TwistRate, MovesAPointOfTheBodyAsItsTrackSays, ()) {
             chain_tolerance);
 }
 
-// Vdot_ad = Vdot_ab + Vdot_bd + ad(V_ab) V_bd, at d in d, as the chain of the motions has it.
+// Vdot_ad = Vdot_ab + Vdot_bd + ad(V_ab) V_bd, at d in d; it equals the chain of the motions.
 RC_GTEST_PROP(TwistRate, ChainsWithTheBracket, ()) {
   const Dual2 t = instant(*coordinate());
   const Journey<Gcrf, Body> ab(0.7, t);
@@ -136,14 +137,14 @@ RC_GTEST_PROP(TwistRate, ChainsWithTheBracket, ()) {
   RC_ASSERT(distance(Vdot_ad.coordinates(), sum) <= chain_tolerance);
 }
 
-// Vdot_ba = -Vdot_ab: the motion of a as b sees it.
+// Vdot_ba = -Vdot_ab: the motion of a seen from b.
 RC_GTEST_PROP(TwistRate, Reverses, ()) {
   const Journey<Gcrf, Body> ab(0.7, instant(*coordinate()));
   const TwistRate<Body, Gcrf, At<Gcrf>, In<Gcrf>> Vdot_ba = -(ab.place() * twist_rate_of(ab.now));
   RC_ASSERT(distance(twist_rate_of(inverse(ab.now)).coordinates(), Vdot_ba.coordinates()) <= chain_tolerance);
 }
 
-// A transform shifts and re-expresses, in either order, and is the product with Ad.
+// A transform shifts and re-expresses, in either order; this equals the product with Ad.
 RC_GTEST_PROP(TwistRate, TheTransformIsTheAdjoint, ()) {
   const Dual2 t = instant(*coordinate());
   const auto Vdot_b = twist_rate_of(Journey<Gcrf, Body>(0.7, t).now);
@@ -155,8 +156,8 @@ RC_GTEST_PROP(TwistRate, TheTransformIsTheAdjoint, ()) {
             chain_tolerance);
 }
 
-// A top of radius 2 m spins steadily at 3 rad/s: its rim accelerates towards the axis, and the velocity at a
-// point of the room does not change.
+// A top of radius 2 m spins at a constant 3 rad/s: its rim accelerates towards the axis, and the velocity at
+// a point fixed in the room does not change.
 TEST(TwistRate, OfASteadySpinIsZeroAndItsParticlesAccelerate) {
   const auto w = angular_velocity(of<Body>, relative_to<Gcrf>,
                                   vector<si::angular_velocity>(in<Gcrf>, Eigen::Vector3d(0, 0, 3)));
@@ -167,7 +168,7 @@ TEST(TwistRate, OfASteadySpinIsZeroAndItsParticlesAccelerate) {
   EXPECT_EQ(particle_acceleration(V, Vdot).coordinates(), inwards.coordinates());
 }
 
-// w_ab and v of a screw that changes, against the derivatives of its exponential.
+// w_ab and v of a screw that changes, compared with the derivatives of its exponential.
 RC_GTEST_PROP(ScrewRate, TheJacobiansMakeItTheTwist, ()) {
   const Dual2 t = instant(0.0);
   const auto numbers = [&](double size) {

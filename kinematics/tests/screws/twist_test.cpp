@@ -30,7 +30,7 @@ RC_GTEST_PROP(Twist, ChainsAtOnePoint, ()) {
   RC_ASSERT(ba.coordinates() == -ab.coordinates());
 }
 
-// The chain at one point is the chain at every other.
+// If the chain holds at one point, it holds at every point.
 RC_GTEST_PROP(Twist, ShiftCommutesWithTheChain, ()) {
   const auto ab = any_twist<Gcrf, Body, Tip, Camera>();
   const auto bd = any_twist<Body, Wheel<1>, Tip, Camera>();
@@ -40,7 +40,7 @@ RC_GTEST_PROP(Twist, ShiftCommutesWithTheChain, ()) {
   RC_ASSERT(distance(shift(shift(ab, r), -r).coordinates(), ab.coordinates()) <= rounding);
 }
 
-// A transform shifts and re-expresses, in either order, and is the product with Ad.
+// A transform shifts and re-expresses, in either order; this equals the product with Ad.
 RC_GTEST_PROP(Twist, TheTransformIsTheAdjoint, ()) {
   const auto V_b = any_twist<Gcrf, Wheel<1>, Body, Body>();
   const auto X_c_from_b = any_transform<Camera, Body>();
@@ -52,14 +52,14 @@ RC_GTEST_PROP(Twist, TheTransformIsTheAdjoint, ()) {
   RC_ASSERT(distance((inverse(X_c_from_b) * V_c).coordinates(), V_b.coordinates()) <= rounding);
 }
 
-// Ad of a product is the product of the Ads.
+// Ad of a product is the product of the two Ad.
 RC_GTEST_PROP(Twist, TheAdjointIsAHomomorphism, ()) {
   const auto X_cb = any_transform<Camera, Body>();
   const auto X_ba = any_transform<Body, Gcrf>();
   RC_ASSERT(distance(adjoint(X_cb * X_ba), adjoint(X_cb) * adjoint(X_ba)) <= rounding);
 }
 
-// A wheel of radius 0.5 m rolls along x at 3 m/s: its contact rests, its top moves twice as fast.
+// A wheel of radius 0.5 m rolls along x at 3 m/s: its contact point is at rest, its top moves at 6 m/s.
 TEST(Twist, TheContactOfARollingWheelRests) {
   const auto rolling =
       twist(at<Wheel<1>>,

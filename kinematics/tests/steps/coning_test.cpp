@@ -9,7 +9,7 @@ using namespace vectrix_test;
 namespace {
 
 using Coning = ConingMotion<Gcrf, Body>;
-const Coning motion{1e-3, 50.0};  // 1 mrad, about 8 turns a second
+const Coning motion{1e-3, 50.0};  // 1 mrad, about 8 turns per second
 
 TEST(Coning, TheMotionIsThatOfItsRate) {
   const Coning wide{0.7, 3.0};
@@ -23,9 +23,9 @@ TEST(Coning, TheMotionIsThatOfItsRate) {
   EXPECT_LE(distance(wide.count(0.4, 0.1).coordinates(), simpson), 1e-5);
 }
 
-/// The part of an algorithm's increment along the cone's axis that is not true, over sin^2(cone). In closed
-/// form, with k = speed h of one count, what p counts lack is (pk - sin pk) / 2, and counts i and j give
-/// 4 sin^2(k/2) sin((j - i) k) a product alpha_i x alpha_j.
+/// The error of an algorithm's increment along the axis of the cone, over sin^2(cone). In closed form, with k
+/// = speed h for one count: p counts lack (pk - sin pk) / 2, and a product alpha_i x alpha_j of the counts i
+/// and j gives 4 sin^2(k/2) sin((j - i) k).
 template <class Algorithm> double drift(double h, int counts, Algorithm algorithm) {
   const double t = 0.123;
   const double s = std::sin(motion.cone);
@@ -38,7 +38,7 @@ double product(double k, int apart) {
   return 4 * std::sin(k / 2) * std::sin(k / 2) * std::sin(apart * k);
 }
 
-// The closed forms leave out the square of the cone, 1e-6 of what is lacking, and rounding: 1e-16 / s^2.
+// The closed forms omit the square of the cone, 1e-6 of the lacking part, and rounding: 1e-16 / s^2.
 double room(double k, int counts) {
   return 2e-6 * lacking(k, counts) + 2e-9;
 }
@@ -60,15 +60,16 @@ TEST(Coning, DriftsAsTheClosedFormSays) {
     });
     EXPECT_NEAR(three, product(k, 2) * 9 / 20 + 2 * product(k, 1) * 27 / 40 - lacking(k, 3), room(k, 3)) << k;
     if (k < 0.4) continue;
-    // For each count: about k^3/12, k^5/60 twice, and less by k^2 again.
+    // Error per count: about k^3/12 uncorrected, k^5/60 for `one` and `two`, smaller again by k^2 for
+    // `three`.
     EXPECT_LT(std::abs(one), 0.3 * k * k * std::abs(uncorrected)) << k;
     EXPECT_NEAR(two / 2, one, 0.1 * std::abs(one)) << k;
     EXPECT_LT(std::abs(three / 3), 0.25 * k * k * std::abs(two / 2)) << k;
   }
 }
 
-// Against the closed form over a second, turning wide: the attitude itself. What is left of the last is of
-// third order in the counts, which no product of two takes away.
+// The attitude itself, compared with the closed form over one second, with a wide cone. The remaining error
+// of the last algorithm is of third order in the counts; products of two counts cannot remove it.
 TEST(Coning, CorrectedCountsKeepTheAttitude) {
   const Coning wide{0.1, 20.0};
   const double h = 1.0 / 240;

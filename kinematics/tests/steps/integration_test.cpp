@@ -60,7 +60,7 @@ double error_after_one_second(const Step& step, const Eigen::Matrix3d& exact, in
   return (R_a_from_b.matrix() - exact).norm();
 }
 
-/// The order is that to which halving the step reduces the error, within a third.
+/// Halving the step reduces the error according to the order, within a third.
 void expect_order(int order, const Step& step, const Eigen::Matrix3d& exact, int steps) {
   const double coarse = error_after_one_second(step, exact, steps);
   const double fine = error_after_one_second(step, exact, 2 * steps);
@@ -81,7 +81,7 @@ TEST(ExponentialStep, IsExactForAConstantRateAndElseOfOrderOneOrTwo) {
       128);
 }
 
-// The body turns about axes that follow each other: the order of the factors is seen.
+// The body turns about one axis after another, so the order of the factors has an effect.
 TEST(ExponentialStep, AdvancesOnTheRight) {
   const Rotation R0 = dcm(to<Gcrf>, from<Body>, turn({0.3, -0.8, 0.5}));
   const BodyRate w = coning(0.1 * si::second);
@@ -123,12 +123,12 @@ TEST(Magnus, ItsIncrementsHaveTheirOrders) {
   expect_order(6, by(std::integral_constant<int, 6>{}), coned(1.0), 16);
 }
 
-// It is often said that R(t + dt) = R(t) exp([int w]x). So it is only while w keeps its direction.
+// A common statement is R(t + dt) = R(t) exp([int w]x). It is true only while w keeps its direction.
 TEST(Magnus, TheExponentialOfTheIntegralIsNotTheRotation) {
   const Eigen::Vector3d integral(0.5 * std::sin(turning) / turning, 0.5 * (1.0 - std::cos(turning)) / turning,
                                  1.0);
   EXPECT_NEAR((turn(integral) - coned(1.0)).norm(), 0.024, 0.0005);
-  // One Magnus step of order 6 for each of 20 parts of a turn is closer by a factor of 1e5.
+  // For each of 20 parts of a turn, one Magnus step of order 6 is more accurate by a factor of 1e5.
   Rotation R = start();
   for (int i = 0; i < 60; ++i) {
     R = advance(R, magnus_increment<6>(coning, i / 60.0 * si::second, 1.0 / 60.0 * si::second));
@@ -147,7 +147,7 @@ TEST(GroupRungeKutta, ItsStepsHaveTheirOrders) {
       4, [&](auto& R, auto& t, auto& dt) { return commutator_free_step(rate, R, t, dt); }, exact, 64);
 }
 
-// A rate of the time alone; the closed factor of Bortz's equation serves, for steps of more than 0.2 rad.
+// A rate of the time alone, with the closed-form factor of Bortz's equation, for steps of more than 0.2 rad.
 TEST(GroupRungeKutta, TakesRatesOfTheTimeAndLongSteps) {
   const auto rate = [](const Time& t, const Rotation&) { return coning(t); };
   expect_order(
@@ -179,7 +179,7 @@ TEST(Steps, OfNoFiniteDurationAreBadInput) {
   }
 }
 
-// Where J_r^-1 is nearly singular, no shorter result is right: a rate of nearly one turn in the step.
+// Where J_r^-1 is nearly singular, there is no correct shorter result: a rate of almost one turn per step.
 TEST(GroupRungeKutta, AStageNearAFullTurnIsBadInput) {
   const auto spin = [](const Time& t, const Rotation&) {
     return angular_velocity(

@@ -13,7 +13,7 @@
 namespace vectrix {
 namespace {
 
-struct Tirs : moving_frame {};  // Itrf in front of polar motion
+struct Tirs : moving_frame {};  // Itrf before polar motion
 
 using Rows = double[3][3];
 using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
@@ -52,7 +52,7 @@ MovingDcm<earth::Gcrf, earth::Itrf> earth_rotation(const Epoch& epoch,
   Rows itrf_from_gcrf;
   eraC2tcio(cirs_from_gcrf, eraEra00(ut1.day, ut1.fraction), polar_motion, itrf_from_gcrf);
 
-  // The celestial intermediate pole is the z axis of the frame in front of polar motion.
+  // The celestial intermediate pole is the z axis of the frame before polar motion.
   const Eigen::Vector3d pole = matrix_of(polar_motion).col(2);
   const double rate = earth_rotation_rate * (1.0 + parameters.ut1_gain.value());
   return moving_dcm(

@@ -11,10 +11,11 @@ namespace {
 constexpr double semi_major_axis = 6378137.0;  // m
 constexpr double flattening = 1.0 / 298.257223563;
 
-// Rounding of |u|^2 for a point on the surface, with room: 1.5e-12 of the semi-major axis is 10 micrometres.
+// Tolerance for the rounding of |u|^2 of a point on the surface: 1.5e-12 of the semi-major axis is 10
+// micrometres.
 constexpr double surface_tolerance = 3e-12;
 
-// Takes the ellipsoid to the unit sphere.
+// Maps the ellipsoid to the unit sphere.
 Eigen::Vector3d scaled(const Eigen::Vector3d& r) {
   return {r.x() / semi_major_axis, r.y() / semi_major_axis, r.z() / (semi_major_axis * (1.0 - flattening))};
 }
@@ -55,7 +56,8 @@ Vector<earth::Itrf, si::dimensionless> up(const Vector<earth::Itrf, si::length>&
                                        std::cos(latitude) * std::sin(longitude), std::sin(latitude)));
 }
 
-// On the unit sphere: u + t v, nearest to the centre at the point n = u - (u.v / v.v) v, and there
+// On the unit sphere: u + t v is nearest to the centre at the point n = u - (u.v / v.v) v. It meets the
+// sphere at
 //     t = (-u.v - sqrt(v.v (1 - n.n))) / v.v = (u.u - 1) / (-u.v + sqrt(v.v (1 - n.n)))
 std::optional<Vector<earth::Itrf, si::length>> first_intersection(
     const Vector<earth::Itrf, si::length>& r_itrf, const Vector<earth::Itrf, si::dimensionless>& d_itrf) {

@@ -19,8 +19,8 @@ constexpr Field mjd{"MJD", 8, 15};
 constexpr std::array<Field, 5> values{
     {{"x", 19, 27}, {"y", 38, 46}, {"UT1-UTC", 59, 68}, {"dX", 98, 106}, {"dY", 117, 125}}};
 
-// The day's length varies by a few milliseconds; UT1-TAI changes by more only where a leap second is not
-// known.
+// The length of the day varies by a few milliseconds. UT1-TAI changes by more only at a leap second that the
+// table lacks.
 constexpr Quantity<si::time> largest_change_in_a_day = 0.01 * si::second;
 
 class Reader {
@@ -36,7 +36,7 @@ class Reader {
          "): " + reason);
   }
 
-  // The number in a field, or nothing when the field is blank.
+  // The number in a field, or nothing if the field is blank.
   [[nodiscard]] std::optional<double> number(const std::string& line, const Field& field) const {
     const auto written =
         line.size() < field.first

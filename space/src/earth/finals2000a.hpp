@@ -13,7 +13,7 @@ namespace vectrix::detail {
 std::pair<std::vector<Epoch>, std::vector<EarthOrientationParameters>> read_finals2000A(
     const std::filesystem::path& file);
 
-/// The epoch in UTC where UTC is known, else in TT, for messages.
+/// The epoch for messages: in UTC where UTC is defined, else in TT.
 std::string shown(const Epoch& epoch);
 
 }  // namespace vectrix::detail

@@ -17,7 +17,7 @@ namespace {
 constexpr double modified_julian_zero = 2400000.5;
 constexpr int first_utc_day = 36934;  // 1960 January 1, modified Julian
 
-// The split with a day that ends in .5 and a fraction in [0, 1).
+// Splits the date into a day that ends in .5 and a fraction in [0, 1).
 JulianDate normalised(double day, double fraction) {
   const double midnight = std::floor(day - 0.5) + 0.5;
   fraction += day - midnight;
@@ -36,7 +36,7 @@ struct CalendarTime {
   throw BadInput("epoch '" + std::string{text} + "' in " + scale + ": " + reason);
 }
 
-// The pattern is that of the text: a digit for each 'd', else the same character.
+// True if the text matches the pattern: a digit for each 'd', else the same character.
 bool matches(std::string_view text, std::string_view pattern) {
   if (text.size() != pattern.size()) return false;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -62,7 +62,7 @@ std::optional<CalendarTime> parsed(std::string_view text) {
                       number(11, 2, 0), number(14, 2, 0), number(17, text.size() - 17, 0.0)};
 }
 
-// The Julian date that ERFA keeps for the text in the scale "UTC" or "TT".
+// The Julian date in ERFA's form for the text in the scale "UTC" or "TT".
 JulianDate calendar_date(const char* scale, std::string_view text, std::string_view body) {
   const auto time = parsed(body);
   if (!time) refuse(scale, text, "it is not written as 2022-04-14T10:22:11.874999");

@@ -19,16 +19,17 @@ const std::filesystem::path source{VECTRIX_SOURCE_DIR};
 const auto april_2022 = source / "examples/data/finals2000A_april_2022.txt";
 const auto leap_second_2016 = source / "space/tests/data/finals2000A_leap_second_2016.txt";
 
-// Per element, against matrices of the same models computed elsewhere.
+// Per element, against matrices of the same models from another program.
 constexpr double model_tolerance = 1e-12;
-// X and Y by their own series or out of the matrix of precession and nutation: 7e-12 at these epochs.
+// X and Y from their own series, or from the matrix of precession and nutation: they differ by 7e-12 at these
+// epochs.
 constexpr double difference_of_series = 1e-11;
-// The Julian dates of the reference are rounded at 1e-16 day.
+// The Julian dates of the reference are rounded to 1e-16 day.
 constexpr double date_rounding = 3e-16;
 constexpr double arcsecond = 4.84813681109536e-6;  // rad
 constexpr double polar_motion_squared = 1e-11;     // rad
 constexpr double parameter_rounding = 1e-15;       // of numbers up to 1
-// Precession-nutation and polar motion, which the rate leaves out: 8.4e-12 rad/s at most from 1982 to 2025.
+// Precession-nutation and polar motion, which the rate omits: 8.4e-12 rad/s at most from 1982 to 2025.
 constexpr double rate_left_out = 1e-11;  // rad/s
 
 Eigen::Matrix3d matrix(const CsvTable& table, std::size_t row, const std::string& letter) {
@@ -97,7 +98,7 @@ TEST(EarthOrientation, InterpolatesBetweenRows) {
               37.0 * parameter_rounding);
   EXPECT_NEAR(quarter.dX.value(), (0.75 * 0.328e-3 + 0.25 * 0.320e-3) * arcsecond, parameter_rounding);
   EXPECT_NEAR(quarter.dY.value(), -0.128e-3 * arcsecond, parameter_rounding);
-  // The length of the day: 0.3403 ms more than 86400 s.
+  // The excess length of the day: 0.3403 ms over 86400 s.
   EXPECT_NEAR(quarter.ut1_gain.value() * 86400.0, -0.0969019 + 0.0965616, 86400.0 * parameter_rounding);
 }
 
@@ -112,16 +113,16 @@ TEST(EarthOrientation, IsContinuousOverALeapSecond) {
   EXPECT_NEAR(ut1_minus_tai("2017-01-01T00:00:00"), after, 37.0 * parameter_rounding);
   EXPECT_NEAR(ut1_minus_tai("2016-12-31T23:59:60"), before + (after - before) * 86400.0 / 86401.0,
               37.0 * parameter_rounding);
-  // One second further the Earth has turned by one second.
+  // After one more second, the Earth has turned by the angle of one second.
   const auto at = [&](const char* utc) { return orientation.at(Epoch::from_utc(utc)).rotation; };
   const Eigen::Matrix3d turn =
       at("2016-12-31T23:59:60").matrix().transpose() * at("2017-01-01T00:00:00").matrix();
   EXPECT_NEAR(Eigen::AngleAxisd(turn).angle(), 7.2921150e-5, 1e-11);
 }
 
-// d/dt R_i^g = R_i^g [w_gi^i]x: the turn over two minutes, against the rate in its middle.
+// d/dt R_i^g = R_i^g [w_gi^i]x: the rotation over two minutes, against the rate at the middle.
 TEST(EarthOrientation, RateIsTheDerivativeOfTheRotation) {
-  const double h = 60.0;  // s; the third derivative leaves 1e-3 of the tolerance
+  const double h = 60.0;  // s; the effect of the third derivative is 1e-3 of the tolerance
   double largest_difference = 0.0;
   for (const auto& [file, first_hour] :
        {std::pair{april_2022, "2022-04-11T01:00:00"}, std::pair{leap_second_2016, "2016-12-29T01:00:00"}}) {
@@ -130,7 +131,7 @@ TEST(EarthOrientation, RateIsTheDerivativeOfTheRotation) {
       const auto epoch = Epoch::from_utc(first_hour) + (3600.0 * hour) * si::second;
       const auto before = orientation.at(epoch - h * si::second).rotation;
       const auto after = orientation.at(epoch + h * si::second).rotation;
-      // Itrf at two instants has one type: the increment is taken as raw numbers.
+      // Itrf has the same type at both instants: the increment is taken as plain numbers.
       const auto turn =
           log(trust_dcm(to<earth::Gcrf>, from<earth::Itrf>, before.matrix().transpose() * after.matrix()));
       const auto w = orientation.at(epoch).angular_velocity.coordinates();
@@ -141,7 +142,7 @@ TEST(EarthOrientation, RateIsTheDerivativeOfTheRotation) {
   EXPECT_GT(largest_difference, 0.1 * rate_left_out);
 }
 
-// dERA/dUT1 = 2 pi 1.00273781191135448 / 86400 s, along the pole that polar motion leaves near z.
+// dERA/dUT1 = 2 pi 1.00273781191135448 / 86400 s, along the pole, which polar motion keeps near z.
 TEST(EarthOrientation, RateFollowsTheLengthOfTheDay) {
   const auto orientation = EarthOrientation::read(april_2022);
   const auto epoch = Epoch::from_utc("2022-04-14T06:00:00");
@@ -184,7 +185,7 @@ class Finals2000A : public ::testing::Test {
     }
   }
 
-  // Overwrites the columns, counted from 1, of a line, counted from 1.
+  // Overwrites columns of a line; both are counted from 1.
   void write(std::size_t line, std::size_t column, const std::string& text) {
     lines[line - 1].replace(column - 1, text.size(), text);
   }

@@ -71,7 +71,7 @@ TEST(Ellipsoid, RaysAlongTheAxes) {
   expect_hit(r(7e6, 0.0, 0.0), d(-1.0, 0.0, 0.0), r(a, 0.0, 0.0));
   expect_hit(r(0.0, -9e6, 0.0), d(0.0, 0.3, 0.0), r(0.0, -a, 0.0));
   expect_hit(r(0.0, 0.0, 1e7), d(0.0, 0.0, -5.0), r(0.0, 0.0, b));
-  // Off the axis: x^2/a^2 + z^2/b^2 = 1 at z = b/2.
+  // A point not on the axis: x^2/a^2 + z^2/b^2 = 1 at z = b/2.
   expect_hit(r(8e6, 0.0, b / 2.0), d(-1.0, 0.0, 0.0), r(a * std::sqrt(0.75), 0.0, b / 2.0));
 }
 
@@ -82,7 +82,7 @@ TEST(Ellipsoid, RaysThatMiss) {
   EXPECT_TRUE(wgs84::first_intersection(r(7e6, 0.0, b - 0.01), d(-1.0, 0.0, 0.0)));
 }
 
-// Aimed at a known point of the near side, each ray has to find it.
+// Each ray is aimed at a known point of the near side and must find it.
 TEST(Ellipsoid, RaysFindThePointTheyAreAimedAt) {
   std::mt19937_64 random(20220414);
   std::uniform_real_distribution<double> part(-1.0, 1.0);

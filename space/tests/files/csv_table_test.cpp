@@ -13,7 +13,7 @@ CsvTable read(const std::string& content) {
   return CsvTable::read(TemporaryFile(content).path(), {"t", "x"});
 }
 
-// What reading the content, and then every number of it, complains about.
+// The error text from reading the content and then all its numbers.
 std::string refusal(const std::string& content) {
   const TemporaryFile file(content);
   return complaint(

@@ -11,7 +11,7 @@
 namespace vectrix {
 namespace {
 
-// A part of a day is kept to 1e-16 day: 1e-11 s, in each of the two epochs of a difference.
+// The fraction of a day is stored to 1e-16 day: 1e-11 s, in each of the two epochs of a difference.
 constexpr double clock_rounding = 3e-11;  // s
 
 double seconds(const Quantity<si::time>& t) {
@@ -72,7 +72,7 @@ RC_GTEST_PROP(Epoch, DifferenceUndoesSum, ()) {
   const double duration = *rc::gen::inRange(-1'000'000'000, 1'000'000'000) / 1024.0;
   const auto end = start + duration * si::second;
   RC_ASSERT(end.tai().fraction >= 0.0 && end.tai().fraction < 1.0);
-  const double whole_days = 1e-16 * std::abs(duration);  // rounding of the sum of days and rest
+  const double whole_days = 1e-16 * std::abs(duration);  // rounding of the sum of days and fraction
   RC_ASSERT(std::abs(seconds(end - start) - duration) <= clock_rounding + whole_days);
 }
 

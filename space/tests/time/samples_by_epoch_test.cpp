@@ -5,15 +5,15 @@
 
 #include "testing/attitudes.hpp"
 
-// Samples, splines and estimates are ordered by any instant: here by epochs, against the same by seconds.
+// Samples, splines and estimates can be ordered by any instant: here by epochs, compared with seconds.
 using namespace vectrix;
 using namespace vectrix_test;
 
 namespace {
 
-const Epoch start = Epoch::from_utc("2016-12-31T23:59:58");  // two seconds and a leap second before the year
+const Epoch start = Epoch::from_utc("2016-12-31T23:59:58");  // the year ends in 2 s and a leap second
 
-// An epoch is kept to 1e-11 s, in which nothing here turns by more than this.
+// An epoch is stored to 1e-11 s. In this time nothing here turns by more than this.
 constexpr double kept = 1e-11;
 
 Quantity<si::time> seconds(double t) {

@@ -1,4 +1,5 @@
-# The dynamic linker loads PROGRAM's libraries in the ORDER its name says: vectrix_first or simbody_first.
+# Checks that the dynamic linker loads the libraries of PROGRAM in the order named by ORDER: vectrix_first or
+# simbody_first.
 cmake_minimum_required(VERSION 3.25)
 execute_process(COMMAND ${READELF} -d ${PROGRAM} OUTPUT_VARIABLE needed COMMAND_ERROR_IS_FATAL ANY)
 string(FIND "${needed}" "[libvectrix_dynamics.so" vectrix)

@@ -7,8 +7,8 @@
 #include "simbody_reference.hpp"
 
 // SUNDIALS (CVODE and ARKODE, inside Vectrix) and Simbody, which exports an old CVODE under the same names,
-// in one process: each must still follow an exact motion. Built twice, with the libraries in both orders.
-// Returns the number of engines that do not.
+// in one process. Each must still follow an exact motion. Built twice, with the libraries in both orders.
+// Returns the number of engines that fail.
 namespace {
 
 using namespace vectrix;
@@ -17,8 +17,8 @@ struct Inertial : inertial_frame {};
 struct Body : moving_frame {};
 
 constexpr double end = 20.0;  // s, twelve radians of precession
-/// Some ten times the errors measured, 1e-11 to 1e-9. An engine whose symbols were exchanged does not move,
-/// or crashes.
+/// About ten times the measured errors, 1e-11 to 1e-9. An engine with the other's symbols does not move, or
+/// crashes.
 constexpr double tolerance = 1e-8;
 
 /// J = diag(a, a, c) without torque, from the identity attitude: h is fixed in space, and the body turns
@@ -75,7 +75,7 @@ template <class Engine> int check(const char* name, const Engine& engine) {
 
 int main() {
   int wrong = 0;
-  for (int round = 0; round < 2; ++round) {  // so that each engine also runs after every other
+  for (int round = 0; round < 2; ++round) {  // so that each engine also runs after each other one
     wrong += check("Vectrix, CVODE", [] { return by_vectrix(ode::Method::cvode_adams); });
     wrong += check("Simbody", by_simbody);
     wrong += check("Vectrix, ARKODE", [] { return by_vectrix(ode::Method::arkode_fehlberg_8); });

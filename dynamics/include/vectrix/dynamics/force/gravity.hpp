@@ -19,8 +19,8 @@ S checked_pull(const char* action, const Quantity<si::gravitational_parameter, S
 
 }  // namespace detail
 
-/// Acceleration by a central point mass at the origin: a = - mu r / |r|^3. Throws BadInput when mu/|r|^3
-/// is not finite.
+/// Acceleration by a central point mass at the origin: a = - mu r / |r|^3. Throws BadInput if mu/|r|^3 is not
+/// finite.
 template <class I, class S>
 Vector<I, si::acceleration, S> point_mass_gravity(const Quantity<si::gravitational_parameter, S>& mu,
                                                   const Vector<I, si::length, S>& r_i) {
@@ -28,10 +28,10 @@ Vector<I, si::acceleration, S> point_mass_gravity(const Quantity<si::gravitation
   return {detail::trusted, -pull * r_i.coordinates()};
 }
 
-/// Torque of a central point mass on a rigid body whose centre of mass is at r, to first order in size over
-/// distance:
+/// Torque of a central point mass on a rigid body whose centre of mass is at r, to first order in the ratio
+/// of the body's size to the distance:
 ///     tau^b = 3 mu / |r|^5  r^b x (J_b r^b)          (Hughes, Spacecraft Attitude Dynamics, section 8.1)
-/// Throws BadInput when mu/|r|^3 is not finite.
+/// Throws BadInput if mu/|r|^3 is not finite.
 template <class B, class S>
 Vector<B, si::torque, S> gravity_gradient_torque(const Quantity<si::gravitational_parameter, S>& mu,
                                                  const Inertia<B, CentreOfMassOf<B>, In<B>, S>& J_b,

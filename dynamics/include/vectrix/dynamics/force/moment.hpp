@@ -5,11 +5,11 @@
 
 namespace vectrix {
 
-/// M_p^c, `M_p_c`, of type Torque<P, In<C>>: the moment about the point p of forces, expressed in c, N m.
+/// M_p^c, `M_p_c`, of type Torque<P, In<C>>: the moment of forces about the point p, expressed in c, N m.
 ///     1.  M_p^c + N_p^c                      about one point, expressed in one frame
 ///     2.  M_p^d = R_c^d M_p^c                R_d_from_c * M_p_c
-///     3.  M_q^c = M_p^c + F^c x r_pq^c       shift(M_p_c, r_pq_c, F_c), F the sum of the forces
-/// Made by torque_about<P>(M_c) or moment(r_pq_c, F_c); no default.
+///     3.  M_q^c = M_p^c + F^c x r_pq^c       shift(M_p_c, r_pq_c, F_c), F is the sum of the forces
+/// Made by torque_about<P>(M_c) or moment(r_pq_c, F_c). There is no default constructor.
 template <Point P, class ExpressedIn, class S = double> class Torque;
 
 template <Point P, Frame C, class S>
@@ -25,12 +25,12 @@ class Torque<P, In<C>, S> : public detail::RelativeVector<C, si::torque, S> {
   Torque operator-() const { return Torque{detail::trusted, -this->coordinates()}; }
 };
 
-/// H_p^c, `H_p_c`, of type AngularMomentum<P, In<C>>: the moment about the point p of linear momenta,
-/// expressed in c, N m s. Its laws are those of a torque, with the linear momentum for the force:
+/// H_p^c, `H_p_c`, of type AngularMomentum<P, In<C>>: the moment of linear momenta about the point p,
+/// expressed in c, N m s. It has the laws of a torque, with the linear momentum instead of the force:
 ///     1.  H_p^c + K_p^c                      2.  H_p^d = R_c^d H_p^c
 ///     3.  H_q^c = H_p^c + p^c x r_pq^c       shift(H_p_c, r_pq_c, p_c)
-/// Of which masses it is, and which observer sees their velocities, is not in the type: the door claims it.
-/// Made by angular_momentum_about<P>(H_c) or moment(r_pq_c, p_c); no default.
+/// The type does not contain the masses, nor the observer of their velocities: the caller claims them.
+/// Made by angular_momentum_about<P>(H_c) or moment(r_pq_c, p_c). There is no default constructor.
 template <Point P, class ExpressedIn, class S = double> class AngularMomentum;
 
 template <Point P, Frame C, class S>
@@ -81,8 +81,8 @@ struct MomentOf<P, C, si::momentum, S> : std::type_identity<AngularMomentum<P, I
 
 }  // namespace detail
 
-/// r_pq^c x F^c: the torque about p of a force that acts at q, and the angular momentum about p of a mass at
-/// q with the given linear momentum.
+/// r_pq^c x F^c: the torque about p of a force that acts at q; or the angular momentum about p of a mass at q
+/// with the given linear momentum.
 template <class P, class Q, class C, class U, class S>
 typename detail::MomentOf<P, C, U, S>::type moment(const Displacement<P, Q, In<C>, S>& r_pq_c,
                                                    const Vector<C, U, S>& F_c) {

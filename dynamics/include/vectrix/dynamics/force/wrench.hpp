@@ -9,7 +9,7 @@ namespace vectrix {
 ///     1.  W_p^c + V_p^c                          about one point, expressed in one frame
 ///     2.  W_p^d = (R_c^d F^c, R_c^d M_p^c)       R_d_from_c * W_p_c
 ///     3.  W_q^c = (F^c, M_p^c + F^c x r_pq^c)    shift(W_p_c, r_pq_c)
-/// Made by wrench(F_c, M_p_c), or force_through<P>(F_c); no default.
+/// Made by wrench(F_c, M_p_c) or force_through<P>(F_c). There is no default constructor.
 template <Point P, class ExpressedIn, class S = double> class Wrench;
 
 template <Point P, Frame C, class S> class Wrench<P, In<C>, S> {
@@ -31,7 +31,7 @@ template <Point P, Frame C, class S> class Wrench<P, In<C>, S> {
 
 template <class P, class C, class S> inline constexpr bool detail::is_framed<Wrench<P, C, S>> = true;
 
-/// The wrench of forces whose sum is F and whose torque about p is M_p.
+/// The wrench of forces with the sum F and the torque M_p about p.
 template <class P, class C, class S>
 Wrench<P, In<C>, S> wrench(const Vector<C, si::force, S>& F_c, const Torque<P, In<C>, S>& M_p_c) {
   return Wrench<P, In<C>, S>{detail::trusted, F_c, M_p_c};
@@ -41,7 +41,7 @@ template <class ForceGiven, class TorqueGiven>
 auto wrench(  // wrench(F_c, M_p_c): a force and a torque about a point, expressed in one frame
     const ForceGiven&, const TorqueGiven&) -> Refused = delete;
 
-/// Claims that the line of the force runs through p: its torque about p is zero.
+/// Claims that the line of action of the force passes through p: the torque about p is zero.
 template <Point P, class C, class S> Wrench<P, In<C>, S> force_through(const Vector<C, si::force, S>& F_c) {
   return wrench(F_c, torque_about<P>(zero<si::torque, C, S>(in<C>)));
 }

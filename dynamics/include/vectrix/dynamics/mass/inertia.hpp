@@ -9,13 +9,13 @@
 namespace vectrix {
 
 /// J_p^c, `J_p_c`, of type Inertia<B, P, In<C>>: the inertia tensor of the rigid body b about the point p,
-/// expressed in c, kg m^2. `Inertia<B>`, `J_b`, is the one about its centre of mass in its own axes.
+/// expressed in c, kg m^2. `Inertia<B>`, `J_b`, is about the centre of mass, in the axes of the body.
 ///     J = [ Jxx Jxy Jxz; Jxy Jyy Jyz; Jxz Jyz Jzz ],  Jxx = int (y^2 + z^2) dm,  Jxy = - int x y dm
-/// Its laws, with the parallel axes in parallel_axes.hpp and the sum of parts in join.hpp:
+/// Its laws; see also parallel_axes.hpp and, for the sum of parts, join.hpp:
 ///     1.  J_p^d = R_c^d J_p^c (R_c^d)^T      R_d_from_c * J_p_c
 ///     2.  H_c = J_c w_ab, T = 1/2 w_ab . J_c w_ab, about the centre of mass c only
-/// Made by inertia_from_tensor() or inertia_from_moments_and_products(), which differ in the sign of the
-/// off-diagonal numbers; there is no default. Its principal moments are positive and satisfy J1 + J2 >= J3.
+/// Made by inertia_from_tensor() or inertia_from_moments_and_products(); they differ in the sign of the
+/// off-diagonal numbers. No default constructor. The principal moments are positive, and J1 + J2 >= J3.
 template <Frame B, Point P = CentreOfMassOf<B>, class ExpressedIn = In<B>, class S = double> class Inertia;
 
 template <Frame B, Point P, Frame C, class S> class Inertia<B, P, In<C>, S> {
@@ -24,7 +24,7 @@ template <Frame B, Point P, Frame C, class S> class Inertia<B, P, In<C>, S> {
   template <class Derived>
   Inertia(detail::Trusted, const Eigen::MatrixBase<Derived>& tensor) : tensor_(tensor) {}
 
-  /// The entries of the tensor, kg m^2: the way out of the typed world.
+  /// The entries of the tensor, kg m^2, without types.
   const detail::Square<S>& matrix() const& { return tensor_; }
   detail::Square<S> matrix() && { return tensor_; }
 
@@ -35,14 +35,14 @@ template <Frame B, Point P, Frame C, class S> class Inertia<B, P, In<C>, S> {
   detail::Square<S> tensor_;
 };
 
-/// With the inverse tensor, which Euler's equation asks for.
+/// Also holds the inverse tensor, for Euler's equation.
 template <Frame B, class S> class Inertia<B, CentreOfMassOf<B>, In<B>, S> {
  public:
   Inertia() = delete;  // inertia_from_tensor(in<B>, ...) or inertia_from_moments_and_products(in<B>, ...)
   Inertia(detail::Trusted, const detail::Square<S>& tensor)
       : tensor_(tensor), inverse_((tensor / tensor.trace()).inverse() / tensor.trace()) {}
 
-  /// The entries of the tensor, kg m^2: the way out of the typed world; and the inverse tensor.
+  /// The entries of the tensor, kg m^2, without types; and the inverse tensor.
   const detail::Square<S>& matrix() const& { return tensor_; }
   detail::Square<S> matrix() && { return tensor_; }
   const detail::Square<S>& inverse_matrix() const& { return inverse_; }
@@ -59,7 +59,7 @@ template <Frame B, class S> class Inertia<B, CentreOfMassOf<B>, In<B>, S> {
 template <class B, class P, class C, class S>
 inline constexpr bool detail::is_framed<Inertia<B, P, C, S>> = true;
 
-/// About the centre of mass of b, in the axes of b: `Inertia<B>` of another scalar.
+/// About the centre of mass of b, in the axes of b: `Inertia<B>` for another scalar.
 template <Frame B, class S = double> using CentralInertia = Inertia<B, CentreOfMassOf<B>, In<B>, S>;
 
 namespace detail {
@@ -78,8 +78,8 @@ template <class B, class S> struct InertiaName<Inertia<B, CentreOfMassOf<B>, In<
   static std::string text() { return "in<" + frame_name<B>() + ">"; }
 };
 
-/// Relative room for rounding in J1 + J2 >= J3, which a flat plate satisfies with equality, and in J1 > 0,
-/// which the rounding of a thin rod's J1 = 0 must not pass.
+/// Relative tolerance for rounding. In J1 + J2 >= J3: a flat plate has equality. In J1 > 0: a thin rod has J1
+/// = 0, and its rounding must not be accepted as positive.
 template <class S> S moment_tolerance() {
   return S(std::max(1e-12, 16.0 * static_cast<double>(Eigen::NumTraits<S>::epsilon())));
 }
@@ -116,14 +116,14 @@ template <class J, class S> J checked_inertia(const char* door, const Square<S>&
   }
   return inertia;
 }
-/// The solver branches: lane by lane.
+/// The eigenvalue solver has branches, so each lane is checked alone.
 template <class J, Batch S> J checked_inertia(const char* door, const Square<S>& tensor) {
   for (std::size_t i = 0; i < S::size(); ++i) {
     checked_inertia<typename WithScalar<J, typename S::value_type>::type>(door, lane(tensor, i));
   }
   return J{trusted, tensor};
 }
-/// Whether a body has it, the values say.
+/// Checked on values, not derivatives.
 template <class J, Differentiated S> J checked_inertia(const char* door, const Square<S>& tensor) {
   using Value = std::remove_cvref_t<decltype(tensor(0, 0).value())>;
   const Square<Value> values = tensor.unaryExpr([](const S& x) { return Value(x.value()); });
@@ -140,9 +140,9 @@ Square<S> symmetric(const S& xx, const S& yy, const S& zz, const S& xy, const S&
 
 }  // namespace detail
 
-/// From the entries of the tensor: Jxy = - int x y dm is given as it stands in the matrix.
-/// Throws BadInput when an entry is not finite, a principal moment is not positive, or one exceeds the other
-/// two.
+/// From the entries of the tensor: Jxy = - int x y dm, the number that stands in the matrix. Throws BadInput
+/// if an entry is not finite, a principal moment is not positive, or one principal moment exceeds the sum of
+/// the other two.
 template <Frame B, Point P, Frame C, class S>
 Inertia<B, P, In<C>, S> inertia_from_tensor(Of<B>, About<P>, In<C>,
                                             const Quantity<si::moment_of_inertia, S>& Jxx,
@@ -168,8 +168,8 @@ template <class First, class... Given>
 auto inertia_from_tensor(  // in<B>, or of<B>, about<P>, in<C>; six quantities in kg m^2: Jxx, ...
     const First&, const Given&...) -> Refused = delete;
 
-/// From moments and products of inertia, Pxy = + int x y dm: the tensor's off-diagonal entries are their
-/// negatives. Throws BadInput as inertia_from_tensor().
+/// From moments and products of inertia, Pxy = + int x y dm: the off-diagonal entries of the tensor are their
+/// negatives. Throws BadInput as inertia_from_tensor() does.
 template <Frame B, Point P, Frame C, class S>
 Inertia<B, P, In<C>, S> inertia_from_moments_and_products(Of<B>, About<P>, In<C>,
                                                           const Quantity<si::moment_of_inertia, S>& Jxx,
@@ -196,8 +196,8 @@ template <class First, class... Given>
 auto inertia_from_moments_and_products(  // in<B>, or of<B>, about<P>, in<C>; six quantities in kg m^2
     const First&, const Given&...) -> Refused = delete;
 
-/// The trusted door: no check at all. For a symmetric positive tensor that is no rigid body's, such as the
-/// effective tensor of a body with rotors, which may break J1 + J2 >= J3.
+/// The trusted door: checks nothing. For a symmetric positive tensor that no rigid body has, such as the
+/// effective tensor of a body with rotors, which may violate J1 + J2 >= J3.
 template <Frame B, Point P, Frame C, class Derived>
 auto trust_inertia(Of<B>, About<P>, In<C>, const Eigen::MatrixBase<Derived>& tensor) {
   return Inertia<B, P, In<C>, typename Derived::Scalar>{detail::trusted, tensor};
@@ -219,7 +219,7 @@ Vector<C, si::angular_momentum, S> product(const Inertia<B, CentreOfMassOf<B>, I
                                            const AngularVelocity<A, B, In<C>, S>& w_ab_c) {
   return {detail::trusted, J_c.matrix() * w_ab_c.coordinates()};
 }
-// J_c alpha_ab, the torque that the change of the rate takes, were there no gyroscopic one.
+// J_c alpha_ab: the torque that changes the rate, without the gyroscopic torque.
 template <class B, class A, class C, class S>
 Vector<C, si::torque, S> product(const Inertia<B, CentreOfMassOf<B>, In<C>, S>& J_c,
                                  const AngularAcceleration<A, B, In<C>, S>& alpha_ab_c) {

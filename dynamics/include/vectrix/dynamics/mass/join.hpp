@@ -33,10 +33,10 @@ concept Joins = requires {
 
 }  // namespace detail
 
-/// Different bodies joined rigidly to one, which has a name of its own:
+/// Joins different bodies rigidly into one body, which has its own name:
 ///     J_p = J_1p + J_2p + ...        join(of<Whole>, J_1p_c, J_2p_c, ...)
-/// with inertias about one point, expressed in one frame; or with the mass properties of each, from one
-/// origin (mass_properties.hpp). Any inertias are valid.
+/// Takes inertias about one point, expressed in one frame; or the mass properties of each body, from one
+/// origin (mass_properties.hpp). Accepts any inertias.
 template <class Whole, class... Parts>
 detail::JoinOf<Of<Whole>, Parts...> join(Of<Whole> whole, const Parts&... parts) {
   return joined(whole, parts...);

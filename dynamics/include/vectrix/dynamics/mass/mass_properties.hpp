@@ -6,13 +6,13 @@
 namespace vectrix {
 
 /// m, r_oc^d and J_c^d of a rigid body b, of type MassProperties<B, O, In<D>>: its mass, the position of its
-/// centre of mass c relative to the point o, and its inertia about c. `MassProperties<B>` is given from the
-/// origin of b, in the axes of b. Its laws:
+/// centre of mass c relative to the point o, and its inertia about c. `MassProperties<B>`: from the origin of
+/// b, in the axes of b. Its laws:
 ///     1.  (m, R r_oc, R J_c R^T)                     R_e_from_d * body
 ///     2.  (m, r_oc - r_op, J_c)                      shift(body, r_op_d)
 ///     3.  m = m_1 + m_2,  m r_oc = m_1 r_o1 + m_2 r_o2,  J_o = J_1o + J_2o
-///                                                    join(of<Whole>, body_1, body_2), of any number
-/// Made by mass_properties(m, r_oc_d, J_c_d); no default.
+///                                                    join(of<Whole>, body_1, body_2, ...)
+/// Made by mass_properties(m, r_oc_d, J_c_d). There is no default constructor.
 template <Frame B, Point O = B, class ExpressedIn = In<B>, class S = double> class MassProperties;
 
 template <Frame B, Point O, Frame D, class S> class MassProperties<B, O, In<D>, S> {
@@ -26,7 +26,7 @@ template <Frame B, Point O, Frame D, class S> class MassProperties<B, O, In<D>, 
 
   const Quantity<si::mass, S>& mass() const& { return mass_; }
   Quantity<si::mass, S> mass() && { return mass_; }
-  /// r_oc^d, the centre of mass.
+  /// r_oc^d, the position of the centre of mass.
   const Position& centre() const& { return centre_; }
   Position centre() && { return centre_; }
   /// About the centre of mass.
@@ -45,7 +45,7 @@ template <Frame B, Point O, Frame D, class S> class MassProperties<B, O, In<D>, 
 template <class B, class O, class D, class S>
 inline constexpr bool detail::is_framed<MassProperties<B, O, D, S>> = true;
 
-/// The mass properties of b. Throws BadInput when the mass is not positive.
+/// The mass properties of b. Throws BadInput if the mass is not positive.
 template <class B, class O, class D, class S>
 MassProperties<B, O, In<D>, S> mass_properties(const Quantity<si::mass, S>& mass,
                                                const Displacement<O, CentreOfMassOf<B>, In<D>, S>& r_oc_d,
@@ -74,8 +74,8 @@ MassProperties<B, P, In<D>, S> shifted(const MassProperties<B, O, In<D>, S>& bod
                                         body.inertia()};
 }
 
-// J_c = sum of J_k + m_k (|r_ck|^2 I - r_ck r_ck^T): about the new centre of mass, so that nothing is
-// subtracted
+// J_c = sum of J_k + m_k (|r_ck|^2 I - r_ck r_ck^T): taken about the new centre of mass, so that there is no
+// subtraction
 template <class Whole, class O, class D, class S, class... B>
   requires detail::all_different<Whole, B...> MassProperties<Whole, O, In<D>, S> joined(
       Of<Whole>, const MassProperties<B, O, In<D>, S>&... part) {

@@ -20,8 +20,8 @@ template <class S> Square<S> inertia_of_point_mass(const S& mass, const Column<S
 
 }  // namespace detail
 
-/// J_p = J_c + m (|r_cp|^2 I - r_cp r_cp^T): the parallel axes, from the centre of mass c of the body b to
-/// any other point: shift(J_c, r_cp_c, m). Throws BadInput when the mass is not positive, or the inertia
+/// J_p = J_c + m (|r_cp|^2 I - r_cp r_cp^T): the parallel-axis theorem, from the centre of mass c of the body
+/// b to any other point: shift(J_c, r_cp_c, m). Throws BadInput if the mass is not positive or the inertia
 /// overflows.
 template <class B, class P, class C, class S>
   requires(!std::same_as<P, CentreOfMassOf<B>>)
@@ -38,9 +38,9 @@ Inertia<B, P, In<C>, S> shifted(const Inertia<B, CentreOfMassOf<B>, In<C>, S>& J
   return Inertia<B, P, In<C>, S>{detail::trusted, tensor};
 }
 
-/// J_c = J_p - m (|r_pc|^2 I - r_pc r_pc^T): back to the centre of mass, where the inertia is least:
-/// shift(J_p, r_pc_c, m). Throws BadInput when the mass is not positive, and when no body has this inertia:
-/// J_p is too small for a mass m that far away.
+/// J_c = J_p - m (|r_pc|^2 I - r_pc r_pc^T): back to the centre of mass, where the inertia is smallest:
+/// shift(J_p, r_pc_c, m). Throws BadInput if the mass is not positive, or if no body has this inertia: J_p is
+/// too small for a mass m at that distance.
 template <class B, class P, class C, class S>
   requires(!std::same_as<P, CentreOfMassOf<B>>)
 Inertia<B, CentreOfMassOf<B>, In<C>, S> shifted(const Inertia<B, P, In<C>, S>& J_p,

@@ -10,20 +10,20 @@
 
 namespace vectrix::ode {
 
-/// Sense in which a root function passes through zero as time grows.
+/// Direction in which a root function crosses zero as time increases.
 enum class Direction { rising, falling, any };
 
-/// One accepted step: time, state and its rate. The rate is f(t, y) with the ARKODE methods, and with the
-/// CVODE methods the slope of the integrator's polynomial, equal to f(t, y) within the tolerance (at the
-/// start of a segment, f(t, y)). The spans live as long as any copy of the solution.
+/// One accepted step: time, state and rate. With the ARKODE methods the rate is f(t, y). With the CVODE
+/// methods it is the slope of the integrator's polynomial, which equals f(t, y) within the tolerance (at the
+/// start of a segment it is f(t, y)). The spans are valid as long as any copy of the solution exists.
 struct Node {
   double t;
   std::span<const double> y;
   std::span<const double> ydot;
 };
 
-/// One zero of a root function: the root's place in Problem::roots and its name, the first time at which the
-/// function has its new sign (or is 0), the state there, and `rising` or `falling`.
+/// One zero of a root function: the index of the root in Problem::roots, its name, the first time at which
+/// the function has its new sign (or is 0), the state at that time, and `rising` or `falling`.
 struct Event {
   std::size_t root;
   std::string name;
@@ -33,17 +33,17 @@ struct Event {
 };
 
 struct Statistics {
-  std::size_t steps = 0;  ///< accepted steps, the repeated ones in front of a stop included
+  std::size_t steps = 0;  ///< accepted steps; includes steps repeated before a stop
   std::size_t rhs_evaluations = 0;
   std::size_t error_test_failures = 0;
 };
 
 struct Record;
 
-/// What a run computed, immutable and cheap to copy. A failed run's solution ends at its last accepted step.
+/// The result of a run. It is immutable and cheap to copy. After a failure it ends at the last accepted step.
 ///
-/// Nodes are ordered by time. Smooth segments lie between consecutive breakpoints; a breakpoint is a node of
-/// both its segments, with the same state and its two one-sided rates. A temporary gives no view of itself.
+/// Nodes are ordered by time. Smooth segments lie between consecutive breakpoints. A breakpoint is a node of
+/// both its segments, with the same state and two one-sided rates. A temporary solution gives no spans.
 class VECTRIX_EXPORT Solution {
  public:
   explicit Solution(std::shared_ptr<const Record> record);
@@ -52,7 +52,7 @@ class VECTRIX_EXPORT Solution {
   [[nodiscard]] double start() const;
   /// Time of the last node: Problem::end, the time of the stopping event, or the last step before a failure.
   [[nodiscard]] double end() const;
-  /// A root with `stop` ended the run: events().back() is it.
+  /// True if a root with `stop` ended the run. That event is events().back().
   [[nodiscard]] bool stopped() const;
 
   [[nodiscard]] std::size_t node_count() const;
@@ -62,7 +62,7 @@ class VECTRIX_EXPORT Solution {
   /// Index of the first node of a segment; segment_count() gives node_count().
   [[nodiscard]] std::size_t segment_begin(std::size_t segment) const;
 
-  /// The output times that were reached, and the states there, which are at(time).
+  /// The output times that were reached, and the states there; these equal at(time).
   [[nodiscard]] std::span<const double> output_times() const&;
   std::span<const double> output_times() && = delete;  // the span would outlive the solution
   [[nodiscard]] std::span<const double> output(std::size_t index) const&;
@@ -73,7 +73,7 @@ class VECTRIX_EXPORT Solution {
   [[nodiscard]] Statistics statistics() const;
 
   /// State at any time in [start, end]: the Hermite polynomial through (y, ydot) of up to six nodes around t
-  /// within its smooth segment (degree 11 or less); at a node exactly the node's state.
+  /// within its smooth segment (degree 11 or less). At a node it is exactly the state of the node. Throws
   /// BadInput if t is outside [start, end] or not a number.
   [[nodiscard]] std::vector<double> at(double t) const;
   void at(double t, std::span<double> state) const;

@@ -14,20 +14,21 @@
 
 namespace vectrix::ode {
 
-/// Integration methods. The Adams and BDF formulas vary their order (to 12 and 5); BDF is for stiff problems.
-/// The error estimate of Fehlberg 7(8) does not see a rate that depends on time alone (a quadrature): give
-/// such a problem a `maximum_step` or another method.
+/// Integration methods. Adams and BDF have variable order (up to 12 and 5); BDF is for stiff problems. The
+/// error estimate of Fehlberg 7(8) cannot detect a rate that depends on time alone (a quadrature): for such a
+/// problem, set `maximum_step` or choose another method.
 enum class Method { cvode_adams, cvode_bdf, arkode_dormand_prince_5, arkode_fehlberg_8 };
 
-/// ydot = f(t, y) in the smooth segment that begins at `segment_start`. What switches at a breakpoint must be
-/// decided by segment_start alone: t equals the breakpoint at the end of one segment and at the start of the
-/// next.
+/// ydot = f(t, y) in the smooth segment that begins at `segment_start`. A function that switches at a
+/// breakpoint must decide by segment_start alone: t equals the breakpoint at the end of one segment and also
+/// at the start of the next.
 using RightHandSide =
     std::function<void(double segment_start, double t, std::span<const double> y, std::span<double> ydot)>;
 
-/// A function of time and state whose zeros are found and reported. A zero is looked for where the function
-/// changes sign, or becomes 0, from one step to the next; two zeros within one step go unseen, which
-/// `maximum_step` prevents. Starting at 0 is no event. With `stop` the solution ends at the first zero.
+/// A function of time and state whose zeros are found and reported. A zero is found where the function
+/// changes sign, or becomes 0, from one step to the next. Two zeros within one step are not found; set
+/// `maximum_step` to prevent this. A value of 0 at the start is not an event. With `stop` the solution ends
+/// at the first zero.
 struct Root {
   std::string name;
   std::function<double(double t, std::span<const double> y)> function;
@@ -35,33 +36,33 @@ struct Root {
   bool stop = false;
 };
 
-/// An initial-value problem ydot = f(t, y), y(start) = initial_state. What has no plausible default is not a
-/// number until it is set.
+/// An initial-value problem ydot = f(t, y), y(start) = initial_state. Members without a reasonable default
+/// are NaN until they are set.
 struct Problem {
   RightHandSide rhs;
   std::vector<double> initial_state;
   double start = std::numeric_limits<double>::quiet_NaN();
   double end = std::numeric_limits<double>::quiet_NaN();
   std::vector<double> output_times;  ///< strictly increasing, within [start, end]
-  std::vector<double> breakpoints;   ///< strictly increasing; those outside (start, end) have no effect
+  std::vector<double> breakpoints;   ///< strictly increasing; values outside (start, end) have no effect
   double relative_tolerance = std::numeric_limits<double>::quiet_NaN();
   std::vector<double> absolute_tolerances;  ///< one for each component
   std::vector<Root> roots;
   Method method = Method::cvode_adams;
   std::size_t max_steps = 10'000'000;
   double maximum_step = std::numeric_limits<double>::infinity();
-  std::string caller = "ode::solve";         ///< who asks, for messages
-  std::vector<std::string> component_names;  ///< for messages: none, or one for each component
+  std::string caller = "ode::solve";         ///< name of the calling function, for messages
+  std::vector<std::string> component_names;  ///< for messages: empty, or one for each component
 };
 
-/// A run that could not be finished. `solution()` is everything computed until then. When the right-hand side
-/// or a root function threw, the failure also derives from std::nested_exception and holds what was thrown:
-/// std::rethrow_if_nested(failure) throws it.
+/// A run that could not be finished. `solution()` holds everything computed until then. If the right-hand
+/// side or a root function threw, the failure also derives from std::nested_exception and holds that
+/// exception: std::rethrow_if_nested(failure) throws it.
 class VECTRIX_EXPORT Failure : public std::runtime_error {
  public:
   Failure(const std::string& text, double time, std::size_t step, int flag, Solution solution);
 
-  [[nodiscard]] double time() const { return time_; }       ///< time at which the trouble was met
+  [[nodiscard]] double time() const { return time_; }       ///< time of the failure
   [[nodiscard]] std::size_t step() const { return step_; }  ///< accepted steps before it
   [[nodiscard]] int flag() const { return flag_; }          ///< SUNDIALS' return flag; the text has its name
   [[nodiscard]] const Solution& solution() const { return solution_; }
@@ -73,10 +74,10 @@ class VECTRIX_EXPORT Failure : public std::runtime_error {
   Solution solution_;
 };
 
-/// Solves the problem from start to end, or to the first zero of a root with `stop`.
-/// Every smooth segment is taken in at least five steps, so that it has the six nodes of dense output.
-/// BadInput if the problem is not well posed, Failure if it cannot be finished. Separate calls may run in
-/// separate threads; the functions of the problem are called in the caller's thread.
+/// Solves the problem from start to end, or to the first zero of a root with `stop`. Every smooth segment
+/// takes at least five steps, so that dense output has six nodes. Throws BadInput if the problem is not well
+/// posed, Failure if it cannot be finished. Separate calls may run in separate threads. The functions of the
+/// problem are called in the caller's thread.
 VECTRIX_EXPORT Solution solve(const Problem& problem);
 
 }  // namespace vectrix::ode

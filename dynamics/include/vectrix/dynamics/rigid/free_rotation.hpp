@@ -7,9 +7,10 @@
 
 namespace vectrix {
 
-/// How a body without torque moves. In the long-axis mode h goes around the axis of the smallest moment of
-/// inertia, in the short-axis mode around that of the largest, and on the separatrix between them it goes
-/// once from one end of the intermediate axis to the other. `steady` is a spin about a principal axis.
+/// The kinds of torque-free motion. In the long-axis mode h circles, in the body, around the axis of the
+/// smallest moment of inertia; in the short-axis mode, around the axis of the largest. On the separatrix
+/// between the two modes it goes once from one end of the intermediate axis to the other. `steady` is a spin
+/// about a principal axis.
 enum class Regime { at_rest, steady, long_axis, separatrix, short_axis };
 
 namespace detail {
@@ -22,7 +23,7 @@ struct RotationNumbers {
 
 struct FreeRotationSeries;
 
-/// TorqueFree without its names: what has lost them is compiled. Immutable.
+/// TorqueFree without frames in its type; this part is compiled in the library. Immutable.
 class VECTRIX_EXPORT FreeRotation {
  public:
   FreeRotation(const Eigen::Matrix3d& J_b, const std::array<double, 4>& q_i_from_b,

@@ -8,26 +8,26 @@
 
 namespace vectrix {
 
-/// The exact motion of a rigid body without torque, in closed form at any time, forwards and backwards:
+/// The exact motion of a rigid body without torque, in closed form, at any time before or after the start:
 ///     w^p = (a1 cn(u), a2 sn(u), a3 dn(u)),  u = rho (t - t0) + u0      principal axes p (Jacobi 1850;
 ///     q_b^i = q_l^i q_z(Phi) s(h^p)* q_b^p,                             Landau, Lifshitz, Mechanics, 37)
-/// with l along the angular momentum h, s(h) the shortest turn of the third axis onto h, and
+/// with l along the angular momentum h, s(h) the shortest rotation of the third axis onto h, and
 ///     Phi(t) = mean rate (t - t0) + 2 arg theta(u + i eta)              theta of the squared nome
-/// in every regime. Attitude and rate are accurate to a few roundings; the phases, kept in long double, lose
-/// 1e-19 of |h| (t - t0) over the smallest moment: on x86, 1e-15 rad after 1e4 rad, and of a needle as much
-/// more as its moments differ. Made by torque_free(); copies are cheap.
+/// in every regime. Attitude and rate are accurate to a few roundings. The phases, in long double, lose 1e-19
+/// of |h| (t - t0) over the smallest moment: on x86, 1e-15 rad after 1e4 rad; larger for slender bodies, by
+/// the ratio of their moments. Made by torque_free(); copies are cheap.
 template <InertialFrame I, Frame B> class TorqueFree {
  public:
   TorqueFree(detail::Trusted, const Inertia<B>& J_b, const Quantity<si::time>& epoch,
              detail::FreeRotation rotation)
       : inertia_(J_b), epoch_(epoch), rotation_(std::move(rotation)) {}
 
-  /// Throws BadInput when the time is not finite.
+  /// Throws BadInput if the time is not finite.
   State<I, B> at(const Quantity<si::time>& t) const {
     const detail::RotationNumbers now = numbers(t);
     return {t, attitude(now), rate(now)};
   }
-  /// R_b^i, w_ib^b and alpha_ib^b: an edge of a frame graph, edge(motion). Errors as at().
+  /// R_b^i, w_ib^b and alpha_ib^b: an edge of a frame graph, edge(motion). Throws as at() does.
   AcceleratingDcm<I, B> operator()(const Quantity<si::time>& t) const {
     const detail::RotationNumbers now = numbers(t);
     const AngularVelocity<I, B, In<B>> w_ib_b = rate(now);
@@ -35,8 +35,7 @@ template <InertialFrame I, Frame B> class TorqueFree {
   }
 
   Regime regime() const { return rotation_.regime(); }
-  /// The time after which the rate repeats itself, 4 K / rho; infinite on the separatrix, and where the rate
-  /// does not change at all.
+  /// The period of the rate, 4 K / rho. It is infinite on the separatrix, and for a constant rate.
   Quantity<si::time> period() const { return Quantity<si::time>::from_value(rotation_.period()); }
 
  private:
@@ -60,9 +59,8 @@ template <InertialFrame I, Frame B> class TorqueFree {
   detail::FreeRotation rotation_;
 };
 
-/// The motion without torque through a state, for any inertia tensor.
-/// Throws BadInput when a number is not finite, a principal moment is not positive, or the state has an
-/// orbit, which this motion does not carry.
+/// The torque-free motion through a given state, for any inertia tensor. Throws BadInput if a number is not
+/// finite, a principal moment is not positive, or the state has an orbit, which this motion does not include.
 template <class I, class B> TorqueFree<I, B> torque_free(const Inertia<B>& J_b, const State<I, B>& initial) {
   const std::string place = "torque_free(" + frame_name<B>() + " relative to " + frame_name<I>() + "): ";
   if (!std::isfinite(initial.time.value())) {

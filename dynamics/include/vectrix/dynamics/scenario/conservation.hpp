@@ -5,8 +5,9 @@
 
 namespace vectrix {
 
-/// What a trajectory should have kept, and how far it did not: the largest relative change since the start,
-/// over all steps. Absent where the scenario does not conserve it (a torque acts), or has no orbit.
+/// The conserved quantities of a trajectory, and how far each changed: the largest relative change since the
+/// start, over all steps. Empty if the scenario does not conserve the quantity (a torque acts) or has no
+/// orbit.
 struct Conservation {
   double orthonormality;                    ///< of the raw attitude: Trajectory::orthonormality_drift()
   std::optional<double> rotational_energy;  ///< 1/2 w . J w
@@ -23,8 +24,8 @@ inline double relative_change(double change, double scale) {
 
 }  // namespace detail
 
-/// The conservation report of a trajectory of this scenario. Throws BadInput when the trajectory has an orbit
-/// and the scenario no mu, or when the trajectory has no node.
+/// The conservation report of a trajectory of this scenario. Throws BadInput if the trajectory has an orbit
+/// and the scenario no mu, or if the trajectory has no node.
 template <class I, class B>
 Conservation conservation(const Scenario<I, B>& scenario, const Trajectory<I, B>& trajectory) {
   Conservation report{trajectory.orthonormality_drift(), {}, {}, {}, {}};

@@ -27,9 +27,9 @@ template <InertialFrame I, Frame B> struct Root {
 };
 
 /// How a scenario is propagated, from its initial time to `end`. A torque that depends on time and is not
-/// piecewise constant needs a `maximum_step` below the time in which it changes: a step may otherwise pass
-/// over a short burst, and the error estimate of Fehlberg 7(8) does not see a rate that depends on time
-/// alone. So do roots with two zeros close together.
+/// piecewise constant needs a `maximum_step` shorter than the time in which it changes. Otherwise a step may
+/// skip a short burst, and the error estimate of Fehlberg 7(8) cannot detect a rate that depends on time
+/// alone. Roots with two zeros close together need it too.
 template <InertialFrame I, Frame B> struct Propagation {
   Quantity<si::time> end;
   ode::Method method = ode::Method::arkode_fehlberg_8;
@@ -41,9 +41,9 @@ template <InertialFrame I, Frame B> struct Propagation {
   Quantity<si::time> maximum_step = std::numeric_limits<double>::infinity() * si::second;
 };
 
-/// A propagation that could not be finished: time, step and flag of the solver, and the trajectory up to
-/// there. The ode::Failure is nested in it (std::rethrow_if_nested), and in that what a torque or a root
-/// function threw.
+/// A propagation that could not be finished: time, step and flag of the solver, and the trajectory until
+/// then. It nests the ode::Failure (std::rethrow_if_nested), which nests the exception of a torque or a root
+/// function, if there was one.
 template <InertialFrame I, Frame B> class PropagationFailure : public ode::Failure {
  public:
   PropagationFailure(const ode::Failure& failure, Trajectory<I, B> trajectory)
@@ -98,8 +98,8 @@ template <class I, class B> std::vector<double> breakpoints(const Scenario<I, B>
 /// Integrates q_b^i (or R_b^i), w_ib^b and the orbit by SUNDIALS:
 ///     d/dt q_b^i = 1/2 q_b^i (0, w_ib^b)   or   d/dt R_b^i = R_b^i [w_ib^b]x
 ///     J_b d/dt w_ib^b = tau^b - w_ib^b x (J_b w_ib^b),   d^2/dt^2 r^i = - mu r^i / |r|^3
-/// Steps end where a pulse begins or ends. Throws BadInput for a scenario, a tolerance or times that make no
-/// sense, and PropagationFailure, which keeps the trajectory so far, when the solver cannot go on.
+/// Steps end where a pulse begins or ends. Throws BadInput for an invalid scenario, tolerance or time, and
+/// PropagationFailure, which keeps the trajectory until then, if the solver cannot continue.
 template <class I, class B>
 Trajectory<I, B> propagate(const Scenario<I, B>& scenario, const Propagation<I, B>& how) {
   detail::require_complete(scenario);

@@ -13,7 +13,7 @@ namespace vectrix {
 
 namespace detail {
 
-/// What a function returns for an argument, for messages; void of what cannot be called with it.
+/// The return type of a function for an argument, for messages; void if it cannot be called with it.
 template <class Function, class Argument> struct ReturnedOf : std::type_identity<void> {};
 template <class Function, class Argument>
   requires std::invocable<Function, const Argument&>
@@ -21,8 +21,8 @@ struct ReturnedOf<Function, Argument> : std::invoke_result<Function, const Argum
 };
 template <class Function, class Argument> using Returned = typename ReturnedOf<Function, Argument>::type;
 
-/// Makes the empty list that is the default of a member: left out in the braces of an aggregate that stands
-/// inside those of another, `= {}` makes g++ 12 fail, with an internal error or at the link.
+/// The type of a member's empty default list. With `= {}` instead, g++ 12 fails with an internal error, or at
+/// link time, if the member is left out of the braces of an aggregate inside another aggregate.
 template <class T> using no_list = std::allocator<T>;
 
 }  // namespace detail
@@ -34,7 +34,7 @@ template <Frame B> struct PulseTorque {
   Vector<B, si::torque> torque_b;
 };
 
-/// A function that answers with a torque in the body's frame for a state.
+/// A function that takes a state and returns a torque in the body's frame.
 template <InertialFrame I, Frame B>
 struct TorqueFunction : std::function<Vector<B, si::torque>(const State<I, B>&)> {
   using Base = std::function<Vector<B, si::torque>(const State<I, B>&)>;
@@ -44,16 +44,16 @@ struct TorqueFunction : std::function<Vector<B, si::torque>(const State<I, B>&)>
   TorqueFunction(Function) = delete;  // from State<I, B> to Vector<B, si::torque>
 };
 
-/// A torque that is any function of the state; times at which it jumps are listed, so that no step crosses
-/// them. At such a time the integrator asks the function one rounding before it, then one rounding after it:
-/// the function may give either value there.
+/// A torque that is any function of the state. The times at which it jumps are listed, so that no step
+/// crosses them. The integrator never calls the function at such a time, only one rounding before it and one
+/// rounding after it; the function may return either value there.
 template <InertialFrame I, Frame B> struct CustomTorque {
   TorqueFunction<I, B> torque_b;
   std::vector<Quantity<si::time>> discontinuities{detail::no_list<Quantity<si::time>>()};
 };
 
-/// What happens to one rigid body: everything that a propagation, or another engine, needs to know.
-/// An orbit in the initial state needs mu; the gravity-gradient torque needs the orbit.
+/// Everything that a propagation, or another engine, needs to know of one rigid body and its torques. An
+/// orbit in the initial state needs mu; the gravity-gradient torque needs the orbit.
 template <InertialFrame I, Frame B> struct Scenario {
   Inertia<B> inertia;
   State<I, B> initial;
@@ -67,8 +67,8 @@ template <InertialFrame I, Frame B> struct Scenario {
 
 namespace detail {
 
-/// The state as the smooth piece that begins at `switched_at` sees it: at a listed jump, its time is moved by
-/// one rounding into the piece.
+/// The state for the smooth piece that begins at `switched_at`: if its time is a listed jump, the time is
+/// moved by one rounding into the piece.
 template <class I, class B>
 State<I, B> inside_piece(const CustomTorque<I, B>& custom, State<I, B> state,
                          const Quantity<si::time>& switched_at) {
@@ -83,9 +83,9 @@ State<I, B> inside_piece(const CustomTorque<I, B>& custom, State<I, B> state,
 
 }  // namespace detail
 
-/// The sum of the scenario's torques in a state. A pulse acts when it acts at `switched_at`: the state's own
-/// time or, inside an integrator, the start of the smooth piece in which the state lies.
-/// Throws BadInput when the gravity-gradient torque lacks mu or the state's orbit.
+/// The sum of the scenario's torques in a state. A pulse is on or off as at the time `switched_at`: the time
+/// of the state or, inside an integrator, the start of the smooth piece that contains the state.
+/// Throws BadInput if the gravity-gradient torque lacks mu or the state's orbit.
 template <class I, class B>
 Vector<B, si::torque> torque(const Scenario<I, B>& scenario, const State<I, B>& state,
                              const Quantity<si::time>& switched_at) {
@@ -120,7 +120,7 @@ Vector<I, si::angular_momentum> angular_momentum(const Scenario<I, B>& scenario,
 
 namespace detail {
 
-/// Throws BadInput, naming what is wrong, when a scenario cannot be propagated.
+/// Throws BadInput, with the reason, if a scenario cannot be propagated.
 template <class I, class B> void require_complete(const Scenario<I, B>& scenario) {
   const std::string place = "Scenario of " + frame_name<B>() + " relative to " + frame_name<I>() + ": ";
   const double start = scenario.initial.time.value();

@@ -8,8 +8,8 @@
 
 namespace vectrix {
 
-/// The state of a rigid body at one instant: attitude q_b^i, rate w_ib^b and, when it is carried along, the
-/// orbit of its centre of mass c, r_ic^i and v_ic|i^i.
+/// The state of a rigid body at one instant: attitude q_b^i, rate w_ib^b and, optionally, the orbit of its
+/// centre of mass c, r_ic^i and v_ic|i^i.
 template <InertialFrame I, Frame B> struct State {
   Quantity<si::time> time;
   Quaternion<I, B> q_i_from_b;

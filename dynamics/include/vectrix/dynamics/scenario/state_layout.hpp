@@ -10,14 +10,14 @@
 
 namespace vectrix {
 
-/// The numbers that stand for the attitude while it is integrated: four of a quaternion, q scalar first, or
-/// nine of a DCM, by columns. Both follow their kinematic law, and neither is projected back during the run:
-/// the trajectory reports how far they drifted.
+/// How the attitude is stored during integration: four numbers of a quaternion, scalar first, or nine of a
+/// DCM, by columns. Both follow their kinematic law. Neither is projected back during the run: the trajectory
+/// reports how far they drifted.
 enum class AttitudeState { quaternion, dcm };
 
 namespace detail {
 
-/// The one place where a state loses its names to become an array for the integrator, and gets them back:
+/// The only code that turns a state into an array without frames, for the integrator, and back:
 ///     [ attitude (4 or 9) | w_ib^b (3) | r^i (3) | v^i (3) ]
 template <InertialFrame I, Frame B> class StateLayout {
   using Orbit = PointMotion<I, CentreOfMassOf<B>, I>;
@@ -28,7 +28,7 @@ template <InertialFrame I, Frame B> class StateLayout {
   std::size_t attitude_size() const { return attitude_ == AttitudeState::quaternion ? 4 : 9; }
   std::size_t size() const { return attitude_size() + (orbit_ ? 9 : 3); }
 
-  /// What the numbers are called in messages.
+  /// Names of the numbers, for messages.
   std::vector<std::string> names() const {
     std::vector<std::string> names{"w_ib_b.x", "w_ib_b.y", "w_ib_b.z"};
     if (attitude_ == AttitudeState::quaternion) {
@@ -56,7 +56,7 @@ template <InertialFrame I, Frame B> class StateLayout {
     return y;
   }
 
-  /// The state, its attitude projected onto the nearest rotation.
+  /// The state; its attitude is projected onto the nearest rotation.
   State<I, B> unpack(double t, std::span<const double> y) const {
     return {Quantity<si::time>::from_value(t), unit_attitude(y), rate(y),
             orbit_ ? std::optional<Orbit>{orbit(y)} : std::nullopt};
@@ -69,7 +69,7 @@ template <InertialFrame I, Frame B> class StateLayout {
     return (R.transpose() * R - Square<double>::Identity()).cwiseAbs().maxCoeff();
   }
 
-  /// ydot, by the typed laws: the kinematics of the chosen attitude, Euler's equation, the point mass.
+  /// ydot by the typed laws: kinematics of the chosen attitude, Euler's equation, point-mass gravity.
   void derivative(const Scenario<I, B>& scenario, double segment_start, double t, std::span<const double> y,
                   std::span<double> ydot) const {
     const AngularVelocity<I, B, In<B>> w_ib_b = rate(y);

@@ -9,15 +9,15 @@
 
 namespace vectrix {
 
-/// A root of the propagation: what was found, where, and which way the function went.
+/// A zero of a root function, found in the propagation: its name, state and direction.
 template <InertialFrame I, Frame B> struct Event {
   std::string name;
   State<I, B> state;
   ode::Direction direction;
 };
 
-/// The motion of one body over a span of time. It cannot be edited, is cheap to copy, and answers at any time
-/// inside its span (dense output of the order of the steps, see ode::Solution::at).
+/// The motion of one body over a time interval. It is immutable, cheap to copy, and gives the state at any
+/// time in the interval (dense output of the order of the steps, see ode::Solution::at).
 template <InertialFrame I, Frame B> class Trajectory {
  public:
   Trajectory() = delete;  // propagate(scenario, propagation)
@@ -26,10 +26,10 @@ template <InertialFrame I, Frame B> class Trajectory {
 
   Quantity<si::time> start() const { return Quantity<si::time>::from_value(solution_.start()); }
   Quantity<si::time> end() const { return Quantity<si::time>::from_value(solution_.end()); }
-  /// A root with `stop` ended the propagation: it is the last of events().
+  /// True if a root with `stop` ended the propagation. That event is the last of events().
   bool stopped() const { return solution_.stopped(); }
 
-  /// The state at any time in [start, end]. Throws BadInput outside.
+  /// The state at any time in [start, end]. Throws BadInput outside this interval.
   State<I, B> at(const Quantity<si::time>& time) const {
     if (node_count() > 0 && !(time >= start() && time <= end())) {
       throw BadInput("Trajectory of " + frame_name<B>() + " relative to " + frame_name<I>() + ": the time " +
@@ -39,13 +39,13 @@ template <InertialFrame I, Frame B> class Trajectory {
     return layout_.unpack(time.value(), solution_.at(time.value()));
   }
 
-  /// R_b^i and w_ib^b: an edge of a frame graph, edge(trajectory). Errors as at().
+  /// R_b^i and w_ib^b: an edge of a frame graph, edge(trajectory). Throws as at() does.
   MovingDcm<I, B> operator()(const Quantity<si::time>& time) const {
     const State<I, B> now = at(time);
     return {now.R_i_from_b(), now.w_ib_b};
   }
 
-  /// The states at the output times that were asked for and reached.
+  /// The states at those requested output times that were reached.
   std::vector<State<I, B>> outputs() const {
     std::vector<State<I, B>> states;
     for (std::size_t i = 0; i < solution_.output_times().size(); ++i) {
@@ -69,8 +69,8 @@ template <InertialFrame I, Frame B> class Trajectory {
     return layout_.unpack(node.t, node.y);
   }
 
-  /// How far the integrated attitude, before it is projected, left the rotations: the largest | |q| - 1 | or
-  /// entry of |R^T R - I| over all steps.
+  /// How far the integrated attitude, before projection, is from a rotation: the largest | |q| - 1 | or entry
+  /// of |R^T R - I| over all steps.
   double orthonormality_drift() const {
     double largest = 0.0;
     for (std::size_t i = 0; i < solution_.node_count(); ++i) {

@@ -9,10 +9,10 @@
 
 namespace vectrix {
 
-/// The frames of the Earth. Their own namespace leaves the short names to users.
+/// The frames of the Earth. They have their own namespace, so that users can use the short names.
 namespace earth {
 
-/// Geocentric Celestial Reference Frame: the axes do not turn relative to distant objects.
+/// Geocentric Celestial Reference Frame: its axes do not rotate relative to distant objects.
 struct Gcrf : inertial_frame {};
 /// International Terrestrial Reference Frame: fixed to the Earth; z to the pole, x to the prime meridian.
 struct Itrf : moving_frame {};
@@ -21,10 +21,10 @@ struct TrueOfDate : moving_frame {};
 
 }  // namespace earth
 
-/// What must be observed of the Earth's orientation at an instant (IERS Conventions 2010, chapter 5).
+/// The observed parameters of the Earth's orientation at an instant (IERS Conventions 2010, chapter 5).
 struct EarthOrientationParameters {
   Quantity<si::angle> pole_x, pole_y;    ///< polar motion
-  Quantity<si::time> ut1_minus_tai;      ///< UT1-UTC less the leap seconds, so that it does not jump
+  Quantity<si::time> ut1_minus_tai;      ///< UT1-UTC minus the leap seconds, so that it has no jumps
   Quantity<si::dimensionless> ut1_gain;  ///< d(UT1-TAI)/dTAI
   Quantity<si::angle> dX, dY;            ///< offsets of the celestial pole from IAU 2006/2000A
 };
@@ -32,30 +32,30 @@ struct EarthOrientationParameters {
 /// The rotation of the Earth by IAU 2006/2000A, with the pole's observed offsets and polar motion:
 ///     R_itrf^gcrf = Q(X + dX, Y + dY, s) R3(-ERA(UT1)) W(x, y, s')
 ///     w_gi^i = dERA/dUT1 (1 + d(UT1-TAI)/dTAI), along the celestial intermediate pole
-/// The rate leaves out the motion of the pole: precession-nutation (below 1e-11 rad/s), polar motion (1e-13
-/// rad/s). A call takes about 0.1 ms, for the series of X and Y.
+/// The rate omits the motion of the pole: precession-nutation (below 1e-11 rad/s) and polar motion (1e-13
+/// rad/s). A call takes about 0.1 ms, most of it for the series of X and Y.
 VECTRIX_EXPORT MovingDcm<earth::Gcrf, earth::Itrf> earth_rotation(
     const Epoch& epoch, const EarthOrientationParameters& parameters);
 
-/// The classical way by the equinox: bias, precession and nutation of the same models without observed
-/// offsets (a few 1e-9 rad), then apparent sidereal time and polar motion. With dX = dY = 0 both ways agree
-/// to 1e-11.
+/// The classical method with the equinox: bias, precession and nutation of the same models without observed
+/// offsets (a few 1e-9 rad), then apparent sidereal time and polar motion. With dX = dY = 0 both methods
+/// agree to 1e-11.
 VECTRIX_EXPORT Dcm<earth::TrueOfDate, earth::Gcrf> true_of_date_from_gcrf(const Epoch& epoch);
 VECTRIX_EXPORT Dcm<earth::Itrf, earth::TrueOfDate> itrf_from_true_of_date(
     const Epoch& epoch, const EarthOrientationParameters& parameters);
 
-/// The observed orientation of the Earth, a row a day, from the IERS series finals2000A:
+/// The observed orientation of the Earth, one row per day, from the IERS series finals2000A:
 ///     graph edge    edge([&](const Epoch& t) { return orientation.at(t); })
-/// Parameters are interpolated linearly between days; tides of a day and half a day (below 1 milliarcsecond)
-/// are not in the series. Asked outside the rows: BadInput with the epoch and the span.
+/// Parameters are interpolated linearly between days. The series omits tides of a day and half a day (below 1
+/// milliarcsecond). Outside the rows: BadInput with the epoch and the time interval of the rows.
 class VECTRIX_EXPORT EarthOrientation {
  public:
   /// Reads fixed columns: MJD 8-15, x 19-27 and y 38-46 (arcsec), UT1-UTC 59-68 (s), dX 98-106 and dY 117-125
-  /// (milliarcsec). Lines that begin with '#' are comments. The series ends with predictions that lack
-  /// values: the rows used end with the last complete one. Throws BadInput with file, line, columns and
-  /// reason when a field is no number, a complete row follows an incomplete one, rows are not a day apart,
-  /// UT1-TAI jumps as at a leap second unknown to ERFA, the file stops within a line, or fewer than two rows
-  /// are complete.
+  /// (milliarcsec). Lines that begin with '#' are comments. The series ends with predictions without all
+  /// values: rows after the last complete one are not used. Throws BadInput with file, line, columns and
+  /// reason if a field is no number, a complete row follows an incomplete one, rows are not a day apart,
+  /// UT1-TAI jumps as at a leap second that ERFA does not know, the file ends within a line, or fewer than
+  /// two rows are complete.
   static EarthOrientation read(const std::filesystem::path& finals2000A);
 
   [[nodiscard]] const Epoch& first() const { return epochs_.front(); }

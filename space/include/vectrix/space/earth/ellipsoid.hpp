@@ -17,19 +17,19 @@ struct Geodetic {
 /// The reference ellipsoid WGS-84: semi-major axis a = 6378137 m, flattening 1/298.257223563.
 namespace wgs84 {
 
-/// Throws BadInput for the centre of the Earth, which has no latitude, and for a position too far out for
-/// ERFA, beyond 1e25 m.
+/// Throws BadInput for the centre of the Earth, which has no latitude, and for a position beyond 1e25 m,
+/// which is too far for ERFA.
 VECTRIX_EXPORT Geodetic geodetic(const Vector<earth::Itrf, si::length>& r_itrf);
 
-/// The inverse. Throws BadInput when a number is not finite or the latitude is beyond a pole.
+/// The inverse. Throws BadInput if a number is not finite or |latitude| exceeds pi/2.
 VECTRIX_EXPORT Vector<earth::Itrf, si::length> position(const Geodetic& geodetic);
 
-/// The unit normal of the ellipsoid, up at the latitude and longitude of r.
+/// The unit normal of the ellipsoid at the latitude and longitude of r; it points up.
 VECTRIX_EXPORT Vector<earth::Itrf, si::dimensionless> up(const Vector<earth::Itrf, si::length>& r_itrf);
 
-/// Where the ray r + t d, t >= 0, first meets the ellipsoid; nothing when it misses. d is any vector but
-/// zero. An origin within about 10 micrometres of the surface is itself the answer. Throws BadInput when the
-/// origin lies inside, or d is zero.
+/// The first intersection of the ray r + t d, t >= 0, with the ellipsoid; nothing if there is none. d is any
+/// vector but zero. If the origin is within about 10 micrometres of the surface, the result is the origin.
+/// Throws BadInput if the origin is inside, or d is zero.
 VECTRIX_EXPORT std::optional<Vector<earth::Itrf, si::length>> first_intersection(
     const Vector<earth::Itrf, si::length>& r_itrf, const Vector<earth::Itrf, si::dimensionless>& d_itrf);
 

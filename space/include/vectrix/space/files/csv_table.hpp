@@ -14,32 +14,32 @@
 
 namespace vectrix {
 
-/// A table file that cannot be used: the text says file, line, column (name and number) and reason.
+/// A table file that cannot be used: the text contains file, line, column (name and number) and reason.
 class VECTRIX_EXPORT CsvError : public BadInput {
  public:
   using BadInput::BadInput;
 };
 
-/// A text table: one header line of column names, then one line of fields per row, separated by commas.
-/// Lines that begin with '#' in front of the header are comments. Blanks around a field do not count, a line
-/// may end with CR LF, a byte order mark may precede the first, quotation marks are not supported. Every
-/// line, the last too, must end: a file that stops within a line was truncated. Rows are counted from 0,
+/// A text table: one header line of column names, then one line of fields per row, separated by commas. Lines
+/// that begin with '#' before the header are comments. Blanks around a field are ignored, a line may end with
+/// CR LF, and a byte order mark may precede the first line. Quotation marks are not supported. Every line
+/// must have a line end, the last too: a file that ends within a line was truncated. Rows are counted from 0,
 /// lines and columns in messages from 1.
 class VECTRIX_EXPORT CsvTable {
  public:
-  /// Throws CsvError when the file cannot be read, is empty, ends within a line, lacks a required column, has
-  /// two columns of one name, or a row whose number of fields is not that of the header.
+  /// Throws CsvError if the file cannot be read, is empty, ends within a line, lacks a required column, has
+  /// two columns of one name, or has a row with more or fewer fields than the header.
   static CsvTable read(const std::filesystem::path& file,
                        std::initializer_list<std::string_view> required_columns);
 
   [[nodiscard]] std::size_t rows() const { return lines_.size(); }
   [[nodiscard]] const std::vector<std::string>& columns() const { return columns_; }
 
-  /// The field as it is written. Throws CsvError for a column or row that the table does not have.
+  /// The text of the field. Throws CsvError for a column or row that the table does not have.
   [[nodiscard]] const std::string& text(std::size_t row, std::string_view column) const;
-  /// The field as a finite number. Throws CsvError when it is anything else.
+  /// The field as a finite number. Throws CsvError if it is anything else.
   [[nodiscard]] double number(std::size_t row, std::string_view column) const;
-  /// Throws CsvError for a field that the caller cannot use: file, line, column, and the reason given.
+  /// Throws CsvError for a field that the caller cannot use, with file, line, column and the given reason.
   [[noreturn]] void refuse(std::size_t row, std::string_view column, const std::string& reason) const;
 
  private:
