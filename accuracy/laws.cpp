@@ -202,7 +202,7 @@ void rate_rows(Table& table) {
         return compare(rate(q_of<A, B>(q), w_ab_b).eigen().coeffs(), exact.coeffs(), half.norm(), "|w|",
                        w.norm());
       });
-  table.row("angular_velocity(R, Rdot, in<B>)", "any; |w| 1e-3 to 10", "|w|",
+  table.row("angular_velocity_from(R, Rdot, in<B>)", "any; |w| 1e-3 to 10", "|w|",
             roundings(14, "a product of matrices 11, half a difference 2; R is 1 away from the rotations"),
             [](Draw& draw) {
               const Eigen::Matrix3d R = any_dcm(draw);
@@ -212,7 +212,7 @@ void rate_rows(Table& table) {
               const WideSquare exact = widened(R).transpose() * widened(Rdot);
               const WideColumn vee((exact(2, 1) - exact(1, 2)) / 2, (exact(0, 2) - exact(2, 0)) / 2,
                                    (exact(1, 0) - exact(0, 1)) / 2);
-              return compare(angular_velocity(R_of<A, B>(R), Rdot_a_from_b, in<B>).coordinates(), vee,
+              return compare(angular_velocity_from(R_of<A, B>(R), Rdot_a_from_b, in<B>).coordinates(), vee,
                              vee.norm(), "|w|", w.norm());
             });
 }

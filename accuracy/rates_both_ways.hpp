@@ -27,13 +27,13 @@ template <class Kind, int n> struct RatesBothWays {
   }
   template <class C, class S> static ColumnOf<S> velocity(const Numbers<S>& numbers, const Numbers<S>& rate) {
     const auto x = Kind::template of_numbers<S>(numbers);
-    return angular_velocity(x, parameter_rate(x, rate), in<C>).coordinates();
+    return angular_velocity_from(x, parameter_rate(x, rate), in<C>).coordinates();
   }
   template <class C, class S>
   static ColumnOf<S> acceleration(const Numbers<S>& numbers, const Numbers<S>& rate,
                                   const Numbers<S>& second) {
     const auto x = Kind::template of_numbers<S>(numbers);
-    return angular_acceleration(x, parameter_rate(x, rate), second_parameter_rate(x, second), in<C>)
+    return angular_acceleration_from(x, parameter_rate(x, rate), second_parameter_rate(x, second), in<C>)
         .coordinates();
   }
 };
@@ -83,8 +83,8 @@ void four_rate_rows(Table& table, const std::string& name, const std::string& do
   };
   row("rate(x, w)", &RateErrors::rate, terms);
   row("second_rate(x, w, alpha)", &RateErrors::second, 2 * terms);
-  row("angular_velocity(x, x')", &RateErrors::velocity, terms);
-  row("angular_acceleration(x, x', x'')", &RateErrors::acceleration, 2 * terms);
+  row("angular_velocity_from(x, x')", &RateErrors::velocity, terms);
+  row("angular_acceleration_from(x, x', x'')", &RateErrors::acceleration, 2 * terms);
 }
 
 template <class Kind, int n, class DrawX, class Place>

@@ -100,7 +100,7 @@ void six_by_six_rows(Table& table) {
 }
 
 void rate_rows(Table& table) {
-  table.row("twist(xi, xi_dot, in<A>)", "1e-8 to 6 rad", "|J| |xi_dot|",
+  table.row("twist_from(xi, xi_dot, in<A>)", "1e-8 to 6 rad", "|J| |xi_dot|",
             roundings(60, "those of the Jacobian, applied to one vector"), [](Draw& draw) {
               const Eigen::Vector3d theta = draw.vector(1e-8, 6.0), rho = draw.vector(1e-3, 1e3);
               Six rate;
@@ -110,7 +110,7 @@ void rate_rows(Table& table) {
                                             vector<si::velocity>(in<A>, rate.tail<3>().eval()));
               const WideMatrix<6> J = jacobian_series(wide_ad(theta, rho));
               const WideSix exact = J * widened(rate);
-              return compare(twist(xi_of(theta, rho), xidot, in<A>).coordinates(), exact,
+              return compare(twist_from(xi_of(theta, rho), xidot, in<A>).coordinates(), exact,
                              J.norm() * widened(rate).norm(), "angle", theta.norm());
             });
   table.row("rate(xi, V_ab) of a twist in b", "1e-8 to 3.2 rad", "|J^-1| |V|",

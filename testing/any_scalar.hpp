@@ -197,10 +197,10 @@ template <class S> std::vector<S> rates(const Given<S>& given) {
   const auto alpha = acceleration_of<Gcrf, Body>(given.v[2]);
   told.add(second_rate(R, w, alpha));
   told.add(second_rate(q, R * w, R * alpha));
-  told.add(angular_acceleration(R, rate(R, w), second_rate(R, w, alpha), in<Gcrf>));
-  told.add(angular_acceleration(q, rate(q, w), second_rate(q, w, alpha), in<Body>));
-  told.add(angular_velocity(R, rate(R, w), in<Body>));
-  told.add(angular_velocity(R, dcm_rate(R, rate(R, w).matrix()), in<Gcrf>));
+  told.add(angular_acceleration_from(R, rate(R, w), second_rate(R, w, alpha), in<Gcrf>));
+  told.add(angular_acceleration_from(q, rate(q, w), second_rate(q, w, alpha), in<Body>));
+  told.add(angular_velocity_from(R, rate(R, w), in<Body>));
+  told.add(angular_velocity_from(R, dcm_rate(R, rate(R, w).matrix()), in<Gcrf>));
   told.add(rate(R, w) * vector<si::length>(in<Body>, given.v[1]));
   const auto ab = accelerating_dcm(R, w, acceleration_of<Gcrf, Body>(given.v[2]));
   const auto bd = accelerating_dcm(dcm(unit<Body, Camera>(given.q[1])), rate_of<Body, Camera>(given.v[3]),

@@ -42,7 +42,7 @@ DcmRate<Gcrf, Body> attitude_rate() {
   return dcm_rate(attitude(), slope(turning));
 }
 AngularVelocity<Gcrf, Body, In<Body>> body_rate() {
-  return angular_velocity(attitude(), attitude_rate(), in<Body>);
+  return angular_velocity_from(attitude(), attitude_rate(), in<Body>);
 }
 
 TEST(BugZoo, TheTwoAnglesOfViewOfOneRateAreTwoVectors) {
@@ -52,14 +52,14 @@ TEST(BugZoo, TheTwoAnglesOfViewOfOneRateAreTwoVectors) {
   EXPECT_GT(residual(-vee(R.transpose() * Rdot)), visible);  // w_ba
   EXPECT_GT(residual(vee(Rdot * R.transpose())), visible);   // w_ab, but in a
   EXPECT_LE(residual(body_rate().coordinates()), difference_tolerance);
-  const auto w_ab_a = angular_velocity(attitude(), attitude_rate(), in<Gcrf>);
+  const auto w_ab_a = angular_velocity_from(attitude(), attitude_rate(), in<Gcrf>);
   EXPECT_LE(distance(rate(attitude(), w_ab_a).matrix(), Rdot), difference_tolerance);
 }
 
 // The attitude after dt: the increment multiplies on the side of the frame in which the rate is expressed.
 TEST(BugZoo, TheIncrementGoesOnTheSideOfItsFrame) {
   const Eigen::Quaterniond q = turned(now);
-  const auto w_ab_a = angular_velocity(attitude(), attitude_rate(), in<Gcrf>);
+  const auto w_ab_a = angular_velocity_from(attitude(), attitude_rate(), in<Gcrf>);
   const Vector3d half = w_ab_a.coordinates() / 2;
   const Eigen::Quaterniond increment(0, half.x(), half.y(), half.z());
   const Eigen::Vector4d qdot = slope([](double t) -> Eigen::Vector4d { return turned(t).coeffs(); });
@@ -86,7 +86,7 @@ TEST(BugZoo, TheRateOfAFrameIsNotTheRateOfItsFirstAxis) {
   EXPECT_GT(residual(orbital), visible);
   EXPECT_LE((hat(orbital) * axes(now) - Rdot).col(0).norm(), difference_tolerance);  // this hides the mistake
   const Dcm<Gcrf, Body> R_a_from_b = dcm(to<Gcrf>, from<Body>, axes(now));
-  const auto w_ab_a = angular_velocity(R_a_from_b, dcm_rate(R_a_from_b, Rdot), in<Gcrf>);
+  const auto w_ab_a = angular_velocity_from(R_a_from_b, dcm_rate(R_a_from_b, Rdot), in<Gcrf>);
   EXPECT_LE(residual(w_ab_a.coordinates()), difference_tolerance);
 }
 

@@ -56,8 +56,8 @@ template <class S, class Make> std::vector<S> numbers_of(const Given<S>& given, 
   add(xdot.coordinates());
   add(xddot.coordinates());
   add(dcm(x).matrix());
-  add(angular_velocity(x, xdot, in<Gcrf>).coordinates());
-  add(angular_acceleration(x, xdot, xddot, in<Body>).coordinates());
+  add(angular_velocity_from(x, xdot, in<Gcrf>).coordinates());
+  add(angular_acceleration_from(x, xdot, xddot, in<Body>).coordinates());
   return list;
 }
 

@@ -45,7 +45,7 @@ TYPED_TEST(EulerRates, NearTheSingularityOnlyAsManyDigitsGoAsItIsNear) {
     const Eigen::Vector3d w(0.3, -0.7, 0.5);
     const auto xdot = rate(x, omega_of<Body>(w));
     const double spoilt = 16 * epsilon / away;
-    EXPECT_LE(distance(angular_velocity(x, xdot, in<Body>).coordinates(), w), spoilt);
+    EXPECT_LE(distance(angular_velocity_from(x, xdot, in<Body>).coordinates(), w), spoilt);
     EXPECT_NEAR(x.distance_from_singularity().value(), away, epsilon);
   }
 }
@@ -65,7 +65,7 @@ TYPED_TEST(EulerRates, AtTheSingularityAreBadInputThatSaysHowNear) {
   // The inverse map is regular there.
   const auto xdot = parameter_rate(x, 1.0 * si::radian / si::second, 0.0 * si::radian / si::second,
                                    1.0 * si::radian / si::second);
-  const double both = angular_velocity(x, xdot, in<Gcrf>).coordinates().norm();
+  const double both = angular_velocity_from(x, xdot, in<Gcrf>).coordinates().norm();
   EXPECT_LE(std::min(std::abs(both - 2.0), std::abs(both)), rounding);
 }
 
@@ -79,7 +79,7 @@ TEST(Euler123, ItsMatrixInTheOuterFrame) {
       std::cos(a) * std::cos(b);
   for (int i = 0; i < 3; ++i) {
     const auto xdot = parameter_rate(x, Eigen::Vector3d::Unit(i));
-    EXPECT_LE(distance(angular_velocity(x, xdot, in<Gcrf>).coordinates(), note.col(i)), rounding);
+    EXPECT_LE(distance(angular_velocity_from(x, xdot, in<Gcrf>).coordinates(), note.col(i)), rounding);
   }
   const Eigen::Vector3d w(0.3, -0.2, 0.9);
   EXPECT_LE(distance(rate(x, omega_of<Gcrf>(w)).coordinates(), note.inverse() * w), rounding);
@@ -95,8 +95,8 @@ TEST(Euler123, ItsMatrixInTheBody) {
       0, 1;
   for (int i = 0; i < 3; ++i) {
     const auto xdot = parameter_rate(x, Eigen::Vector3d::Unit(i));
-    const auto w_b = angular_velocity(x, xdot, in<Body>);
-    const auto w_a = angular_velocity(x, xdot, in<Gcrf>);
+    const auto w_b = angular_velocity_from(x, xdot, in<Body>);
+    const auto w_a = angular_velocity_from(x, xdot, in<Gcrf>);
     EXPECT_LE(distance(w_b.coordinates(), body.col(i)), rounding);
     EXPECT_LE(distance((dcm(x) * w_b).coordinates(), w_a.coordinates()), rounding);
     EXPECT_LE(distance(rate(dcm(x), w_b).matrix(), dcm(x).matrix() * hat(Eigen::Vector3d(body.col(i)))),
@@ -110,7 +110,7 @@ TEST(Euler312, WithoutAThirdTurnIsThePairOfTheNote) {
   const auto x = angles_of<Intrinsic<3, 1, 2>>(Eigen::Vector3d(theta, rho, 0.0));
   const auto xdot = parameter_rate(x, Eigen::Vector3d(theta_dot, rho_dot, 0.0));
   const Eigen::Vector3d note(rho_dot * std::cos(theta), rho_dot * std::sin(theta), theta_dot);
-  EXPECT_LE(distance(angular_velocity(x, xdot, in<Gcrf>).coordinates(), note), rounding);
+  EXPECT_LE(distance(angular_velocity_from(x, xdot, in<Gcrf>).coordinates(), note), rounding);
 }
 
 // Yaw, pitch and roll of an aircraft: p = roll' - yaw' sin pitch, and so on.
@@ -119,7 +119,7 @@ TEST(Euler321, IsThatOfTextbooks) {
   const auto x = angles_of<Intrinsic<3, 2, 1>>(Eigen::Vector3d(1.3, pitch, roll));
   const double yaw_dot = 0.2, pitch_dot = -0.3, roll_dot = 0.7;
   const auto w_b =
-      angular_velocity(x, parameter_rate(x, Eigen::Vector3d(yaw_dot, pitch_dot, roll_dot)), in<Body>);
+      angular_velocity_from(x, parameter_rate(x, Eigen::Vector3d(yaw_dot, pitch_dot, roll_dot)), in<Body>);
   EXPECT_NEAR(w_b.coordinates().x(), roll_dot - yaw_dot * std::sin(pitch), rounding);
   EXPECT_NEAR(w_b.coordinates().y(), pitch_dot * std::cos(roll) + yaw_dot * std::cos(pitch) * std::sin(roll),
               rounding);

@@ -16,8 +16,9 @@ template <class A, class B> bool same(const MovingDcm<A, B>& left, const Motion<
          distance(left.angular_velocity.coordinates(), right.w_ab_b().coordinates()) <= motion_tolerance;
 }
 template <class A, class B> bool same(const AcceleratingDcm<A, B>& left, const Motion<A, B>& right) {
-  return same(moving_dcm(left), right) && distance(left.angular_acceleration.coordinates(),
-                                                   right.alpha_ab_b().coordinates()) <= motion_tolerance;
+  return same(without_acceleration(left), right) &&
+         distance(left.angular_acceleration.coordinates(), right.alpha_ab_b().coordinates()) <=
+             motion_tolerance;
 }
 
 // A tree of moving frames at one instant: Gcrf -- Body -- Camera, Camera -- Wheel<1>, and Gcrf -- Wheel<2>.

@@ -51,8 +51,8 @@ void expect_their_kinematics(const X& x, const MovingNumbers<N>& numbers, double
   const auto xddot = second_parameter_rate(x, numbers.second);
   const auto check = [&]<class C>(In<C> in_c, const Eigen::Vector3d& w, const Eigen::Vector3d& alpha) {
     const double tolerance = motion_tolerance * std::max(1.0, w.squaredNorm() + alpha.norm());
-    const AngularVelocity<Gcrf, Body, In<C>> w_c = angular_velocity(x, xdot, in_c);
-    const AngularAcceleration<Gcrf, Body, In<C>> alpha_c = angular_acceleration(x, xdot, xddot, in_c);
+    const AngularVelocity<Gcrf, Body, In<C>> w_c = angular_velocity_from(x, xdot, in_c);
+    const AngularAcceleration<Gcrf, Body, In<C>> alpha_c = angular_acceleration_from(x, xdot, xddot, in_c);
     const auto forward = rate(x, omega_of<C>(w));
     const auto second = second_rate(x, omega_of<C>(w), alpha_of<C>(alpha));
     const double off[] = {(w_c.coordinates() - w).norm(), (alpha_c.coordinates() - alpha).norm(),

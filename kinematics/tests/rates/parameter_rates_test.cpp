@@ -78,7 +78,7 @@ TEST(AxisAngleRate, AtTheSingularityIsBadInputThatSaysHowNear) {
             "");
   const auto x = axis_angle_of(Eigen::Vector4d(1e-12, 0, 1, 0));
   const Eigen::Vector3d w(0.3, -0.7, 0.5);
-  const auto back = angular_velocity(x, rate(x, omega_of<Gcrf>(w)), in<Gcrf>);
+  const auto back = angular_velocity_from(x, rate(x, omega_of<Gcrf>(w)), in<Gcrf>);
   EXPECT_LE(distance(back.coordinates(), w), rounding);
 }
 
@@ -98,7 +98,8 @@ TEST(AxisAngleRate, ASecondRateThatStretchesTheAxisIsBadInput) {
   const auto x = axis_angle(of<Body>, relative_to<Gcrf>, unit_x(in<Gcrf>), 1.0 * si::radian);
   const auto xdot = parameter_rate(x, Eigen::Vector4d(0, 0, 2, 0));
   const auto alpha = [&](double along) {
-    return angular_acceleration(x, xdot, second_parameter_rate(x, Eigen::Vector4d(0, along, 0, 0)), in<Body>);
+    return angular_acceleration_from(x, xdot, second_parameter_rate(x, Eigen::Vector4d(0, along, 0, 0)),
+                                     in<Body>);
   };
   // alpha = s n'' (+ phi' terms, here zero) - (1 - c) n x n'' (along n, here zero): -4 sin 1 about x.
   EXPECT_LE(distance(alpha(-4).coordinates(), Eigen::Vector3d(-4 * std::sin(1.0), 0, 0)), rounding);
@@ -143,7 +144,7 @@ TEST(ParameterRates, OfASpinAreThoseOfTheTangent) {
 
 template <class X, class Rate, class C>
 concept TakesBack = requires(const X& x, const Rate& xdot, C in_c) {
-  angular_velocity(x, xdot, in_c);
+  angular_velocity_from(x, xdot, in_c);
 };
 template <class X, class W>
 concept Drives = requires(const X& x, const W& w) {

@@ -33,8 +33,8 @@ RC_GTEST_PROP(DcmRate, FormsAreTheProductsWithTheHat, ()) {
 RC_GTEST_PROP(DcmRate, AngularVelocityUndoesRate, ()) {
   const auto ab = any_motion();
   const auto Rdot = rate(ab.rotation(), ab.w_ab_b());
-  const AngularVelocity<Gcrf, Body, In<Body>> w_b = angular_velocity(ab.rotation(), Rdot, in<Body>);
-  const AngularVelocity<Gcrf, Body, In<Gcrf>> w_a = angular_velocity(ab.rotation(), Rdot, in<Gcrf>);
+  const AngularVelocity<Gcrf, Body, In<Body>> w_b = angular_velocity_from(ab.rotation(), Rdot, in<Body>);
+  const AngularVelocity<Gcrf, Body, In<Gcrf>> w_a = angular_velocity_from(ab.rotation(), Rdot, in<Gcrf>);
   RC_ASSERT(distance(w_b.coordinates(), ab.w_ab_b().coordinates()) <= motion_tolerance);
   RC_ASSERT(distance(w_a.coordinates(), ab.w_a()) <= motion_tolerance);
 }
@@ -64,7 +64,7 @@ TEST(DcmRate, OfAnotherRotationIsBadInput) {
   const Motion<Gcrf, Body> ab(turning<Gcrf, Body>(0.7, instant(0.3)));
   const Motion<Gcrf, Body> later(turning<Gcrf, Body>(0.7, instant(0.9)));
   const auto Rdot = rate(ab.rotation(), ab.w_ab_b());
-  EXPECT_TRUE(contains(message<BadInput>([&] { angular_velocity(later.rotation(), Rdot, in<Body>); }),
+  EXPECT_TRUE(contains(message<BadInput>([&] { angular_velocity_from(later.rotation(), Rdot, in<Body>); }),
                        "the matrix is not skew"));
 }
 

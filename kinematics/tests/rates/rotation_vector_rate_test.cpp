@@ -50,8 +50,8 @@ TEST(RotationVectorRate, TheJacobiansAreTheirMatrices) {
     const auto numbers = through(angle * Vector3d(2, -1, 2) / 3, random);
     const auto theta = turn_of(numbers.value);
     const auto theta_dot = parameter_rate(theta, numbers.first);
-    const auto w_b = angular_velocity(theta, theta_dot, in<Body>);
-    const auto w_a = angular_velocity(theta, theta_dot, in<Gcrf>);
+    const auto w_b = angular_velocity_from(theta, theta_dot, in<Body>);
+    const auto w_a = angular_velocity_from(theta, theta_dot, in<Gcrf>);
     EXPECT_LE(distance(w_b.coordinates(), right_jacobian(theta) * numbers.first), rounding);
     EXPECT_LE(distance(w_a.coordinates(), left_jacobian(theta) * numbers.first), rounding);
     EXPECT_LE(distance(rate(theta, w_b).coordinates(), inverse_right_jacobian(theta) * w_b.coordinates()),
@@ -79,9 +79,9 @@ TEST(RotationVectorRate, Reverses) {
   const auto numbers = through({0.3, -0.8, 1.1}, random);
   const RotationVector<Gcrf, Body> theta_ab = turn_of(numbers.value);
   const RotationVector<Body, Gcrf> theta_ba = -theta_ab;
-  const auto w_ab_a = angular_velocity(theta_ab, parameter_rate(theta_ab, numbers.first), in<Gcrf>);
+  const auto w_ab_a = angular_velocity_from(theta_ab, parameter_rate(theta_ab, numbers.first), in<Gcrf>);
   const Vector3d reversed = -numbers.first;
-  const auto w_ba_a = angular_velocity(theta_ba, parameter_rate(theta_ba, reversed), in<Gcrf>);
+  const auto w_ba_a = angular_velocity_from(theta_ba, parameter_rate(theta_ba, reversed), in<Gcrf>);
   EXPECT_LE(distance(w_ba_a.coordinates(), -w_ab_a.coordinates()), rounding);
 }
 
@@ -96,7 +96,7 @@ TEST(RotationVectorRate, AtAFullTurnIsBadInputThatSaysHowNear) {
                        }),
                        "rad from the singularity, a full turn"));
   // The inverse map has full accuracy there.
-  const auto there = angular_velocity(theta, parameter_rate(theta, Vector3d(1, 2, 3)), in<Body>);
+  const auto there = angular_velocity_from(theta, parameter_rate(theta, Vector3d(1, 2, 3)), in<Body>);
   EXPECT_LE(distance(there.coordinates(), Vector3d(0, 0, 3)), rounding);
 }
 

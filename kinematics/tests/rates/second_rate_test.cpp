@@ -29,8 +29,9 @@ RC_GTEST_PROP(DcmSecondRate, IsTheDerivativeInBothFramesAndBothWays, ()) {
 
   const auto Rdot = dcm_rate(R, ab.Rdot);
   const auto Rddot = dcm_second_rate(R, Rdot, ab.Rddot);
-  const Second alpha_b = angular_acceleration(R, Rdot, Rddot, in<Body>);
-  const AngularAcceleration<Gcrf, Body, In<Gcrf>> alpha_a = angular_acceleration(R, Rdot, Rddot, in<Gcrf>);
+  const Second alpha_b = angular_acceleration_from(R, Rdot, Rddot, in<Body>);
+  const AngularAcceleration<Gcrf, Body, In<Gcrf>> alpha_a =
+      angular_acceleration_from(R, Rdot, Rddot, in<Gcrf>);
   RC_ASSERT(distance(alpha_b.coordinates(), ab.alpha_ab_b().coordinates()) <= tolerance(ab));
   RC_ASSERT(distance(alpha_a.coordinates(), ab.alpha_a()) <= tolerance(ab));
 }
@@ -50,7 +51,7 @@ TEST(DcmSecondRate, ItsDoorTakesOnlyOneOfThatRotationAndRate) {
   // Rotation at a constant rate: the second derivative is centripetal only, and the angular acceleration is
   // zero.
   const auto steady = second_rate(R, ab.w_ab_b(), unaccelerated(of<Body>, relative_to<Gcrf>, in<Body>));
-  const auto alpha = angular_acceleration(R, Rdot, dcm_second_rate(R, Rdot, steady.matrix()), in<Gcrf>);
+  const auto alpha = angular_acceleration_from(R, Rdot, dcm_second_rate(R, Rdot, steady.matrix()), in<Gcrf>);
   EXPECT_LE(alpha.coordinates().norm(), tolerance(ab));
 }
 
@@ -75,12 +76,12 @@ RC_GTEST_PROP(QuaternionSecondRate, IsTheDerivativeInBothFramesAndBothWays, ()) 
   const Eigen::Matrix3d Rddot = R.unaryExpr([](const Dual2& x) { return second(x); });
   RC_ASSERT(distance(Rddot, ab.Rddot) <= tolerance(ab));
 
-  const auto w_b = angular_velocity(q, qdot, in<Body>);
-  const auto w_a = angular_velocity(q, qdot, in<Gcrf>);
+  const auto w_b = angular_velocity_from(q, qdot, in<Body>);
+  const auto w_a = angular_velocity_from(q, qdot, in<Gcrf>);
   RC_ASSERT(distance(w_b.coordinates(), ab.w_ab_b().coordinates()) <= motion_tolerance);
   RC_ASSERT(distance(w_a.coordinates(), ab.w_a()) <= motion_tolerance);
-  const Second alpha_b = angular_acceleration(q, qdot, body, in<Body>);
-  const auto alpha_a = angular_acceleration(q, qdot, body, in<Gcrf>);
+  const Second alpha_b = angular_acceleration_from(q, qdot, body, in<Body>);
+  const auto alpha_a = angular_acceleration_from(q, qdot, body, in<Gcrf>);
   RC_ASSERT(distance(alpha_b.coordinates(), ab.alpha_ab_b().coordinates()) <= tolerance(ab));
   RC_ASSERT(distance(alpha_a.coordinates(), ab.alpha_a()) <= tolerance(ab));
 }

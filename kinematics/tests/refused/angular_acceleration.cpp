@@ -152,13 +152,13 @@ namespace angular_acceleration_of_other_rate {
 // mistake: the angular acceleration of a quaternion from the derivatives of its inverse
 // expect: Attitude = (vectrix::)?Quaternion<Gcrf, Body
 // expect: Rate = (vectrix::)?QuaternionRate<Body, Gcrf
-// expect: angular_acceleration.x_ab, xdot_ab, xddot_ab, in<B>. or in<A>
+// expect: angular_acceleration_from.x_ab, xdot_ab, xddot_ab, in<B>. or in<A>
 auto acceleration(const Quaternion<Gcrf, Body>& q_i_from_b, const QuaternionRate<Body, Gcrf>& qdot_b_from_i,
                   const QuaternionSecondRate<Body, Gcrf>& qddot_b_from_i) {
 #ifdef REPAIRED
-  return angular_acceleration(inverse(q_i_from_b), qdot_b_from_i, qddot_b_from_i, in<Body>);
+  return angular_acceleration_from(inverse(q_i_from_b), qdot_b_from_i, qddot_b_from_i, in<Body>);
 #else
-  return angular_acceleration(q_i_from_b, qdot_b_from_i, qddot_b_from_i, in<Body>);
+  return angular_acceleration_from(q_i_from_b, qdot_b_from_i, qddot_b_from_i, in<Body>);
 #endif
 }
 }  // namespace angular_acceleration_of_other_rate

@@ -177,9 +177,9 @@ namespace omega_for_euler_rates {
 auto rate_of(const EulerAngles<Intrinsic<3, 2, 1>, Gcrf, Body>& x,
              const AngularVelocity<Gcrf, Body, In<Body>>& w_b) {
 #ifdef REPAIRED
-  return angular_velocity(x, rate(x, w_b), in<Gcrf>);
+  return angular_velocity_from(x, rate(x, w_b), in<Gcrf>);
 #else
-  return angular_velocity(x, w_b, in<Gcrf>);
+  return angular_velocity_from(x, w_b, in<Gcrf>);
 #endif
 }
 }  // namespace omega_for_euler_rates

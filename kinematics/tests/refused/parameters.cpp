@@ -100,9 +100,9 @@ using Angles313 = EulerAngles<Intrinsic<3, 1, 3>, Gcrf, Body>;
 auto rate_of(const Angles321& x, const ParameterRate<Angles321>& xdot,
              const ParameterRate<Angles313>& xdot_313) {
 #ifdef REPAIRED
-  return static_cast<void>(xdot_313), angular_velocity(x, xdot, in<Body>);
+  return static_cast<void>(xdot_313), angular_velocity_from(x, xdot, in<Body>);
 #else
-  return static_cast<void>(xdot), angular_velocity(x, xdot_313, in<Body>);
+  return static_cast<void>(xdot), angular_velocity_from(x, xdot_313, in<Body>);
 #endif
 }
 }  // namespace euler_rate_of_other_sequence
@@ -128,9 +128,9 @@ namespace gibbs_rate_of_modified_rodrigues {
 auto rate_of(const GibbsVector<Gcrf, Body>& g, const ModifiedRodrigues<Gcrf, Body>& sigma,
              const ParameterRate<ModifiedRodrigues<Gcrf, Body>>& sigmadot) {
 #ifdef REPAIRED
-  return static_cast<void>(g), angular_velocity(sigma, sigmadot, in<Body>);
+  return static_cast<void>(g), angular_velocity_from(sigma, sigmadot, in<Body>);
 #else
-  return static_cast<void>(sigma), angular_velocity(g, sigmadot, in<Body>);
+  return static_cast<void>(sigma), angular_velocity_from(g, sigmadot, in<Body>);
 #endif
 }
 }  // namespace gibbs_rate_of_modified_rodrigues

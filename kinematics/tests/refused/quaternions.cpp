@@ -305,7 +305,7 @@ namespace rotation_vector_rate_as_omega {
 DcmRate<Gcrf, Body> motion(const RotationVector<Gcrf, Body>& theta_ab,
                            const ParameterRate<RotationVector<Gcrf, Body>>& thetadot_ab) {
 #ifdef REPAIRED
-  return rate(exp(theta_ab), angular_velocity(theta_ab, thetadot_ab, in<Body>));
+  return rate(exp(theta_ab), angular_velocity_from(theta_ab, thetadot_ab, in<Body>));
 #else
   return rate(exp(theta_ab), thetadot_ab);
 #endif

@@ -98,14 +98,14 @@ namespace twist_from_screw_in_third_frame {
 // mistake: the twist of a screw that changes, asked in neither of its two frames
 // expect: Screw<A, B, S>|Screw<Gcrf, Body
 // expect: Expressed = (vectrix::)?In<Camera>
-// expect: twist.xi_ab, xidot_ab, in<B>. or in<A>
+// expect: twist_from.xi_ab, xidot_ab, in<B>. or in<A>
 auto motion(const Screw<Gcrf, Body>& xi_ab, const ScrewRate<Gcrf, Body>& xidot_ab,
             const Transform<Camera, Body>& X_c_from_b) {
 #ifdef REPAIRED
-  return X_c_from_b * twist(xi_ab, xidot_ab, in<Body>);
+  return X_c_from_b * twist_from(xi_ab, xidot_ab, in<Body>);
 #else
   static_cast<void>(X_c_from_b);
-  return twist(xi_ab, xidot_ab, in<Camera>);
+  return twist_from(xi_ab, xidot_ab, in<Camera>);
 #endif
 }
 }  // namespace twist_from_screw_in_third_frame

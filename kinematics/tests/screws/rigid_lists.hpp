@@ -34,9 +34,9 @@ template <class S> std::vector<S> rigid_motions(const Given<S>& given) {
   told.add(ad(xi_ab));
 
   const auto theta_dot = parameter_rate(theta_ab, given.v[2]);
-  const auto w_b = angular_velocity(theta_ab, theta_dot, in<Body>);
+  const auto w_b = angular_velocity_from(theta_ab, theta_dot, in<Body>);
   const auto alpha_a =
-      angular_acceleration(theta_ab, theta_dot, second_parameter_rate(theta_ab, given.v[3]), in<Gcrf>);
+      angular_acceleration_from(theta_ab, theta_dot, second_parameter_rate(theta_ab, given.v[3]), in<Gcrf>);
   told.add(w_b);
   told.add(alpha_a);
   told.add(rate(theta_ab, w_b).coordinates());
@@ -45,7 +45,7 @@ template <class S> std::vector<S> rigid_motions(const Given<S>& given) {
   const auto xi_dot =
       screw_rate(of<Body>, relative_to<Gcrf>, vector<si::angular_velocity>(in<Gcrf>, given.v[2]),
                  vector<si::velocity>(in<Gcrf>, given.v[4]));
-  const auto V_b = twist(xi_ab, xi_dot, in<Body>);
+  const auto V_b = twist_from(xi_ab, xi_dot, in<Body>);
   told.add(V_b);
   told.add(rate(xi_ab, X * V_b));
   const auto t = instant_of(given.t);

@@ -196,8 +196,8 @@ RC_GTEST_PROP(ScrewRate, TheJacobiansMakeItTheTwist, ()) {
   const auto xidot_ab =
       screw_rate(of<Body>, relative_to<Gcrf>, vector<si::angular_velocity>(in<Body>, rates(theta)),
                  vector<si::velocity>(in<Body>, rates(rho)));
-  const Twist<Gcrf, Body, At<Body>, In<Body>> V_b = twist(xi_ab, xidot_ab, in<Body>);
-  const Twist<Gcrf, Body, At<Gcrf>, In<Gcrf>> V_a = twist(xi_ab, xidot_ab, in<Gcrf>);
+  const Twist<Gcrf, Body, At<Body>, In<Body>> V_b = twist_from(xi_ab, xidot_ab, in<Body>);
+  const Twist<Gcrf, Body, At<Gcrf>, In<Gcrf>> V_a = twist_from(xi_ab, xidot_ab, in<Gcrf>);
   RC_ASSERT(distance(V_b.coordinates(), six(G.inverse() * Gdot)) <= chain_tolerance);
   RC_ASSERT(distance(V_a.coordinates(), six(Gdot * G.inverse())) <= chain_tolerance);
   RC_ASSERT(distance(V_b.coordinates(), right_jacobian(xi_ab) * xidot_ab.coordinates()) <= chain_tolerance);
@@ -207,7 +207,8 @@ RC_GTEST_PROP(ScrewRate, TheJacobiansMakeItTheTwist, ()) {
   RC_ASSERT(distance(by_b.coordinates(), xidot_ab.coordinates()) <= chain_tolerance);
   RC_ASSERT(distance(by_a.coordinates(), xidot_ab.coordinates()) <= chain_tolerance);
   const ScrewRate<Body, Gcrf> back = -xidot_ab;
-  RC_ASSERT(distance(twist(-xi_ab, back, in<Body>).coordinates(), -V_b.coordinates()) <= chain_tolerance);
+  RC_ASSERT(distance(twist_from(-xi_ab, back, in<Body>).coordinates(), -V_b.coordinates()) <=
+            chain_tolerance);
 }
 
 template <class Left, class Right>

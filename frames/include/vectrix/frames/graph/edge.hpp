@@ -51,7 +51,7 @@ template <class Function> using Arguments = typename decltype(signature_of<Funct
 template <class Argument>
 inline constexpr bool is_answer = !std::is_void_v<typename QuestionOf<Argument>::type>;
 
-/// A quantity is an instant as it is: whole seconds are none.
+/// A quantity is accepted in its own type only: whole seconds are refused.
 template <class Instant, class Argument>
 inline constexpr bool is_instant = std::is_convertible_v<const Instant&, Argument>;
 template <class U, class S, class Argument>
@@ -108,9 +108,9 @@ ConstantEdge<Transform<A, B, S>> static_edge(const Transform<A, B, S>& X_a_from_
 /// before this one, at the same instant. Edges that several others ask are evaluated once. Any other argument
 /// is the instant.
 template <class Function>
-  requires EdgeValue<detail::Result<Function>> FunctionEdge<Function> edge(Function function) {
-    return FunctionEdge<Function>{std::move(function)};
-  }
+std::enable_if_t<EdgeValue<detail::Result<Function>>, FunctionEdge<Function>> edge(Function function) {
+  return FunctionEdge<Function>{std::move(function)};
+}
 template <class Function, class Returned = detail::Result<Function>>
   requires(!EdgeValue<Returned>)
 auto edge(  // of one type of instant; returns a Dcm, MovingDcm, AcceleratingDcm, or one with a place

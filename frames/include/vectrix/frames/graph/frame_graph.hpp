@@ -107,10 +107,10 @@ template <class... Edges> constexpr auto fault() {
 }
 template <class... Edges> using FaultOf = typename decltype(fault<Edges...>())::type;
 
-template <class Fault, class... Edges> struct GraphUnless {};
-template <class... Edges> struct GraphUnless<Nothing, Edges...> : std::type_identity<FrameGraph<Edges...>> {};
-template <class... Edges> struct GraphUnless<Refused, Edges...> : std::type_identity<Refused> {};
-template <class... Edges> using GraphOf = typename GraphUnless<FaultOf<Edges...>, Edges...>::type;
+template <class Fault> struct GraphUnless {};
+template <> struct GraphUnless<Nothing> { template <class... Edges> using type = FrameGraph<Edges...>; };
+template <> struct GraphUnless<Refused> { template <class... Edges> using type = Refused; };
+template <class... Edges> using GraphOf = typename GraphUnless<FaultOf<Edges...>>::template type<Edges...>;
 
 }  // namespace detail
 

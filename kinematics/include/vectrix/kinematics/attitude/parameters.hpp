@@ -166,19 +166,17 @@ ParameterRate<X> attitude_rate(const X& x_ab, const AngularVelocity<A, B, In<C>,
   return {detail::trusted, Kinematics::rate(x_ab, w_ab_c.coordinates())};
 }
 
-/// The inverse of rate(): w_ab^c from the derivative of x_ab, where c is b or a. Any finite input is valid,
-/// also at the singularity.
+// What angular_velocity_from(x_ab, xdot_ab, in<B>) is, or in<A>.
 template <detail::Parameters X, class C>
-detail::RateOf<X, C> angular_velocity(const X& x_ab, const ParameterRate<X>& xdot_ab, In<C>) {
+detail::RateOf<X, C> attitude_velocity(const X& x_ab, const ParameterRate<X>& xdot_ab, In<C>) {
   using Kinematics = detail::KinematicsOf<X, std::same_as<C, typename X::turned>>;
   return detail::RateOf<X, C>{detail::trusted, Kinematics::velocity(x_ab, xdot_ab.coordinates())};
 }
 
-/// The inverse of second_rate(): alpha_ab^c from both derivatives of x_ab, where c is b or a. Any finite
-/// input is valid, also at the singularity.
+// What angular_acceleration_from(x_ab, xdot_ab, xddot_ab, in<B>) is, or in<A>.
 template <detail::Parameters X, class C>
-detail::AccelerationOf<X, C> angular_acceleration(const X& x_ab, const ParameterRate<X>& xdot_ab,
-                                                  const SecondParameterRate<X>& xddot_ab, In<C>) {
+detail::AccelerationOf<X, C> attitude_acceleration(const X& x_ab, const ParameterRate<X>& xdot_ab,
+                                                   const SecondParameterRate<X>& xddot_ab, In<C>) {
   using Kinematics = detail::KinematicsOf<X, std::same_as<C, typename X::turned>>;
   return detail::AccelerationOf<X, C>{
       detail::trusted, Kinematics::acceleration(x_ab, xdot_ab.coordinates(), xddot_ab.coordinates())};

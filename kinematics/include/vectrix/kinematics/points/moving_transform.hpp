@@ -74,7 +74,7 @@ const MovingTransform<A, B, S>& moving_transform_of(const MovingTransform<A, B, 
 }
 template <class A, class B, class S>
 MovingTransform<A, B, S> moving_transform_of(const AcceleratingTransform<A, B, S>& value) {
-  return {moving_dcm(value.turning), value.translation, value.velocity};
+  return {without_acceleration(value.turning), value.translation, value.velocity};
 }
 
 template <class A, class B, class D, class S>

@@ -67,16 +67,16 @@ DcmRate<A, B, S> dcm_rate(const Dcm<A, B, S>& R_a_from_b, const Eigen::MatrixBas
   return {detail::trusted, matrix};
 }
 
-/// The inverse of rate(): w_ab^b = vee(R^T Rdot) in b, w_ab^a = vee(Rdot R^T) in a, for R = R_b^a.
-/// Throws BadInput when R and Rdot are inconsistent: the product is then not skew.
+// w_ab^b = vee(R^T Rdot) in b, w_ab^a = vee(Rdot R^T) in a, by angular_velocity_from(R_a_from_b,
+// Rdot_a_from_b, in<B>).
 template <class A, class B, class S, class C>
   requires(std::same_as<C, A> || std::same_as<C, B>)
-AngularVelocity<A, B, In<C>, S> angular_velocity(const Dcm<A, B, S>& R_a_from_b,
-                                                 const DcmRate<A, B, S>& Rdot_a_from_b, In<C>) {
+AngularVelocity<A, B, In<C>, S> attitude_velocity(const Dcm<A, B, S>& R_a_from_b,
+                                                  const DcmRate<A, B, S>& Rdot_a_from_b, In<C>) {
   const auto& R = R_a_from_b.matrix();
   const auto& Rdot = Rdot_a_from_b.matrix();
   const auto place = [] {
-    return detail::derivative_of<A, B>("angular_velocity") + "of R^T times the rate ";
+    return detail::derivative_of<A, B>("angular_velocity_from") + "of R^T times the rate ";
   };
   const detail::Column<S> w = std::same_as<C, B> ? detail::vee_of<S>(R.transpose() * Rdot, place)
                                                  : detail::vee_of<S>(Rdot * R.transpose(), place);
@@ -129,17 +129,16 @@ template <Frame A, Frame B, class S = double> class DcmSecondRate {
 
 template <class A, class B, class S> inline constexpr bool detail::is_framed<DcmSecondRate<A, B, S>> = true;
 
-/// The inverse of second_rate(): alpha_ab^b = vee(R^T Rddot - [w_ab^b]x^2), alpha_ab^a = vee(Rddot R^T -
-/// [w_ab^a]x^2). Throws BadInput when the three are inconsistent: the symmetric part of R^T Rddot then
-/// differs from [w]x^2 by more than 1e-9 of the largest entry.
+// alpha_ab^b = vee(R^T Rddot - [w_ab^b]x^2), alpha_ab^a = vee(Rddot R^T - [w_ab^a]x^2). The symmetric part of
+// R^T Rddot must be [w]x^2 to 1e-9 of the largest entry.
 template <class A, class B, class S, class C>
   requires(std::same_as<C, A> || std::same_as<C, B>)
-AngularAcceleration<A, B, In<C>, S> angular_acceleration(const Dcm<A, B, S>& R_a_from_b,
-                                                         const DcmRate<A, B, S>& Rdot_a_from_b,
-                                                         const DcmSecondRate<A, B, S>& Rddot_a_from_b,
-                                                         In<C>) {
+AngularAcceleration<A, B, In<C>, S> attitude_acceleration(const Dcm<A, B, S>& R_a_from_b,
+                                                          const DcmRate<A, B, S>& Rdot_a_from_b,
+                                                          const DcmSecondRate<A, B, S>& Rddot_a_from_b,
+                                                          In<C>) {
   const auto& R = R_a_from_b.matrix();
-  const detail::Square<S> w = hat(angular_velocity(R_a_from_b, Rdot_a_from_b, in<C>).coordinates());
+  const detail::Square<S> w = hat(attitude_velocity(R_a_from_b, Rdot_a_from_b, in<C>).coordinates());
   detail::Square<S> turn;
   if constexpr (std::same_as<C, B>) {
     turn = R.transpose() * Rddot_a_from_b.matrix();
@@ -173,7 +172,7 @@ template <class A, class B, class Derived, class S>
 DcmSecondRate<A, B, S> dcm_second_rate(const Dcm<A, B, S>& R_a_from_b, const DcmRate<A, B, S>& Rdot_a_from_b,
                                        const Eigen::MatrixBase<Derived>& matrix) {
   const DcmSecondRate<A, B, S> Rddot_a_from_b{detail::trusted, matrix};
-  angular_acceleration(R_a_from_b, Rdot_a_from_b, Rddot_a_from_b, in<B>);
+  attitude_acceleration(R_a_from_b, Rdot_a_from_b, Rddot_a_from_b, in<B>);
   return Rddot_a_from_b;
 }
 

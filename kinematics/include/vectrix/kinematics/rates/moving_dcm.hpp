@@ -43,7 +43,8 @@ MovingDcm<A, B, S> moving_dcm(const Dcm<A, B, S>& R_a_from_b, const AngularVeloc
   return {R_a_from_b, inverse(R_a_from_b) * w_ab_a};
 }
 /// The motion without its acceleration.
-template <class A, class B, class S> MovingDcm<A, B, S> moving_dcm(const AcceleratingDcm<A, B, S>& ab) {
+template <class A, class B, class S>
+MovingDcm<A, B, S> without_acceleration(const AcceleratingDcm<A, B, S>& ab) {
   return {ab.rotation, ab.angular_velocity};
 }
 template <class DcmTo, class DcmFrom, class RateRelativeTo, class RateOf, class RateIn, class S>

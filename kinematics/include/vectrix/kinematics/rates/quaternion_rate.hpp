@@ -68,12 +68,11 @@ void require_on_sphere(const Eigen::Quaternion<S>& part, const S& scalar, const 
 
 }  // namespace detail
 
-/// The inverse of rate(), for q = q_b^a: (0, w_ab^b) = 2 q* qdot, (0, w_ab^a) = 2 qdot q*. Throws BadInput
-/// when the two are inconsistent: the scalar part then exceeds 1e-9 of the largest number.
+// (0, w_ab^b) = 2 q* qdot, (0, w_ab^a) = 2 qdot q*. The scalar part must be 0 to 1e-9 of the largest number.
 template <class A, class B, class S, class C>
   requires(std::same_as<C, A> || std::same_as<C, B>)
-AngularVelocity<A, B, In<C>, S> angular_velocity(const Quaternion<A, B, S>& q_a_from_b,
-                                                 const QuaternionRate<A, B, S>& qdot_a_from_b, In<C>) {
+AngularVelocity<A, B, In<C>, S> attitude_velocity(const Quaternion<A, B, S>& q_a_from_b,
+                                                  const QuaternionRate<A, B, S>& qdot_a_from_b, In<C>) {
   const auto w = detail::turning_part<std::same_as<C, B>>(q_a_from_b.eigen(), qdot_a_from_b.eigen());
   detail::require_on_sphere<A, B>(w, S(0), "derivative");
   return AngularVelocity<A, B, In<C>, S>{detail::trusted, w.vec()};
@@ -89,7 +88,7 @@ QuaternionRate<A, B, S> quaternion_rate_scalar_first(const Quaternion<A, B, S>& 
                                                      const std::type_identity_t<S>& z) {
   const QuaternionRate<A, B, S> qdot_a_from_b{detail::trusted,
                                               [&] { return Eigen::Quaternion<S>(w, x, y, z); }};
-  angular_velocity(q_a_from_b, qdot_a_from_b, in<B>);
+  attitude_velocity(q_a_from_b, qdot_a_from_b, in<B>);
   return qdot_a_from_b;
 }
 template <class A, class B, class S>
@@ -132,15 +131,15 @@ QuaternionSecondRate<A, B, S> attitude_second_rate(const Quaternion<A, B, S>& q_
           }};
 }
 
-/// The inverse of second_rate(): (-|w|^2/2, alpha_ab^b) = 2 q* qddot, and of 2 qddot q* in a. Throws BadInput
-/// when the three are inconsistent: the error of the scalar part then exceeds 1e-9 of the largest number.
+// (-|w|^2/2, alpha_ab^b) = 2 q* qddot, and 2 qddot q* in a. The scalar part must be right to 1e-9 of the
+// largest number.
 template <class A, class B, class S, class C>
   requires(std::same_as<C, A> || std::same_as<C, B>)
-AngularAcceleration<A, B, In<C>, S> angular_acceleration(const Quaternion<A, B, S>& q_a_from_b,
-                                                         const QuaternionRate<A, B, S>& qdot_a_from_b,
-                                                         const QuaternionSecondRate<A, B, S>& qddot_a_from_b,
-                                                         In<C> in_c) {
-  const S square = angular_velocity(q_a_from_b, qdot_a_from_b, in_c).coordinates().squaredNorm();
+AngularAcceleration<A, B, In<C>, S> attitude_acceleration(const Quaternion<A, B, S>& q_a_from_b,
+                                                          const QuaternionRate<A, B, S>& qdot_a_from_b,
+                                                          const QuaternionSecondRate<A, B, S>& qddot_a_from_b,
+                                                          In<C> in_c) {
+  const S square = attitude_velocity(q_a_from_b, qdot_a_from_b, in_c).coordinates().squaredNorm();
   const auto alpha = detail::turning_part<std::same_as<C, B>>(q_a_from_b.eigen(), qddot_a_from_b.eigen());
   detail::require_on_sphere<A, B>(alpha, S(-square / S(2)), "second derivative");
   return AngularAcceleration<A, B, In<C>, S>{detail::trusted, alpha.vec()};
@@ -155,7 +154,7 @@ QuaternionSecondRate<A, B, S> quaternion_second_rate_scalar_first(
     const std::type_identity_t<S>& z) {
   const QuaternionSecondRate<A, B, S> qddot_a_from_b{detail::trusted,
                                                      [&] { return Eigen::Quaternion<S>(w, x, y, z); }};
-  angular_acceleration(q_a_from_b, qdot_a_from_b, qddot_a_from_b, in<B>);
+  attitude_acceleration(q_a_from_b, qdot_a_from_b, qddot_a_from_b, in<B>);
   return qddot_a_from_b;
 }
 template <class A, class B, class S>

@@ -17,6 +17,22 @@ concept TwiceDerived = requires {
   typename SecondDerivativeOf<Attitude, Rate, Acceleration>;
 };
 
+template <class Attitude, class Rate, class Expressed>
+using VelocityFrom = decltype(attitude_velocity(std::declval<const Attitude&>(), std::declval<const Rate&>(),
+                                                std::declval<Expressed>()));
+template <class Attitude, class Rate, class Expressed>
+concept GivesVelocity = requires {
+  typename VelocityFrom<Attitude, Rate, Expressed>;
+};
+template <class Attitude, class Rate, class SecondRate, class Expressed>
+using AccelerationFrom =
+    decltype(attitude_acceleration(std::declval<const Attitude&>(), std::declval<const Rate&>(),
+                                   std::declval<const SecondRate&>(), std::declval<Expressed>()));
+template <class Attitude, class Rate, class SecondRate, class Expressed>
+concept GivesAcceleration = requires {
+  typename AccelerationFrom<Attitude, Rate, SecondRate, Expressed>;
+};
+
 }  // namespace detail
 
 /// The derivative of a rotation, a DcmRate or a QuaternionRate:
@@ -33,12 +49,20 @@ template <class Rotation, class Rate>
 auto rate(  // rate(R_a_from_b, w_ab_b) or rate(R_a_from_b, w_ab_a)
     const Rotation&, const Rate&) -> Refused = delete;
 
+/// The inverse of rate(): w_ab^c from an attitude x_ab and its derivative, where c is b or a. The attitude is
+/// a Dcm, a Quaternion, or parameters:
+///     w_ab^b = vee(R^T Rdot) in b, vee(Rdot R^T) in a       (0, w_ab^b) = 2 q* qdot in b, 2 qdot q* in a
+/// Throws BadInput when R and Rdot, or q and qdot, are inconsistent: R^T Rdot is not skew, or the norm of q
+/// would leave 1. Any finite input is valid for parameters, also at the singularity.
 template <class Attitude, class Rate, class C>
-auto angular_velocity(  // angular_velocity(x_ab, xdot_ab, in<B>) or in<A>; xdot the rate of that x
-    const Attitude&, const Rate&, const In<C>&) -> Refused = delete;
-template <class Attitude, class Rate, class SecondRate, class C>
-auto angular_acceleration(  // angular_acceleration(x_ab, xdot_ab, xddot_ab, in<B>) or in<A>
-    const Attitude&, const Rate&, const SecondRate&, const In<C>&) -> Refused = delete;
+detail::VelocityFrom<Attitude, Rate, In<C>> angular_velocity_from(const Attitude& x_ab, const Rate& xdot_ab,
+                                                                  In<C> in_c) {
+  return attitude_velocity(x_ab, xdot_ab, in_c);
+}
+template <class Attitude, class Rate, class Expressed>
+  requires(!detail::GivesVelocity<Attitude, Rate, Expressed>)
+auto angular_velocity_from(  // angular_velocity_from(x_ab, xdot_ab, in<B>) or in<A>; xdot the rate of that x
+    const Attitude&, const Rate&, const Expressed&) -> Refused = delete;
 
 /// The second derivative of an attitude, from the rate and the angular acceleration, both expressed in b or
 /// both in a:
@@ -56,5 +80,20 @@ template <class X, class Rate, class Acceleration>
   requires(!detail::TwiceDerived<X, Rate, Acceleration>)
 auto second_rate(  // second_rate(x_ab, w_ab_c, alpha_ab_c): both expressed in b, or both in a
     const X&, const Rate&, const Acceleration&) -> Refused = delete;
+
+/// The inverse of second_rate(): alpha_ab^c from an attitude x_ab and both derivatives, where c is b or a:
+///     alpha_ab^b = vee(R^T Rddot - [w_ab^b]x^2)      (-|w|^2/2, alpha_ab^b) = 2 q* qddot      and likewise
+///     in a
+/// Throws BadInput when the three are inconsistent, by more than 1e-9 of the largest number. Any finite input
+/// is valid for parameters, also at the singularity.
+template <class Attitude, class Rate, class SecondRate, class C>
+detail::AccelerationFrom<Attitude, Rate, SecondRate, In<C>> angular_acceleration_from(
+    const Attitude& x_ab, const Rate& xdot_ab, const SecondRate& xddot_ab, In<C> in_c) {
+  return attitude_acceleration(x_ab, xdot_ab, xddot_ab, in_c);
+}
+template <class Attitude, class Rate, class SecondRate, class Expressed>
+  requires(!detail::GivesAcceleration<Attitude, Rate, SecondRate, Expressed>)
+auto angular_acceleration_from(  // angular_acceleration_from(x_ab, xdot_ab, xddot_ab, in<B>) or in<A>
+    const Attitude&, const Rate&, const SecondRate&, const Expressed&) -> Refused = delete;
 
 }  // namespace vectrix

@@ -51,15 +51,16 @@ auto screw_rate(  // of<B>, relative_to<A>: two frames; rad/s and m/s expressed 
 /// left_jacobian().
 template <class A, class B, class C, class S>
   requires(detail::is_one_of<C, A, B>)
-Twist<A, B, At<C>, In<C>, S> twist(const Screw<A, B, S>& xi_ab, const ScrewRate<A, B, S>& xidot_ab, In<C>) {
-  const auto turn = detail::turn<Screw<A, B, S>>(detail::rotation_in<C>(xi_ab), "twist");
+Twist<A, B, At<C>, In<C>, S> twist_from(const Screw<A, B, S>& xi_ab, const ScrewRate<A, B, S>& xidot_ab,
+                                        In<C>) {
+  const auto turn = detail::turn<Screw<A, B, S>>(detail::rotation_in<C>(xi_ab), "twist_from");
   const detail::Column<S>& theta_dot = xidot_ab.rotation();
   return {detail::trusted, detail::left_jacobian_times(turn, theta_dot),
           detail::left_jacobian_change_times(turn, detail::translation_in<C>(xi_ab), theta_dot) +
               detail::left_jacobian_times(turn, xidot_ab.translation())};
 }
 template <class A, class B, class S, class Rate, class Expressed>
-auto twist(  // twist(xi_ab, xidot_ab, in<B>) or in<A>
+auto twist_from(  // twist_from(xi_ab, xidot_ab, in<B>) or in<A>
     const Screw<A, B, S>&, const Rate&, const Expressed&) -> Refused = delete;
 
 // xi_dot = J_r^-1 V_ab(b)^b = J_l^-1 V_ab(a)^a, by rate(xi_ab, V_ab). Throws BadInput at a full turn.
