@@ -8,6 +8,7 @@
 using namespace vectrix;
 using namespace vectrix_test;
 
+namespace bug_zoo_test {
 namespace {
 
 // The transpose is finite, orthonormal and right-handed as well: only a direction known in both frames tells.
@@ -26,3 +27,4 @@ TEST(BugZoo, ATransposedMatrixPassesEveryCheckOfTheDoor) {
 }
 
 }  // namespace
+}  // namespace bug_zoo_test

@@ -9,6 +9,7 @@
 using namespace vectrix;
 using namespace vectrix_test;
 
+namespace dcm_chain_test {
 namespace {
 
 /// Five products of rotations, and the lengths of vectors up to sqrt(3).
@@ -170,3 +171,4 @@ TEST(DcmChain, KeepsTheScalar) {
 }
 
 }  // namespace
+}  // namespace dcm_chain_test

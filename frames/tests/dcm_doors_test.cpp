@@ -9,6 +9,7 @@
 using namespace vectrix;
 using namespace vectrix_test;
 
+namespace dcm_doors_test {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -169,3 +170,4 @@ TEST(DcmDoors, FrameNamesAreThoseOfTheSource) {
 }
 
 }  // namespace
+}  // namespace dcm_doors_test

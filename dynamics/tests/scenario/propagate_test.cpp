@@ -5,7 +5,7 @@
 #include "rigid_bodies.hpp"
 
 // Propagations against closed solutions.
-namespace vectrix::test {
+namespace vectrix::test::propagate_test {
 namespace {
 
 using Eigen::Quaterniond;
@@ -278,4 +278,4 @@ TEST_P(Propagate, a_torque_free_motion_runs_backwards_after_its_rate_is_reversed
 }
 
 }  // namespace
-}  // namespace vectrix::test
+}  // namespace vectrix::test::propagate_test

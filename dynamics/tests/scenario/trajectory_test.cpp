@@ -5,7 +5,7 @@
 #include "rigid_bodies.hpp"
 
 // What propagate() gives back: the trajectory, its events, its conservation report, or a failure.
-namespace vectrix::test {
+namespace vectrix::test::trajectory_test {
 namespace {
 
 using BodyTrajectory = Trajectory<Gcrf, Body>;
@@ -343,4 +343,4 @@ TEST(ConservationReport, needs_the_mu_of_an_orbit) {
 }
 
 }  // namespace
-}  // namespace vectrix::test
+}  // namespace vectrix::test::trajectory_test

@@ -9,6 +9,7 @@
 using namespace vectrix;
 using namespace vectrix_test;
 
+namespace sampled_edge_test {
 namespace {
 
 /// Slerp evaluates sine and cosine of the same angles in another way, a rounding or two each.
@@ -153,3 +154,4 @@ TEST_F(SampledEdge, BadSamplesAreRefused) {
 }
 
 }  // namespace
+}  // namespace sampled_edge_test

@@ -6,6 +6,7 @@
 using namespace vectrix;
 using namespace vectrix_test;
 
+namespace coning_test {
 namespace {
 
 using Coning = ConingMotion<Gcrf, Body>;
@@ -159,3 +160,4 @@ TEST(Gyro, RefusesBadInput) {
 }
 
 }  // namespace
+}  // namespace coning_test

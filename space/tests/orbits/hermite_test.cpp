@@ -5,7 +5,7 @@
 
 #include <vectrix/space/orbits/hermite.hpp>
 
-namespace vectrix {
+namespace vectrix::hermite_test {
 namespace {
 
 struct Fixed : moving_frame {};
@@ -54,4 +54,4 @@ TEST(Hermite, RefusesTimesOutside) {
 }
 
 }  // namespace
-}  // namespace vectrix
+}  // namespace vectrix::hermite_test
