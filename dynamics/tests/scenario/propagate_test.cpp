@@ -33,7 +33,7 @@ double accuracy(Method method) {
 class Propagate : public testing::TestWithParam<std::tuple<Method, AttitudeState>> {
  protected:
   Method method() const { return std::get<0>(GetParam()); }
-  double accuracy() const { return test::accuracy(method()); }
+  double accuracy() const { return propagate_test::accuracy(method()); }
   /// Of an orbit, relative to its size: an error of its energy moves the body along it as the square of time.
   double orbit_accuracy(double revolutions) const { return 3.0 * revolutions * accuracy(); }
   BodyPropagation until(double end) const {
