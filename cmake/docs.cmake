@@ -26,7 +26,7 @@ add_custom_target(readme COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/too
 add_dependencies(docs readme)
 
 # docs/reference/refusals.md.
-if(NOT VECTRIX_HYGIENE_TESTS)
+if(NOT VECTRIX_REFUSED_TESTS AND NOT VECTRIX_HYGIENE_TESTS)
   vectrix_syntax_options()
 endif()
 vectrix_refusals_target()

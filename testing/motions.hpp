@@ -9,6 +9,7 @@
 
 /// Motions whose derivatives come only from automatic differentiation of the matrices: the reference for
 /// rates.
+/// What needs no frame is compiled once, in motions.cpp.
 namespace vectrix_test {
 
 /// A number with its first time derivative; and with its second.
@@ -33,19 +34,21 @@ inline double second(const Dual2& x) {
 }
 
 /// R_b^a and its first two derivatives, 1/s and 1/s^2.
-template <class A, class B> struct Motion {
+struct MotionNumbers {
   Eigen::Matrix3d R, Rdot, Rddot;
 
-  explicit Motion(const vectrix::Dcm<A, B, Dual2>& R_a_from_b)
-      : R(R_a_from_b.matrix().unaryExpr([](const Dual2& x) { return value(x); })),
-        Rdot(R_a_from_b.matrix().unaryExpr([](const Dual2& x) { return first(x); })),
-        Rddot(R_a_from_b.matrix().unaryExpr([](const Dual2& x) { return second(x); })) {}
+  explicit MotionNumbers(const Eigen::Matrix<Dual2, 3, 3>& R_a_from_b);
+  /// w_ab^a = vee(Rdot R^T)
+  Eigen::Vector3d w_a() const;
+  /// alpha_ab^a = d/dt w_ab^a = vee(Rddot R^T + Rdot Rdot^T)
+  Eigen::Vector3d alpha_a() const;
+};
+
+/// These numbers with their frames.
+template <class A, class B> struct Motion : MotionNumbers {
+  explicit Motion(const vectrix::Dcm<A, B, Dual2>& R_a_from_b) : MotionNumbers(R_a_from_b.matrix()) {}
 
   vectrix::Dcm<A, B> rotation() const { return vectrix::dcm(vectrix::to<A>, vectrix::from<B>, R); }
-  /// w_ab^a = vee(Rdot R^T)
-  Eigen::Vector3d w_a() const { return vectrix::vee(Rdot * R.transpose()); }
-  /// alpha_ab^a = d/dt w_ab^a = vee(Rddot R^T + Rdot Rdot^T)
-  Eigen::Vector3d alpha_a() const { return vectrix::vee(Rddot * R.transpose() + Rdot * Rdot.transpose()); }
 
   vectrix::AngularVelocity<A, B, vectrix::In<B>> w_ab_b() const {
     using namespace vectrix;
@@ -66,18 +69,13 @@ template <class A, class B> struct Motion {
 /// The derivatives of these motions reach 10 1/s and 100 1/s^2; a chain of three adds about ten roundings.
 inline constexpr double motion_tolerance = 1e-12;
 
-/// A motion of b seen from a: three turns about different axes, with accelerations. `seed` selects the
-/// motion.
+/// The matrix of three turns about different axes, with accelerations. `seed` selects the motion.
+Eigen::Matrix<Dual2, 3, 3> turning_matrix(double seed, const Dual2& t);
+
+/// A motion of b seen from a: those turns.
 template <class A, class B> vectrix::Dcm<A, B, Dual2> turning(double seed, const Dual2& t) {
   using namespace vectrix;
-  using std::sin;
-  const auto angle = [](const Dual2& radians) { return Quantity<si::angle, Dual2>::from_value(radians); };
-  const Dual2 k = constant(seed);
-  const Dual2 a1 = k + t * k + t * t;
-  const Dual2 a2 = k * k - t * t * k;
-  const Dual2 a3 = sin(Dual2(t + k));
-  return turned_z(to<A>, from<Ground>, angle(a1)) * turned_x(to<Ground>, from<Itrf>, angle(a2)) *
-         turned_y(to<Itrf>, from<B>, angle(a3));
+  return trust_dcm(to<A>, from<B>, turning_matrix(seed, t));
 }
 
 }  // namespace vectrix_test

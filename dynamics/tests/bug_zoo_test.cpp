@@ -7,6 +7,7 @@
 using namespace vectrix;
 using namespace vectrix::test;
 
+namespace bug_zoo_test {
 namespace {
 
 using Eigen::Matrix3d;
@@ -100,3 +101,4 @@ TEST(BugZoo, MomentumChangesByTheTorqueAlone) {
 }
 
 }  // namespace
+}  // namespace bug_zoo_test

@@ -9,7 +9,7 @@
 
 // Inertia, Euler's equation and gravity for any scalar: values against long double, derivatives against
 // differences of long double, lanes against doubles.
-namespace vectrix_test {
+namespace vectrix_test::scalars_test {
 namespace {
 
 using Batch = std::experimental::native_simd<double>;
@@ -131,4 +131,4 @@ TEST(DynamicsOfAnyScalar, ADoorRefusesABadLane) {
 }
 
 }  // namespace
-}  // namespace vectrix_test
+}  // namespace vectrix_test::scalars_test

@@ -9,6 +9,7 @@
 using namespace vectrix;
 using namespace vectrix_test;
 
+namespace bug_zoo_test {
 namespace {
 
 // The transpose is also finite, orthonormal and right-handed: only a direction known in both frames shows the
@@ -28,3 +29,4 @@ TEST(BugZoo, ATransposedMatrixPassesEveryCheckOfTheDoor) {
 }
 
 }  // namespace
+}  // namespace bug_zoo_test

@@ -9,6 +9,7 @@
 using namespace vectrix;
 using namespace vectrix_test;
 
+namespace covariance_test {
 namespace {
 
 using Eigen::Matrix3d;
@@ -227,3 +228,4 @@ static_assert(!std::is_constructible_v<PositionCovariance, Matrix3d>);
 static_assert(sizeof(PositionCovariance) == sizeof(Matrix3d));
 
 }  // namespace
+}  // namespace covariance_test

@@ -9,6 +9,7 @@
 using namespace vectrix;
 using namespace vectrix_test;
 
+namespace dcm_chain_test {
 namespace {
 
 /// Five products of rotations, with vectors of length up to sqrt(3).
@@ -172,3 +173,4 @@ TEST(DcmChain, KeepsTheScalar) {
 }
 
 }  // namespace
+}  // namespace dcm_chain_test

@@ -9,6 +9,7 @@
 using namespace vectrix;
 using namespace vectrix_test;
 
+namespace dcm_doors_test {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -170,3 +171,4 @@ TEST(DcmDoors, FrameNamesAreThoseOfTheSource) {
 }
 
 }  // namespace
+}  // namespace dcm_doors_test

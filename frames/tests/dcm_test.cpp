@@ -8,6 +8,7 @@
 using namespace vectrix;
 using namespace vectrix_test;
 
+namespace dcm_test {
 namespace {
 
 using Length = Vector<Gcrf, si::length>;
@@ -135,3 +136,4 @@ static_assert(sizeof(Dcm<Body, Gcrf>) == 9 * sizeof(double));
 static_assert(std::is_trivially_copyable_v<Eigen::Matrix3d> == std::is_trivially_copyable_v<Dcm<Body, Gcrf>>);
 
 }  // namespace
+}  // namespace dcm_test

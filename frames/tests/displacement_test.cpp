@@ -9,6 +9,7 @@
 using namespace vectrix;
 using namespace vectrix_test;
 
+namespace displacement_test {
 namespace {
 
 struct CentreOfMass : named_point {};
@@ -70,3 +71,4 @@ static_assert(!Adds<BodyToCentre, Vector<Camera, si::length>>);
 static_assert(!Multiplies<Dcm<Camera, Ground>, BodyToCentre>);
 
 }  // namespace
+}  // namespace displacement_test

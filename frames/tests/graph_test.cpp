@@ -8,6 +8,7 @@
 using namespace vectrix;
 using namespace vectrix_test;
 
+namespace graph_test {
 namespace {
 
 /// Edge function that counts its evaluations.
@@ -225,3 +226,4 @@ static_assert(!Joins<Fixed<Gcrf, Body>, Fixed<Body, Camera>, Fixed<Camera, Gcrf>
 static_assert(!Joins<Fixed<Body, Body>>);
 
 }  // namespace
+}  // namespace graph_test

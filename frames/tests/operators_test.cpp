@@ -10,6 +10,7 @@
 using namespace vectrix;
 using namespace vectrix_test;
 
+namespace operators_test {
 namespace {
 
 const auto r = vector(in<Body>, 1.0 * si::metre, -2.0 * si::metre, 0.5 * si::metre);
@@ -156,3 +157,4 @@ static_assert(!HasAnyOperator<users::Matrix>);
 static_assert(HasAnyOperator<Vector<Body, si::length>> && HasAnyOperator<Dcm<Body, Body>>);
 
 }  // namespace
+}  // namespace operators_test

@@ -17,6 +17,7 @@
 using namespace vectrix;
 using namespace vectrix_test;
 
+namespace quantity_test {
 namespace {
 
 namespace bu = boost::units;
@@ -236,3 +237,4 @@ TEST(Quantity, prints_its_unit) {
 }
 
 }  // namespace
+}  // namespace quantity_test

@@ -8,6 +8,7 @@
 using namespace vectrix;
 using namespace vectrix_test;
 
+namespace transform_test {
 namespace {
 
 struct Tip : named_point {};
@@ -104,3 +105,4 @@ static_assert(!Multiplies<Transform<Camera, Body>, Displacement<Camera, Tip, In<
 static_assert(!Multiplies<Transform<Camera, Body>, Displacement<Body, Tip, In<Camera>>>);
 
 }  // namespace
+}  // namespace transform_test

@@ -9,6 +9,7 @@
 using namespace vectrix;
 using namespace vectrix_test;
 
+namespace vector_test {
 namespace {
 
 // Three components below 1: one product and a sum of three.
@@ -203,3 +204,4 @@ static_assert(!Scales<Quantity<si::energy>, Axis>);
 static_assert(!Scales<Quantity<si::frequency>, Axis>);
 
 }  // namespace
+}  // namespace vector_test

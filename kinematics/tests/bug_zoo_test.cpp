@@ -9,6 +9,7 @@
 using namespace vectrix;
 using namespace vectrix_test;
 
+namespace bug_zoo_test {
 namespace {
 
 using Eigen::AngleAxisd;
@@ -238,3 +239,4 @@ TEST(BugZoo, TheSignOfAQuaternionIsNoAttitude) {
 }
 
 }  // namespace
+}  // namespace bug_zoo_test

@@ -2,7 +2,7 @@
 
 #include "rigid_bodies.hpp"
 
-namespace vectrix::test {
+namespace vectrix::test::gravity_test {
 namespace {
 
 using Eigen::Matrix3d;
@@ -98,4 +98,4 @@ TEST(GravityGradient, the_centre_is_refused) {
 }
 
 }  // namespace
-}  // namespace vectrix::test
+}  // namespace vectrix::test::gravity_test

@@ -4,7 +4,7 @@
 #include "forces.hpp"
 
 // Torques and angular momenta about a point, against sums over forces and masses.
-namespace vectrix::test {
+namespace vectrix::test::moment_test {
 namespace {
 
 using BodyTorque = Torque<Hinge, In<Body>>;
@@ -169,4 +169,4 @@ static_assert(!std::is_default_constructible_v<BodyTorque>);
 static_assert(!std::is_convertible_v<Vector<Body, si::torque>, BodyTorque>);
 
 }  // namespace
-}  // namespace vectrix::test
+}  // namespace vectrix::test::moment_test

@@ -5,7 +5,7 @@
 #include "forces.hpp"
 
 // Wrenches about a point, against sums over forces.
-namespace vectrix::test {
+namespace vectrix::test::wrench_test {
 namespace {
 
 using BodyWrench = Wrench<Hinge, In<Body>>;
@@ -100,4 +100,4 @@ static_assert(!Shifts<Wrench<Thruster, In<Camera>>, ToHinge>);
 static_assert(sizeof(BodyWrench) == 2 * sizeof(Vector3d));
 
 }  // namespace
-}  // namespace vectrix::test
+}  // namespace vectrix::test::wrench_test

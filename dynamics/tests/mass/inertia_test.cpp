@@ -5,7 +5,7 @@
 #include "rigid_bodies.hpp"
 
 // Inertia and Euler's equation.
-namespace vectrix::test {
+namespace vectrix::test::inertia_test {
 namespace {
 
 using Eigen::Matrix3d;
@@ -212,4 +212,4 @@ TEST(Euler, the_gyroscopic_term_has_its_sign) {
 }
 
 }  // namespace
-}  // namespace vectrix::test
+}  // namespace vectrix::test::inertia_test

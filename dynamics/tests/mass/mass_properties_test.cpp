@@ -4,7 +4,7 @@
 #include "point_masses.hpp"
 
 // Mass, centre of mass and inertia of bodies and of joined bodies, against sums over point masses.
-namespace vectrix::test {
+namespace vectrix::test::mass_properties_test {
 namespace {
 
 constexpr double rounding = 1e-12;  // a hundred operations on numbers of order 10
@@ -86,4 +86,4 @@ static_assert(!Joins<Satellite, MassProperties<Bus>, MassProperties<Bus>>);
 static_assert(!Negates<MassProperties<Body>> && !std::is_default_constructible_v<MassProperties<Body>>);
 
 }  // namespace
-}  // namespace vectrix::test
+}  // namespace vectrix::test::mass_properties_test

@@ -11,7 +11,7 @@ struct CentreOfMass : named_point {};
 static_assert(Point<CentreOfMass> && !std::same_as<CentreOfMass, CentreOfMassOf<test::Body>>);
 
 // Inertias about other points, in other axes and of several parts, against sums over point masses.
-namespace vectrix::test {
+namespace vectrix::test::parallel_axes_test {
 namespace {
 
 constexpr double rounding = 1e-12;  // a hundred operations on numbers of order 10
@@ -191,4 +191,4 @@ static_assert(!std::is_default_constructible_v<Inertia<Body, Hinge>>);
 static_assert(sizeof(Inertia<Body, Hinge>) == sizeof(Matrix3d));
 
 }  // namespace
-}  // namespace vectrix::test
+}  // namespace vectrix::test::parallel_axes_test

@@ -2,7 +2,7 @@
 
 #include "problems.hpp"
 
-namespace vectrix::ode::test {
+namespace vectrix::ode::test::accuracy_test {
 namespace {
 
 class OdeAccuracy : public testing::TestWithParam<Method> {};
@@ -212,4 +212,4 @@ TEST(OdeStiff, bdf_takes_long_steps_where_explicit_methods_cannot) {
 }
 
 }  // namespace
-}  // namespace vectrix::ode::test
+}  // namespace vectrix::ode::test::accuracy_test

@@ -6,7 +6,7 @@
 
 #include "problems.hpp"
 
-namespace vectrix::ode::test {
+namespace vectrix::ode::test::doors_test {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -133,4 +133,4 @@ TEST(OdeDoors, solution_refuses_what_it_does_not_hold) {
 }
 
 }  // namespace
-}  // namespace vectrix::ode::test
+}  // namespace vectrix::ode::test::doors_test

@@ -7,7 +7,7 @@
 
 #include "problems.hpp"
 
-namespace vectrix::ode::test {
+namespace vectrix::ode::test::failure_test {
 namespace {
 
 class OdeFailure : public testing::TestWithParam<Method> {};
@@ -176,4 +176,4 @@ TEST_P(OdeFailure, four_threads_agree_to_the_last_bit) {
 }
 
 }  // namespace
-}  // namespace vectrix::ode::test
+}  // namespace vectrix::ode::test::failure_test

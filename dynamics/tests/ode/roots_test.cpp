@@ -4,7 +4,7 @@
 
 #include "problems.hpp"
 
-namespace vectrix::ode::test {
+namespace vectrix::ode::test::roots_test {
 namespace {
 
 class OdeRoots : public testing::TestWithParam<Method> {};
@@ -160,4 +160,4 @@ TEST(OdeRootAccuracy, fehlberg_8_locates_zeros_within_a_few_tolerances) {
 }
 
 }  // namespace
-}  // namespace vectrix::ode::test
+}  // namespace vectrix::ode::test::roots_test

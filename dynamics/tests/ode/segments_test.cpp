@@ -2,7 +2,7 @@
 
 #include "problems.hpp"
 
-namespace vectrix::ode::test {
+namespace vectrix::ode::test::segments_test {
 namespace {
 
 class OdeSegments : public testing::TestWithParam<Method> {};
@@ -134,4 +134,4 @@ TEST_P(OdeSegments, a_start_so_far_that_most_steps_are_within_the_rounding_of_ti
 }
 
 }  // namespace
-}  // namespace vectrix::ode::test
+}  // namespace vectrix::ode::test::segments_test

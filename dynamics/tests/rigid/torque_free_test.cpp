@@ -11,7 +11,7 @@
 
 #include "draw.hpp"
 
-namespace vectrix::test {
+namespace vectrix::test::torque_free_test {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -204,4 +204,4 @@ TEST(TorqueFree, RefusesBadInput) {
 }
 
 }  // namespace
-}  // namespace vectrix::test
+}  // namespace vectrix::test::torque_free_test

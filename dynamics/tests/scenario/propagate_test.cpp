@@ -5,7 +5,7 @@
 #include "rigid_bodies.hpp"
 
 // Propagations against closed-form solutions.
-namespace vectrix::test {
+namespace vectrix::test::propagate_test {
 namespace {
 
 using Eigen::Quaterniond;
@@ -33,7 +33,7 @@ double accuracy(Method method) {
 class Propagate : public testing::TestWithParam<std::tuple<Method, AttitudeState>> {
  protected:
   Method method() const { return std::get<0>(GetParam()); }
-  double accuracy() const { return test::accuracy(method()); }
+  double accuracy() const { return propagate_test::accuracy(method()); }
   /// Of an orbit, relative to its size: an error of its energy moves the body along the orbit as the square
   /// of time.
   double orbit_accuracy(double revolutions) const { return 3.0 * revolutions * accuracy(); }
@@ -279,4 +279,4 @@ TEST_P(Propagate, a_torque_free_motion_runs_backwards_after_its_rate_is_reversed
 }
 
 }  // namespace
-}  // namespace vectrix::test
+}  // namespace vectrix::test::propagate_test

@@ -3,7 +3,7 @@
 #include "rigid_bodies.hpp"
 
 // The parts of a scenario, and what propagate() refuses.
-namespace vectrix::test {
+namespace vectrix::test::scenario_test {
 namespace {
 
 using Eigen::Quaterniond;
@@ -202,4 +202,4 @@ TEST(RefusedPropagation, a_root_without_function) {
 }
 
 }  // namespace
-}  // namespace vectrix::test
+}  // namespace vectrix::test::scenario_test

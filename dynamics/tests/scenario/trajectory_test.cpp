@@ -8,7 +8,7 @@
 #include "rigid_bodies.hpp"
 
 // The results of propagate(): the trajectory, its events, its conservation report, or a failure.
-namespace vectrix::test {
+namespace vectrix::test::trajectory_test {
 namespace {
 
 using BodyTrajectory = Trajectory<Gcrf, Body>;
@@ -361,4 +361,4 @@ TEST(ConservationReport, needs_the_mu_of_an_orbit) {
 }
 
 }  // namespace
-}  // namespace vectrix::test
+}  // namespace vectrix::test::trajectory_test

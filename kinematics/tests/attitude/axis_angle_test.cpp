@@ -11,6 +11,7 @@
 using namespace vectrix;
 using namespace vectrix_test;
 
+namespace axis_angle_test {
 namespace {
 
 using std::numbers::pi;
@@ -101,3 +102,4 @@ TEST(AxisAngle, SayWhatTheyAre) {
 }
 
 }  // namespace
+}  // namespace axis_angle_test

@@ -10,6 +10,7 @@
 using namespace vectrix;
 using namespace vectrix_test;
 
+namespace euler_angles_test {
 namespace {
 
 using std::numbers::pi;
@@ -229,3 +230,4 @@ static_assert(!std::is_convertible_v<Ours<Intrinsic<3, 2, 1>>, Ours<Intrinsic<3,
 static_assert(!std::is_convertible_v<Ours<Intrinsic<3, 2, 1>>, EulerAngles<Intrinsic<3, 2, 1>, Body, Gcrf>>);
 
 }  // namespace
+}  // namespace euler_angles_test

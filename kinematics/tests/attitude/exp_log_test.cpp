@@ -10,6 +10,7 @@
 using namespace vectrix;
 using namespace vectrix_test;
 
+namespace exp_log_test {
 namespace {
 
 using std::numbers::pi;
@@ -181,3 +182,4 @@ static_assert(!std::is_convertible_v<Vector<Body, si::angle>, RotationVector<Gcr
 static_assert(!std::is_convertible_v<RotationVector<Gcrf, Body>, RotationVector<Body, Gcrf>>);
 
 }  // namespace
+}  // namespace exp_log_test

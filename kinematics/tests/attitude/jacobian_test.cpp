@@ -8,6 +8,7 @@
 using namespace vectrix;
 using namespace vectrix_test;
 
+namespace jacobian_test {
 namespace {
 
 using std::numbers::pi;
@@ -204,3 +205,4 @@ RC_GTEST_PROP(Bracket, IsCarriedByTheAdjointAndIsALieBracket, ()) {
 }
 
 }  // namespace
+}  // namespace jacobian_test

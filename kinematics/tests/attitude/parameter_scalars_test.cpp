@@ -13,7 +13,7 @@
 #include "testing/attitudes.hpp"
 
 // Parameters of any scalar: float, long double, several attitudes at once, numbers with a derivative.
-namespace vectrix_test {
+namespace vectrix_test::parameter_scalars_test {
 namespace {
 
 using namespace vectrix;
@@ -164,4 +164,4 @@ TEST(ParametersOfAnyScalar, NumbersWithADerivativeAreRefusedAtTheSingularity) {
 }
 
 }  // namespace
-}  // namespace vectrix_test
+}  // namespace vectrix_test::parameter_scalars_test

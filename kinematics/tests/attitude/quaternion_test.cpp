@@ -9,6 +9,7 @@
 using namespace vectrix;
 using namespace vectrix_test;
 
+namespace quaternion_test {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -166,3 +167,4 @@ TEST(Quaternion, TheProjectionOfTinyAndHugeNumbersIsAUnitQuaternion) {
 }
 
 }  // namespace
+}  // namespace quaternion_test

@@ -12,6 +12,7 @@
 using namespace vectrix;
 using namespace vectrix_test;
 
+namespace rodrigues_test {
 namespace {
 
 using std::numbers::pi;
@@ -190,3 +191,4 @@ TEST(Rodrigues, SayWhatTheyAre) {
 }
 
 }  // namespace
+}  // namespace rodrigues_test

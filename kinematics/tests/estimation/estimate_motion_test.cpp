@@ -7,6 +7,7 @@
 using namespace vectrix;
 using namespace vectrix_test;
 
+namespace estimate_motion_test {
 namespace {
 
 using Eigen::Matrix3d;
@@ -172,3 +173,4 @@ static_assert(!Estimates<1, Quantity<si::angle>>);  // this has no acceleration
 static_assert(!Estimates<3, Quantity<si::angular_velocity>>);
 
 }  // namespace
+}  // namespace estimate_motion_test

@@ -6,6 +6,7 @@
 using namespace vectrix;
 using namespace vectrix_test;
 
+namespace mean_rotation_test {
 namespace {
 
 using Eigen::Matrix3d;
@@ -154,3 +155,4 @@ static_assert(Averages<vectrix::To<Body>, vectrix::From<Gcrf>, Rotations>);
 static_assert(!Averages<vectrix::To<Gcrf>, vectrix::From<Body>, Rotations>);
 
 }  // namespace
+}  // namespace mean_rotation_test

@@ -6,6 +6,7 @@
 using namespace vectrix;
 using namespace vectrix_test;
 
+namespace wahba_test {
 namespace {
 
 using Eigen::Matrix3d;
@@ -352,3 +353,4 @@ static_assert(!Solves<vectrix::To<Gcrf>, vectrix::From<Body>, Observations>);
 static_assert(!Solves<vectrix::To<Camera>, vectrix::From<Gcrf>, Observations>);
 
 }  // namespace
+}  // namespace wahba_test

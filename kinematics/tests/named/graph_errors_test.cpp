@@ -7,6 +7,7 @@
 using namespace vectrix;
 using namespace vectrix_test;
 
+namespace graph_errors_test {
 namespace {
 
 constexpr auto now = 0.0 * si::second;
@@ -209,3 +210,4 @@ TEST(NamedGraphCache, IsBoundedAndCorrectBeyondItsBound) {
 }
 
 }  // namespace
+}  // namespace graph_errors_test

@@ -9,6 +9,7 @@
 using namespace vectrix;
 using namespace vectrix_test;
 
+namespace graph_test {
 namespace {
 
 constexpr auto now = 0.0 * si::second;
@@ -227,3 +228,4 @@ TEST(NamedGraph, ManyFramesAreFoundByName) {
 }
 
 }  // namespace
+}  // namespace graph_test

@@ -10,6 +10,7 @@
 using namespace vectrix;
 
 // Also built with the thread sanitizer: see kinematics/CMakeLists.txt.
+namespace graph_threads_test {
 namespace {
 
 constexpr std::size_t frame_count = 60;
@@ -205,3 +206,4 @@ TEST(NamedGraphThreads, EdgesAreReadByManyThreads) {
 }
 
 }  // namespace
+}  // namespace graph_threads_test

@@ -9,6 +9,7 @@
 using namespace vectrix;
 using namespace vectrix_test;
 
+namespace sampled_edge_test {
 namespace {
 
 /// Slerp evaluates sine and cosine of the same angles in another way: one or two roundings each.
@@ -155,3 +156,4 @@ TEST_F(SampledEdge, BadSamplesAreRefused) {
 }
 
 }  // namespace
+}  // namespace sampled_edge_test

@@ -10,6 +10,7 @@
 using namespace vectrix;
 using namespace vectrix_test;
 
+namespace values_test {
 namespace {
 
 /// Four frames, and values that relate them.
@@ -229,3 +230,4 @@ static_assert(!Multiplies<NamedDcm, Vector<Gcrf, si::length>>);
 static_assert(IsADoor<NamedFrame> && !IsADoor<std::string_view>);
 
 }  // namespace
+}  // namespace values_test

@@ -9,6 +9,7 @@
 using namespace vectrix;
 using namespace vectrix_test;
 
+namespace graph_places_test {
 namespace {
 
 /// Two differentiated chains of up to three edges, with derivatives up to 1e3 m/s^2.
@@ -174,3 +175,4 @@ static_assert(std::is_same_v<decltype(std::declval<const OfFloats&>().transform(
                              Transform<Gcrf, Gcrf, float>>);
 
 }  // namespace
+}  // namespace graph_places_test

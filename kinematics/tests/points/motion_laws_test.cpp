@@ -10,6 +10,7 @@
 using namespace vectrix;
 using namespace vectrix_test;
 
+namespace motion_laws_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -96,3 +97,4 @@ TEST(MotionLaws, TellWhichIsBroken) {
 }
 
 }  // namespace
+}  // namespace motion_laws_test

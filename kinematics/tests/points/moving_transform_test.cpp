@@ -6,6 +6,7 @@
 using namespace vectrix;
 using namespace vectrix_test;
 
+namespace moving_transform_test {
 namespace {
 
 struct Tip : named_point {};
@@ -125,3 +126,4 @@ static_assert(!Multiplies<AcceleratingTransform<Gcrf, Body>, MovingTransform<Bod
 static_assert(!Multiplies<MovingTransform<Gcrf, Body>, MovingDcm<Body, Camera>>);
 
 }  // namespace
+}  // namespace moving_transform_test

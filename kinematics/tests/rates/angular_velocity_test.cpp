@@ -9,6 +9,7 @@
 using namespace vectrix;
 using namespace vectrix_test;
 
+namespace angular_velocity_test {
 namespace {
 
 template <class A, class B, class C> AngularVelocity<A, B, In<C>> any_rate() {
@@ -232,3 +233,4 @@ TEST(Print, rates_and_quaternions_say_their_frames) {
 }
 
 }  // namespace
+}  // namespace angular_velocity_test

@@ -8,6 +8,7 @@
 using namespace vectrix;
 using namespace vectrix_test;
 
+namespace euler_rates_test {
 namespace {
 
 constexpr int instances = 100;
@@ -23,8 +24,14 @@ MovingNumbers<3> moving_angles(std::mt19937_64& random, const Turns& turns) {
   return {t, trust_dcm(to<Gcrf>, from<Body>, product_of(turns, t))};
 }
 
+/// Each order of axes once, and proper or not, cyclic or not, intrinsic and extrinsic. The rates name an axis
+/// only to turn about it: of an order the other kind can find nothing that this list does not.
+using RateSequences =
+    testing::Types<Intrinsic<1, 2, 3>, Extrinsic<2, 3, 1>, Intrinsic<3, 1, 2>, Extrinsic<1, 3, 2>,
+                   Extrinsic<2, 1, 3>, Intrinsic<3, 2, 1>, Intrinsic<1, 2, 1>, Intrinsic<1, 3, 1>,
+                   Extrinsic<2, 1, 2>, Extrinsic<2, 3, 2>, Intrinsic<3, 1, 3>, Extrinsic<3, 2, 3>>;
 template <class Sequence> class EulerRates : public testing::Test {};
-TYPED_TEST_SUITE(EulerRates, Sequences);
+TYPED_TEST_SUITE(EulerRates, RateSequences);
 
 TYPED_TEST(EulerRates, AreTheDerivativesInBothFramesAndBothWays) {
   std::mt19937_64 random(20261101);
@@ -147,3 +154,4 @@ TEST(EulerRate, SaysWhatItIs) {
 }
 
 }  // namespace
+}  // namespace euler_rates_test

@@ -9,6 +9,7 @@
 using namespace vectrix;
 using namespace vectrix_test;
 
+namespace moving_dcm_test {
 namespace {
 
 template <class A, class B> bool same(const MovingDcm<A, B>& left, const Motion<A, B>& right) {
@@ -184,3 +185,4 @@ static_assert(!Multiplies<AcceleratingDcm<Gcrf, Body>, AcceleratingDcm<Camera, B
 static_assert(!Multiplies<AcceleratingDcm<Gcrf, Body>, MovingDcm<Body, Camera>>);
 
 }  // namespace
+}  // namespace moving_dcm_test

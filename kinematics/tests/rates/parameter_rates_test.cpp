@@ -9,6 +9,7 @@
 using namespace vectrix;
 using namespace vectrix_test;
 
+namespace parameter_rates_test {
 namespace {
 
 constexpr int instances = 200;
@@ -169,3 +170,4 @@ static_assert(DrivesTwice<Gibbs, W<Gcrf>, Alpha<Gcrf>> && !DrivesTwice<Gibbs, W<
 static_assert(!std::is_convertible_v<Sigma, Gibbs> && !std::is_convertible_v<Gibbs, Sigma>);
 
 }  // namespace
+}  // namespace parameter_rates_test

@@ -6,6 +6,7 @@
 using namespace vectrix;
 using namespace vectrix_test;
 
+namespace rate_test {
 namespace {
 
 Motion<Gcrf, Body> any_motion() {
@@ -141,3 +142,4 @@ static_assert(!Multiplies<DcmRate<Gcrf, Body>, Vector<Gcrf, si::length>>);
 static_assert(!std::is_convertible_v<DcmRate<Gcrf, Body>, Dcm<Gcrf, Body>>);
 
 }  // namespace
+}  // namespace rate_test

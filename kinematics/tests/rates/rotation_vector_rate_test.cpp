@@ -10,6 +10,7 @@
 using namespace vectrix;
 using namespace vectrix_test;
 
+namespace rotation_vector_rate_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -133,3 +134,4 @@ TEST(RotationVector, TheDerivativeOfItsAngleIsAlongTheAxis) {
 }
 
 }  // namespace
+}  // namespace rotation_vector_rate_test

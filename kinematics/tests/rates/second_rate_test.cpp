@@ -6,6 +6,7 @@
 using namespace vectrix;
 using namespace vectrix_test;
 
+namespace second_rate_test {
 namespace {
 
 using Second = AngularAcceleration<Gcrf, Body, In<Body>>;
@@ -116,3 +117,4 @@ TEST(QuaternionSecondRate, ItsDoorsTakeOnlyOneOfThatAttitudeAndRate) {
 }
 
 }  // namespace
+}  // namespace second_rate_test

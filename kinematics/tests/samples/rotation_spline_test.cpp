@@ -9,6 +9,7 @@
 using namespace vectrix;
 using namespace vectrix_test;
 
+namespace rotation_spline_test {
 namespace {
 
 using Eigen::Matrix3d;
@@ -286,3 +287,4 @@ TEST(RotationSpline, RatesThatDoNotSettleAreRefused) {
 }
 
 }  // namespace
+}  // namespace rotation_spline_test

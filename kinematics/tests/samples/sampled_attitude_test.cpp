@@ -9,6 +9,7 @@
 using namespace vectrix;
 using namespace vectrix_test;
 
+namespace sampled_attitude_test {
 namespace {
 
 using Eigen::Quaterniond;
@@ -101,3 +102,4 @@ TEST(SampledAttitude, BadSamplesAreRefused) {
 }
 
 }  // namespace
+}  // namespace sampled_attitude_test

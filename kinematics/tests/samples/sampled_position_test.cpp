@@ -11,6 +11,7 @@
 using namespace vectrix;
 using namespace vectrix_test;
 
+namespace sampled_position_test {
 namespace {
 
 // Rounding of numbers of about 100.
@@ -105,3 +106,4 @@ TEST(SampledPosition, OutsideAndInAGapIsRefused) {
 }
 
 }  // namespace
+}  // namespace sampled_position_test

@@ -9,6 +9,7 @@
 using namespace vectrix;
 using namespace vectrix_test;
 
+namespace slerp_test {
 namespace {
 
 constexpr auto t0 = 10.0 * si::second;
@@ -99,3 +100,4 @@ TEST(Slerp, BadTimesAreBadInput) {
 }
 
 }  // namespace
+}  // namespace slerp_test

@@ -6,7 +6,7 @@
 #include "testing/any_scalar.hpp"
 
 // The library's own sine, cosine and arc tangent, compared with long double.
-namespace vectrix_test {
+namespace vectrix_test::lane_angles_test {
 namespace {
 
 constexpr int instances = 20000;
@@ -97,4 +97,4 @@ TEST(Angles, ArcTangentOfADoubleIsAccurateToRoundingInEveryQuadrant) {
 }
 
 }  // namespace
-}  // namespace vectrix_test
+}  // namespace vectrix_test::lane_angles_test

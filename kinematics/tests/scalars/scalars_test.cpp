@@ -5,7 +5,7 @@
 
 // float, double, long double and automatic differentiation through frames, graph and kinematics, compared
 // with long double and its differences.
-namespace vectrix_test {
+namespace vectrix_test::scalars_test {
 namespace {
 
 constexpr int instances = 200;
@@ -129,4 +129,4 @@ TEST(Scalars, TheRatesOfAGraphAreTheDerivativesOfItsRotations) {
 }
 
 }  // namespace
-}  // namespace vectrix_test
+}  // namespace vectrix_test::scalars_test

@@ -9,6 +9,7 @@
 using namespace vectrix;
 using namespace vectrix_test;
 
+namespace simd_float_test {
 namespace {
 
 using Lanes = std::experimental::native_simd<float>;
@@ -62,3 +63,4 @@ TEST(SimdFloat, IsRefusedForOneBadLane) {
 }
 
 }  // namespace
+}  // namespace simd_float_test

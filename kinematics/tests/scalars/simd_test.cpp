@@ -4,7 +4,7 @@
 #include "testing/any_scalar.hpp"
 
 // Several attitudes at once: each lane gives the result of a double, and a door refuses a bad lane.
-namespace vectrix_test {
+namespace vectrix_test::simd_test {
 namespace {
 
 namespace simd = std::experimental;
@@ -56,7 +56,11 @@ TYPED_TEST(Simd, EachLaneIsThatOfADouble) {
     check("quaternions", quaternions(batch), quaternions<double>);
     check("turns", turns(batch), turns<double>);
     check("rates", rates(batch), rates<double>);
-    check("graph_answers", graph_answers(batch), graph_answers<double>);
+    // A graph does nothing with lanes but what these laws do: one kind of batch says so, for its time to
+    // compile.
+    if constexpr (std::same_as<S, simd::native_simd<double>>) {
+      check("graph_answers", graph_answers(batch), graph_answers<double>);
+    }
   }
 }
 
@@ -157,4 +161,4 @@ TEST(Simd, PrintsItsLanes) {
 static_assert(!std::is_convertible_v<simd::native_simd<double>::mask_type, bool>);
 
 }  // namespace
-}  // namespace vectrix_test
+}  // namespace vectrix_test::simd_test

@@ -6,6 +6,7 @@
 using namespace vectrix;
 using namespace vectrix_test;
 
+namespace size_test {
 namespace {
 
 template <class Quantity> inline constexpr std::size_t numbers = sizeof(Quantity) / sizeof(double);
@@ -29,3 +30,4 @@ static_assert(numbers<MovingTransform<Gcrf, Body>> == 9 + 3 + 3 + 3);
 static_assert(numbers<AcceleratingTransform<Gcrf, Body>> == 9 + 5 * 3);
 
 }  // namespace
+}  // namespace size_test

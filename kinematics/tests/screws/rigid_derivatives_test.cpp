@@ -4,7 +4,7 @@
 #include "rigid_lists.hpp"
 #include "testing/motions.hpp"
 
-namespace vectrix_test {
+namespace vectrix_test::rigid_derivatives_test {
 namespace {
 
 TEST(RigidMotions, TheirAutomaticDerivativesAreThoseOfDifferences) {
@@ -32,4 +32,4 @@ TEST(RigidMotions, TheirAutomaticDerivativesAreThoseOfDifferences) {
 }
 
 }  // namespace
-}  // namespace vectrix_test
+}  // namespace vectrix_test::rigid_derivatives_test

@@ -11,6 +11,7 @@
 using namespace vectrix;
 using namespace vectrix_test;
 
+namespace rigid_motion_notes_test {
 namespace {
 
 using Eigen::Matrix3d;
@@ -118,3 +119,4 @@ TEST(Notes, ThreeTurnsAboutTheAxesAreNotOneAboutTheVector) {
 }
 
 }  // namespace
+}  // namespace rigid_motion_notes_test

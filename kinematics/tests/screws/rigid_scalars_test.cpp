@@ -3,7 +3,7 @@
 
 #include "rigid_lists.hpp"
 
-namespace vectrix_test {
+namespace vectrix_test::rigid_scalars_test {
 namespace {
 
 template <class S> void expect_what_long_double_gives() {
@@ -23,4 +23,4 @@ TEST(RigidMotions, InFloatAndDoubleAreThoseOfLongDouble) {
 }
 
 }  // namespace
-}  // namespace vectrix_test
+}  // namespace vectrix_test::rigid_scalars_test

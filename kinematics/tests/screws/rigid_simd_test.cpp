@@ -5,7 +5,7 @@
 
 #include "rigid_lists.hpp"
 
-namespace vectrix_test {
+namespace vectrix_test::rigid_simd_test {
 namespace {
 
 TEST(RigidMotions, EachLaneOfABatchIsThatOfADouble) {
@@ -38,4 +38,4 @@ TEST(RigidMotions, ABatchWithOneLaneAtAFullTurnIsBadInput) {
 }
 
 }  // namespace
-}  // namespace vectrix_test
+}  // namespace vectrix_test::rigid_simd_test

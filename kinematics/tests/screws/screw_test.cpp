@@ -7,6 +7,7 @@
 using namespace vectrix;
 using namespace vectrix_test;
 
+namespace screw_test {
 namespace {
 
 using std::numbers::pi;
@@ -261,3 +262,4 @@ static_assert(!Moves<Transform<Gcrf, Body>, V<Gcrf, Body, Body, Gcrf>> &&
               !Moves<Transform<Gcrf, Body>, V<Gcrf, Camera, Camera, Camera>>);
 
 }  // namespace
+}  // namespace screw_test

@@ -9,6 +9,7 @@
 using namespace vectrix;
 using namespace vectrix_test;
 
+namespace twist_rate_test {
 namespace {
 
 struct Tip : named_point {};
@@ -237,3 +238,4 @@ static_assert(!Drives<Screw<Gcrf, Body>, V<Gcrf, Body, Body, Gcrf>> &&
               !Drives<Screw<Gcrf, Body>, AngularVelocity<Gcrf, Body, In<Body>>>);
 
 }  // namespace
+}  // namespace twist_rate_test

@@ -8,6 +8,7 @@
 using namespace vectrix;
 using namespace vectrix_test;
 
+namespace twist_test {
 namespace {
 
 struct Tip : named_point {};
@@ -91,3 +92,4 @@ static_assert(!Shifts<V<Gcrf, Body, Tip, Body>, Displacement<Camera, Tip, In<Bod
 static_assert(!Shifts<V<Gcrf, Body, Tip, Body>, Displacement<Tip, Camera, In<Camera>>>);
 
 }  // namespace
+}  // namespace twist_test

@@ -6,6 +6,7 @@
 using namespace vectrix;
 using namespace vectrix_test;
 
+namespace coning_test {
 namespace {
 
 using Coning = ConingMotion<Gcrf, Body>;
@@ -160,3 +161,4 @@ TEST(Gyro, RefusesBadInput) {
 }
 
 }  // namespace
+}  // namespace coning_test

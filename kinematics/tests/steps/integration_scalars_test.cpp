@@ -5,6 +5,7 @@
 using namespace vectrix;
 using namespace vectrix_test;
 
+namespace integration_scalars_test {
 namespace {
 
 /// A rate and one step of each kind, of any scalar.
@@ -43,3 +44,4 @@ TEST(Steps, TakeOtherScalars) {
 }
 
 }  // namespace
+}  // namespace integration_scalars_test

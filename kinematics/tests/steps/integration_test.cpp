@@ -8,6 +8,7 @@
 using namespace vectrix;
 using namespace vectrix_test;
 
+namespace integration_test {
 namespace {
 
 using Rotation = Dcm<Gcrf, Body>;
@@ -209,3 +210,4 @@ TEST(Steps, AreRefusedWithRatesInOtherAxes) {
 }
 
 }  // namespace
+}  // namespace integration_test

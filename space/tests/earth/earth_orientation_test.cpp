@@ -12,7 +12,7 @@
 
 #include "temporary_file.hpp"
 
-namespace vectrix {
+namespace vectrix::earth_orientation_test {
 namespace {
 
 const std::filesystem::path source{VECTRIX_SOURCE_DIR};
@@ -267,4 +267,4 @@ TEST_F(Finals2000A, RefusesATruncatedFile) {
 }
 
 }  // namespace
-}  // namespace vectrix
+}  // namespace vectrix::earth_orientation_test

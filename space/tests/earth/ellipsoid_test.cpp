@@ -9,7 +9,7 @@
 
 #include "temporary_file.hpp"
 
-namespace vectrix {
+namespace vectrix::ellipsoid_test {
 namespace {
 
 constexpr double a = 6378137.0;                        // m
@@ -133,4 +133,4 @@ TEST(Ellipsoid, RefusesBadInput) {
 }
 
 }  // namespace
-}  // namespace vectrix
+}  // namespace vectrix::ellipsoid_test

@@ -4,7 +4,7 @@
 
 #include "temporary_file.hpp"
 
-namespace vectrix {
+namespace vectrix::csv_table_test {
 namespace {
 
 struct Station : moving_frame {};
@@ -125,4 +125,4 @@ TEST(CsvTable, RefusesToAnswerForWhatItDoesNotHave) {
 }
 
 }  // namespace
-}  // namespace vectrix
+}  // namespace vectrix::csv_table_test

@@ -8,7 +8,7 @@
 
 #include "temporary_file.hpp"
 
-namespace vectrix {
+namespace vectrix::epoch_test {
 namespace {
 
 // The fraction of a day is stored to 1e-16 day: 1e-11 s, in each of the two epochs of a difference.
@@ -137,4 +137,4 @@ TEST(Epoch, RefusesDurationsThatAreNotFinite) {
 }
 
 }  // namespace
-}  // namespace vectrix
+}  // namespace vectrix::epoch_test

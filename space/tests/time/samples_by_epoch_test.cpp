@@ -9,6 +9,7 @@
 using namespace vectrix;
 using namespace vectrix_test;
 
+namespace samples_by_epoch_test {
 namespace {
 
 const Epoch start = Epoch::from_utc("2016-12-31T23:59:58");  // the year ends in 2 s and a leap second
@@ -102,3 +103,4 @@ TEST(SamplesByEpoch, AreRefusedByTheirNamesInUtc) {
 }
 
 }  // namespace
+}  // namespace samples_by_epoch_test

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <boost/units/units_fwd.hpp>
 #include <type_traits>
 #include <vectrix/frames/operators.hpp>
 #include <vectrix/frames/scalar/batch.hpp>

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <memory>
 #include <vector>
 #include <vectrix/dynamics/force/gravity.hpp>
 #include <vectrix/dynamics/rigid/euler.hpp>
