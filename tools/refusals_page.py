@@ -18,10 +18,6 @@ END = "<!-- end -->"
 MANY = 6  # mistakes that give a rule its own section
 SHORT = 110  # characters of code that a table shows
 
-BOOST = re.compile(
-    r"(boost::units::)?(unit|list|dim|scale|scale_list_dim|scaled_base_unit|static_rational|multiply_typeof_helper"
-    r"|homogeneous_system|heterogeneous_system|heterogeneous_system_impl|heterogeneous_system_dim)<[^<>]*>"
-)
 EXPLAINING_NOTES = (
     "declared here: ", "candidate: 'template", "evaluated to 'false'", "conflicting types", "no known conversion",
     "is not derived from",
@@ -40,12 +36,6 @@ class Entry:
         return f"[`{self.case.name}`](../../{self.topic.relative})"
 
 
-def without_boost(line: str) -> str:
-    """A unit as Boost.Units writes it becomes an ellipsis."""
-    shorter = BOOST.sub("…", line)
-    return shorter if shorter == line else without_boost(shorter)
-
-
 def explanation(said: list[str]) -> list[str]:
     """The errors and what explains them: without places, source lines and `vectrix::`."""
     text = re.sub(r"note: declared here\n *\d+ \| *", "note: declared here: ", "\n".join(said))
@@ -53,7 +43,7 @@ def explanation(said: list[str]) -> list[str]:
     for line in re.findall(r"(?:error|note): .*", text):
         if line.startswith("note: ") and not any(note in line for note in EXPLAINING_NOTES):
             continue
-        line = without_boost(line).replace("vectrix::", "")
+        line = line.replace("vectrix::", "")
         line = re.sub(r"auto:\d+", "auto", line)
         line = re.sub(r"^note: +", "note: ", line)
         deleted = re.fullmatch(r"(error: use of deleted function .*) \[with (.*)\]'", line)

@@ -141,7 +141,8 @@ TEST_F(SampledEdge, BadSamplesAreRefused) {
   EXPECT_EQ(make({0, 1, 1, 2}), edge + "samples 1 and 2 have one time, 1 s");
   EXPECT_EQ(make({0, 2, 1}), edge + "the time of sample 2, 1 s, is before that of sample 1, 2 s");
   EXPECT_EQ(make({0, 5e-324}), edge + "samples 0 and 1 are 5e-324 s apart");
-  EXPECT_EQ(make({-1.5e308, 1.5e308}), edge + "the samples span inf s");
+  EXPECT_EQ(make({-1.5e308, 1.5e308}), edge + "samples 0 and 1 are inf s apart");
+  EXPECT_EQ(make({-1.5e308, 0, 1.5e308}), edge + "the samples span inf s");
   EXPECT_EQ(make({0, 1}, 0), edge + "the longest gap is 0 s");
   EXPECT_EQ(make({0, 1}, infinity), edge + "the longest gap is inf s");
   const auto at = [&](double t) {
