@@ -55,7 +55,7 @@ auto spacecraft() {
 namespace graph_edge_of_generic_function {
 // mistake: an edge that does not say what its instant is
 // expect: Returned = (vectrix::)?DependsOnInstant
-// expect: of one type of instant
+// expect: of one instant and of answers
 auto spacecraft() {
 #ifdef REPAIRED
   return frame_graph(
@@ -244,3 +244,23 @@ auto lever_arm(const Dcm<Body, Camera>& R_body_from_camera,
   return graph.at(0.0 * si::second).position(of<Camera>, relative_to<Body>, in<Body>);
 }
 }  // namespace graph_position_across_rotation
+
+namespace graph_edge_of_two_instants {
+// mistake: an edge of two instants, of which both would be the one that the graph is asked at
+// expect: Returned = (vectrix::)?Dcm<Gcrf, Itrf
+// expect: of one instant and of answers
+auto earth(const Dcm<Gcrf, Body>& R_gcrf_from_body) {
+#ifdef REPAIRED
+  const auto start = 100.0 * si::second;
+  const auto turn = [=](Quantity<si::time> t, const Dcm<Gcrf, Body>& R) -> Dcm<Gcrf, Itrf> {
+    return R * turned_z(to<Body>, from<Itrf>, (t - start).value() * si::radian);
+  };
+#else
+  const auto turn = [](Quantity<si::time> t, const Dcm<Gcrf, Body>& R,
+                       Quantity<si::time> start = 100.0 * si::second) -> Dcm<Gcrf, Itrf> {
+    return R * turned_z(to<Body>, from<Itrf>, (t - start).value() * si::radian);
+  };
+#endif
+  return frame_graph(static_edge(R_gcrf_from_body), edge(turn));
+}
+}  // namespace graph_edge_of_two_instants

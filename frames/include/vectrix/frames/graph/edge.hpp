@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <tuple>
 #include <type_traits>
@@ -59,11 +60,17 @@ inline constexpr bool is_instant<Quantity<U, S>, Argument> = std::is_same_v<Quan
 
 template <class Arguments> struct ArgumentsOf;
 template <class... Arguments> struct ArgumentsOf<std::tuple<Arguments...>> {
-  static constexpr bool has_answers = (is_answer<Arguments> || ...);
-  /// Every argument that is not an answer of the graph must be convertible from the instant.
+  static constexpr std::size_t answers = (std::size_t{0} + ... + is_answer<Arguments>);
+  static constexpr bool has_answers = answers > 0;
+  /// One instant at most: two would be given the same one.
+  static constexpr bool lawful = sizeof...(Arguments) > 0 && sizeof...(Arguments) - answers <= 1;
+  /// The argument that is not an answer of the graph must be convertible from the instant.
   template <class Instant>
   static constexpr bool take = ((is_answer<Arguments> || is_instant<Instant, Arguments>)&&...);
 };
+
+template <class Function>
+inline constexpr bool makes_edge = EdgeValue<Result<Function>>&& ArgumentsOf<Arguments<Function>>::lawful;
 
 }  // namespace detail
 
@@ -108,12 +115,12 @@ ConstantEdge<Transform<A, B, S>> static_edge(const Transform<A, B, S>& X_a_from_
 /// before this one, at the same instant. Edges that several others ask are evaluated once. Any other argument
 /// is the instant.
 template <class Function>
-std::enable_if_t<EdgeValue<detail::Result<Function>>, FunctionEdge<Function>> edge(Function function) {
+std::enable_if_t<detail::makes_edge<Function>, FunctionEdge<Function>> edge(Function function) {
   return FunctionEdge<Function>{std::move(function)};
 }
 template <class Function, class Returned = detail::Result<Function>>
-  requires(!EdgeValue<Returned>)
-auto edge(  // of one type of instant; returns a Dcm, MovingDcm, AcceleratingDcm, or one with a place
+  requires(!detail::makes_edge<Function>)
+auto edge(  // of one instant and of answers; returns a Dcm, MovingDcm, AcceleratingDcm, or one with a place
     Function) -> Refused = delete;
 
 }  // namespace vectrix
