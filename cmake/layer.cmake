@@ -57,7 +57,7 @@ function(vectrix_tests layer)
     if(EXISTS ${PROJECT_SOURCE_DIR}/${layer}/include/vectrix/${layer}.hpp)
       target_precompile_headers(vectrix_${layer}_tests PRIVATE <gtest/gtest.h> <rapidcheck/gtest.h> <vectrix/${layer}.hpp>)
     endif()
-    # What files instantiate alike is compiled once for a few of them: each has a namespace of its own name.
+    # Three files are compiled together, which saves common instantiations. Each has a namespace with its own name.
     set_target_properties(vectrix_${layer}_tests PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 3)
     gtest_discover_tests(vectrix_${layer}_tests TEST_PREFIX ${layer}. DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 300)
   endif()
