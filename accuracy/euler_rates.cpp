@@ -31,7 +31,7 @@ template <template <int, int, int> class Kind, class C> void add_twelve(std::vec
   list.insert(list.end(), std::begin(twelve), std::end(twelve));
 }
 // In either frame.
-const OfSequence& sequence_of(const Draw& draw) {
+const OfSequence& rates_of_sequence(const Draw& draw) {
   static const std::vector<OfSequence> all = [] {
     std::vector<OfSequence> list;
     add_twelve<Intrinsic, A>(list);
@@ -47,13 +47,13 @@ void rows(Table& table, const std::string& domain, double from, double to, doubl
   const auto draw_angles = [=](Draw& draw) {
     Eigen::Vector3d t = draw.cube(3.0);
     const double distance = draw.logarithmic(from, to);
-    t(1) = sequence_of(draw).proper ? distance : std::numbers::pi / 2 - distance;
+    t(1) = rates_of_sequence(draw).proper ? distance : std::numbers::pi / 2 - distance;
     return t;
   };
   four_rate_rows(
       table, "Euler angles", domain, gain, 30,
       [](const Draw& draw, const Eigen::Vector3d& t, const Eigen::Vector3d& w, const Eigen::Vector3d& alpha) {
-        const OfSequence& sequence = sequence_of(draw);
+        const OfSequence& sequence = rates_of_sequence(draw);
         RateErrors e = sequence.errors(t, w, alpha);
         // The axes of the turns are accurate to rounding. The formulas divide by the sine of the distance,
         // which is computed from these axes.

@@ -44,6 +44,14 @@ function(vectrix_missing layer what wanted)
   message(STATUS "vectrix::${layer} needs ${what}: left out")
 endfunction()
 
+# Compiles the files of a program by eights, which saves common instantiations and asks a compiler for two gigabytes of
+# memory. Each file has a namespace with its own name. One file at a time: -DVECTRIX_FILES_TOGETHER=1.
+set(VECTRIX_FILES_TOGETHER 8 CACHE STRING "How many files of a test program are compiled together")
+mark_as_advanced(VECTRIX_FILES_TOGETHER)
+function(vectrix_compile_together target)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${VECTRIX_FILES_TOGETHER})
+endfunction()
+
 # tests/**_test.cpp of the current folder: one program vectrix_<layer>_tests; files of refused programs: one test each.
 function(vectrix_tests layer)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS tests/*_test.cpp)
@@ -57,8 +65,7 @@ function(vectrix_tests layer)
     if(EXISTS ${PROJECT_SOURCE_DIR}/${layer}/include/vectrix/${layer}.hpp)
       target_precompile_headers(vectrix_${layer}_tests PRIVATE <gtest/gtest.h> <rapidcheck/gtest.h> <vectrix/${layer}.hpp>)
     endif()
-    # Three files are compiled together, which saves common instantiations. Each has a namespace with its own name.
-    set_target_properties(vectrix_${layer}_tests PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 3)
+    vectrix_compile_together(vectrix_${layer}_tests)
     gtest_discover_tests(vectrix_${layer}_tests TEST_PREFIX ${layer}. DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 300)
   endif()
   if(VECTRIX_REFUSED_TESTS)

@@ -21,11 +21,24 @@ function(vectrix_syntax_options)
   endforeach()
 endfunction()
 
-# The call that compiles the headers of a layer, once for all its refused programs.
-function(vectrix_precompile_layer command layer)
-  set(header ${VECTRIX_SYNTAX}/${layer}.hpp)
-  file(CONFIGURE OUTPUT ${header} CONTENT "#include <vectrix/${layer}.hpp>\n")
+# The call that compiles the headers of all layers, once for all refused programs.
+function(vectrix_precompile_layers command)
+  set(lines)
+  foreach(layer IN LISTS VECTRIX_LAYERS)
+    if(TARGET vectrix_${layer})
+      string(APPEND lines "#include <vectrix/${layer}.hpp>\n")
+    endif()
+  endforeach()
+  set(header ${VECTRIX_SYNTAX}/layers.hpp)
+  file(CONFIGURE OUTPUT ${header} CONTENT "${lines}")
   set(${command} ${CMAKE_CXX_COMPILER} @${VECTRIX_SYNTAX}/plain.options -x c++-header ${header} -o ${header}.gch PARENT_SCOPE)
+endfunction()
+
+# The test refused.headers, which the other tests of refused programs need.
+function(vectrix_refused_headers_test)
+  vectrix_precompile_layers(precompile)
+  add_test(NAME refused.headers COMMAND ${precompile})
+  set_tests_properties(refused.headers PROPERTIES FIXTURES_SETUP refused.headers COST 50)
 endfunction()
 
 # The files of refused programs of a layer.
@@ -42,16 +55,13 @@ function(vectrix_refused_tests layer)
   if(NOT files)
     return()
   endif()
-  vectrix_precompile_layer(precompile ${layer})
-  add_test(NAME refused.${layer} COMMAND ${precompile})
-  set_tests_properties(refused.${layer} PROPERTIES FIXTURES_SETUP refused.${layer} COST 50)
   foreach(file IN LISTS files)
     cmake_path(GET file STEM topic)
     add_test(NAME refused.${layer}.${topic}
              COMMAND ${VECTRIX_REFUSALS_TOOL} check --limit-length --compiler ${CMAKE_CXX_COMPILER} --options ${VECTRIX_SYNTAX}/plain.options
-                     --strict ${VECTRIX_SYNTAX}/strict.options --precompiled ${VECTRIX_SYNTAX}/${layer}.hpp
+                     --strict ${VECTRIX_SYNTAX}/strict.options --precompiled ${VECTRIX_SYNTAX}/layers.hpp
                      --save ${CMAKE_BINARY_DIR}/refused ${file})
-    set_tests_properties(refused.${layer}.${topic} PROPERTIES FIXTURES_REQUIRED refused.${layer}
+    set_tests_properties(refused.${layer}.${topic} PROPERTIES FIXTURES_REQUIRED refused.headers
                                                               FIXTURES_SETUP refused.messages COST 10)
   endforeach()
 endfunction()
@@ -80,16 +90,18 @@ function(vectrix_refusals_target)
   foreach(layer IN LISTS VECTRIX_LAYERS)
     file(GLOB_RECURSE own CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${layer}/include/*.hpp)
     list(APPEND headers ${own})
-    vectrix_precompile_layer(precompile ${layer})
-    add_custom_command(OUTPUT ${VECTRIX_SYNTAX}/${layer}.hpp.gch DEPENDS ${headers} COMMAND ${precompile})
+  endforeach()
+  vectrix_precompile_layers(precompile)
+  add_custom_command(OUTPUT ${VECTRIX_SYNTAX}/layers.hpp.gch DEPENDS ${headers} COMMAND ${precompile})
+  foreach(layer IN LISTS VECTRIX_LAYERS)
     vectrix_refused_files(files ${layer})
     list(APPEND all ${files})
     foreach(file IN LISTS files)
       cmake_path(GET file STEM topic)
       set(message ${CMAKE_BINARY_DIR}/refused/${layer}.${topic}.json)
-      add_custom_command(OUTPUT ${message} DEPENDS ${VECTRIX_SYNTAX}/${layer}.hpp.gch ${file}
+      add_custom_command(OUTPUT ${message} DEPENDS ${VECTRIX_SYNTAX}/layers.hpp.gch ${file}
                          COMMAND ${VECTRIX_REFUSALS_TOOL} messages --compiler ${CMAKE_CXX_COMPILER} --options ${VECTRIX_SYNTAX}/plain.options
-                                 --precompiled ${VECTRIX_SYNTAX}/${layer}.hpp --save ${CMAKE_BINARY_DIR}/refused ${file})
+                                 --precompiled ${VECTRIX_SYNTAX}/layers.hpp --save ${CMAKE_BINARY_DIR}/refused ${file})
       list(APPEND messages ${message})
     endforeach()
   endforeach()

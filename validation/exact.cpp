@@ -12,7 +12,7 @@ constexpr double relative_tolerance = 1e-12;
 // The effect, after 50 rad, of the rounding of initial state and moments to double.
 constexpr double closed_form_tolerance = 1e-13;
 constexpr const char* closed_form_reason = "reference of 20 digits; rounding of the given numbers";
-constexpr const char* reason = "reference of 20 digits; rounding of the integration";
+constexpr const char* integration_reason = "reference of 20 digits; rounding of the integration";
 
 Scenario<Inertial, Body> read_scenario(const CsvTable& cases, std::size_t row) {
   const auto number = [&](const char* name) { return cases.number(row, name); };
@@ -56,10 +56,10 @@ void compare(Rows& rows, const std::string& name, const Scenario<Inertial, Body>
   const Conservation kept = conservation(scenario, trajectory);
   // The attitude error grows with the angle turned.
   const double turned = std::max(1.0, speed * end);
-  rows.push_back({"Exact", label, "attitude per radian turned", relative_tolerance, "", reason,
+  rows.push_back({"Exact", label, "attitude per radian turned", relative_tolerance, "", integration_reason,
                   difference.attitude_rad / turned});
-  rows.push_back(
-      {"Exact", label, "body rate, relative", relative_tolerance, "", reason, difference.rate_rad_s / speed});
+  rows.push_back({"Exact", label, "body rate, relative", relative_tolerance, "", integration_reason,
+                  difference.rate_rad_s / speed});
   rows.push_back({"Exact", label, "energy, relative change", relative_tolerance, "", "conserved",
                   *kept.rotational_energy});
   rows.push_back({"Exact", label, "angular momentum, relative change", relative_tolerance, "", "conserved",

@@ -11,7 +11,7 @@ namespace {
 constexpr double attitude_tolerance_rad = 1e-10;
 constexpr double rate_tolerance_rad_s = 1e-14;
 constexpr double position_tolerance_m = 1e-3;
-constexpr const char* reason = "16 printed digits; rounding over 8 h";
+constexpr const char* nasa_reason = "16 printed digits; rounding over 8 h";
 
 CsvTable read(const std::string& file) {
   return CsvTable::read(file, {"run", "t_s", "x_m", "y_m", "z_m", "wx_radps", "wy_radps", "wz_radps", "T11",
@@ -30,10 +30,11 @@ void add(Difference& difference, const State<Inertial, Body>& state, const CsvTa
 
 void report(Rows& rows, const std::string& scenario, const Difference& difference) {
   rows.push_back(
-      {"NASA", scenario, "attitude", attitude_tolerance_rad, "rad", reason, difference.attitude_rad});
+      {"NASA", scenario, "attitude", attitude_tolerance_rad, "rad", nasa_reason, difference.attitude_rad});
   rows.push_back(
-      {"NASA", scenario, "body rate", rate_tolerance_rad_s, "rad/s", reason, difference.rate_rad_s});
-  rows.push_back({"NASA", scenario, "position", position_tolerance_m, "m", reason, difference.position_m});
+      {"NASA", scenario, "body rate", rate_tolerance_rad_s, "rad/s", nasa_reason, difference.rate_rad_s});
+  rows.push_back(
+      {"NASA", scenario, "position", position_tolerance_m, "m", nasa_reason, difference.position_m});
 }
 
 }  // namespace

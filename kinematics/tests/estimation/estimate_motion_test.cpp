@@ -3,6 +3,7 @@
 #include <vectrix/kinematics/estimation/estimate_motion.hpp>
 
 #include "observed_attitudes.hpp"
+#include "testing/trials.hpp"
 
 using namespace vectrix;
 using namespace vectrix_test;
@@ -15,7 +16,7 @@ using Eigen::Quaterniond;
 using Eigen::Vector3d;
 using Samples = std::vector<AttitudeSample<Gcrf, Body>>;
 
-constexpr int trials = 4000;
+constexpr int draws = trials(4000);
 /// A normal matrix with a condition number of about 1e4.
 constexpr double fitted = 1e6 * epsilon;
 
@@ -91,7 +92,7 @@ TEST(EstimateMotion, TheCovariancesAreThoseOfItsErrors) {
   Noise noise(20240606);
   const double sigma = 1e-3;
   ChiSquare attitudes(3), rates(3), accelerations(3), losses(3 * (15 - 4));
-  for (int i = 0; i < trials; ++i) {
+  for (int i = 0; i < draws; ++i) {
     const auto found = estimate_motion(truth.samples(noise, sigma), seconds(0), seconds(0.85), rad(sigma));
     const Quaternion<Gcrf, Body> q = quaternion(found.motion.rotation);
     const Vector3d e = detail::turn_between(q, sample(0, truth.q0).q_a_from_b);

@@ -2,6 +2,7 @@
 #include <rapidcheck/gtest.h>
 
 #include "observed_attitudes.hpp"
+#include "testing/trials.hpp"
 
 using namespace vectrix;
 using namespace vectrix_test;
@@ -17,7 +18,7 @@ using Observations = std::vector<Observation<Body, Gcrf>>;
 /// of this angle.
 constexpr double least_sine = 0.1;
 constexpr double solved = 64 * epsilon / (least_sine * least_sine);
-constexpr int trials = 4000;
+constexpr int draws = trials(4000);
 
 /// Two directions that are not nearly parallel.
 std::pair<Vector3d, Vector3d> two_directions() {
@@ -217,7 +218,7 @@ class Estimates : public testing::Test {
 TEST_F(Estimates, TheCovarianceOfWahbaIsThatOfItsErrors) {
   Noise noise(20240601);
   ChiSquare errors(3), losses(2 * 4 - 3), reweighted(3);
-  for (int i = 0; i < trials; ++i) {
+  for (int i = 0; i < draws; ++i) {
     const auto found = wahba(to<Body>, from<Gcrf>, observe(noise));
     errors.add(square(found));
     losses.add(2 * found.loss);
@@ -231,7 +232,7 @@ TEST_F(Estimates, TheCovarianceOfWahbaIsThatOfItsErrors) {
 TEST_F(Estimates, TheCovarianceOfTriadIsThatOfItsErrors) {
   Noise noise(20240602);
   ChiSquare errors(3), mismatches(1);
-  for (int i = 0; i < trials; ++i) {
+  for (int i = 0; i < draws; ++i) {
     const auto list = observe(noise);
     const auto found = triad(to<Body>, from<Gcrf>, list[0], list[1]);
     errors.add(square(found));

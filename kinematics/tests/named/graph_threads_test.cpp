@@ -7,6 +7,8 @@
 #include <thread>
 #include <vectrix/kinematics/named/graph.hpp>
 
+#include "testing/trials.hpp"
+
 using namespace vectrix;
 
 // Also built with the thread sanitizer: see kinematics/CMakeLists.txt.
@@ -139,7 +141,7 @@ TEST(NamedGraphThreads, AnswersAreRightWhileEdgesAreAdded) {
 // While a tree gets a new root, a reader sees old and new positions of its frames in the tree together. Its
 // paths must still be correct.
 TEST(NamedGraphThreads, PathsHoldWhileTheirTreeIsJoinedToALargerOne) {
-  constexpr int joinings = 10;
+  constexpr int joinings = vectrix_test::trials(10);
   constexpr int leaves =
       20'000;  // joining takes milliseconds, so that a query runs meanwhile even on one processor
   for (int joining = 0; joining < joinings; ++joining) {
