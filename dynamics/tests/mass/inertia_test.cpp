@@ -121,10 +121,11 @@ TEST(Inertia, what_no_body_has_is_refused) {
       [&] { products(3.0, 4.0, HUGE_VAL, 0.0, 0.0, 0.0); },
       "inertia_from_moments_and_products(in<" + frame_name<Body>() + ">): entry (3, 3) of the tensor is inf");
   expect_bad_input([] { tensor(-3.0, 4.0, 5.0); },
-                   "principal moments (-3, 4, 5) kg m^2 are not all positive");
-  expect_bad_input([] { tensor(0.0, 4.0, 4.0); }, "principal moments (0, 4, 4) kg m^2 are not all positive");
-  expect_bad_input([] { tensor(0.0, 0.0, 0.0); }, "are not all positive");
-  expect_bad_input([] { tensor(2.0, 2.0, 2.0, 3.0); }, "are not all positive");  // moments -1, 2, 5
+                   "not all principal moments (-3, 4, 5) kg m^2 are positive or zero");
+  expect_bad_input([] { tensor(-1e-9, 4.0, 4.0); }, "are positive or zero");
+  expect_bad_input([] { tensor(-1.0, -1.0, -1.0); }, "are positive or zero");
+  expect_bad_input([] { tensor(0.0, 0.0, 4.0); }, "exceeds the sum of the others by 4");
+  expect_bad_input([] { tensor(2.0, 2.0, 2.0, 3.0); }, "are positive or zero");  // moments -1, 2, 5
   expect_bad_input([] { tensor(1.0, 2.0, 4.0); },
                    "the largest principal moment of (1, 2, 4) kg m^2 exceeds the sum of the others by 1");
   expect_bad_input(
@@ -132,7 +133,8 @@ TEST(Inertia, what_no_body_has_is_refused) {
       "exceeds the sum of the others by 0.");
 }
 
-TEST(Inertia, a_flat_plate_is_a_body_and_a_line_is_none_however_they_lie) {
+// They are parts of a body. Euler's equation, which divides by their moments, refuses them.
+TEST(Inertia, a_plate_a_rod_and_a_point_are_bodies_however_they_lie) {
   EXPECT_NO_THROW(tensor(1.0, 2.0, 3.0));  // a plate in the xy plane: 1 + 2 = 3
   std::mt19937_64 random(3);
   for (int i = 0; i < 200; ++i) {
@@ -142,8 +144,19 @@ TEST(Inertia, a_flat_plate_is_a_body_and_a_line_is_none_however_they_lie) {
       const Matrix3d J = R * Vector3d(x, y, z).asDiagonal() * R.transpose();
       return tensor(J(0, 0), J(1, 1), J(2, 2), J(0, 1), J(0, 2), J(1, 2));
     };
-    EXPECT_NO_THROW(turned(1.0, 2.0, 3.0));
-    expect_bad_input([&] { turned(0.0, 2.0, 2.0); }, "are not all positive");
+    EXPECT_NO_THROW(turned(1.0, 2.0, 3.0).inverse_matrix());
+    EXPECT_NO_THROW(turned(1e-9, 2.0, 2.0).inverse_matrix());
+    const auto rod = turned(0.0, 2.0, 2.0), point = turned(0.0, 0.0, 0.0);
+    for (const Inertia<Body>& part :
+         {rod, point, trust_dcm(to<Body>, from<Gcrf>, R) * (trust_dcm(to<Gcrf>, from<Body>, R) * rod)}) {
+      EXPECT_FALSE(part.has_inverse());
+      expect_bad_input([&] { part.inverse_matrix(); }, "Euler's equation needs the inverse of the inertia [");
+      expect_bad_input(
+          [&] {
+            euler(part, rate_body({1.0, 2.0, 3.0}), zero<si::torque>(in<Body>));
+          },
+          "kg m^2 in " + frame_name<Body>() + "; a principal moment is zero within rounding");
+    }
     expect_bad_input([&] { turned(1.0, 2.0, 3.001); }, "exceeds the sum of the others by 0.00");
   }
 }
@@ -189,9 +202,15 @@ TEST(Euler, a_spin_about_a_principal_axis_stays) {
 }
 
 /// Euler's equation divides by the moments of inertia.
-TEST(InertiaDoor, refuses_moments_whose_inverse_is_not_a_number) {
-  expect_bad_input([] { tensor(1e308, 1e308, 1e308); }, " kg m^2 are too large to be divided by");
-  expect_bad_input([] { tensor(1e-310, 1e-310, 1e-310); }, " kg m^2 are too small to be divided by");
+TEST(Inertia, whose_inverse_is_not_a_number_is_refused_by_eulers_equation) {
+  for (const double moment : {1e308, 1e-310}) {
+    const auto J_b = tensor(moment, moment, moment);
+    expect_bad_input(
+        [&] {
+          euler(J_b, rate_body({0.0, 0.0, 0.0}), torque_body(1.0, 0.0, 0.0));
+        },
+        "out of the range of numbers");
+  }
 }
 
 /// At zero rate, J alpha is the torque.

@@ -40,6 +40,38 @@ TEST(MassProperties, laws_1_2_3_a_satellite_of_parts_is_that_of_all_their_masses
   }
 }
 
+// A boom is a rod along its x axis, its tip a point: no moments about the axis, none at all.
+TEST(MassProperties, a_rod_and_a_point_are_parts) {
+  struct Boom : moving_frame {};
+  struct Tip : moving_frame {};
+  Draw draw(9);
+  const double length = 4.0, m_boom = 1.5, m_tip = 0.5;
+  const Masses bus = random_masses(draw);
+  const Vector3d none = Vector3d::Zero(), half(length / 2, 0.0, 0.0), end(length, 0.0, 0.0);
+  const double J_rod = m_boom * length * length / 12;
+  const auto boom =
+      mass_properties(kilograms(m_boom), from_to<Boom, CentreOfMassOf<Boom>, Boom>(half),
+                      inertia<Boom, CentreOfMassOf<Boom>, Boom>(Vector3d(0.0, J_rod, J_rod).asDiagonal()));
+  const auto tip = mass_properties(kilograms(m_tip), from_to<Tip, CentreOfMassOf<Tip>, Tip>(none),
+                                   inertia<Tip, CentreOfMassOf<Tip>, Tip>(Matrix3d::Zero()));
+  const Matrix3d R = draw.rotation();
+  const Vector3d hinge = draw.triple();
+  const auto R_bus_from_boom = trust_dcm(to<Bus>, from<Boom>, R);
+  const auto R_bus_from_tip = trust_dcm(to<Bus>, from<Tip>, R);
+  const MassProperties<Satellite, Bus, In<Bus>> satellite = join(
+      of<Satellite>, properties<Bus>(bus), shift(R_bus_from_boom * boom, from_to<Boom, Bus, Bus>(-hinge)),
+      shift(R_bus_from_tip * tip, from_to<Tip, Bus, Bus>(-(hinge + R * end))));
+  // A rod has the mass, the centre and the inertia of a sixth of its mass at each end and the rest at its
+  // centre.
+  Masses all = bus;
+  Masses line;
+  line.m = {m_boom / 6, m_boom * 2 / 3, m_boom / 6 + m_tip};
+  line.r = {none, half, end};
+  all.add(line.placed(R, hinge));
+  EXPECT_LT((satellite.centre().coordinates() - all.centre()).norm(), rounding);
+  EXPECT_LT((satellite.inertia().matrix() - all.inertia_about(all.centre())).norm(), rounding);
+}
+
 TEST(MassProperties, say_the_mass_the_centre_and_the_inertia) {
   const auto r_bc = from_to<Body, CentreOfMassOf<Body>, Body>({1.0, 2.0, 3.0});
   const auto J_c = inertia<Body, CentreOfMassOf<Body>, Body>(Vector3d(3.0, 4.0, 5.0).asDiagonal());

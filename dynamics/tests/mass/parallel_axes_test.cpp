@@ -78,10 +78,47 @@ TEST(ParallelAxes, what_no_body_has_about_its_centre_of_mass_is_refused) {
   const auto J_p = inertia<Body, Hinge, Body>(Vector3d(3.0, 4.0, 5.0).asDiagonal());
   const auto r_pc = from_to<Hinge, CentreOfMassOf<Body>, Body>({0.0, 0.0, 1.0});
   expect_bad_input([&] { shift(J_p, r_pc, kilograms(4.0)); },
-                   "shift(in<" + frame_name<Body>() + ">): the principal moments (-1, 0, 5) kg m^2");
+                   "shift(in<" + frame_name<Body>() + ">): not all principal moments (-1, 0, 5) kg m^2");
   expect_bad_input([&] { shift(J_p, r_pc, kilograms(2.0)); },
                    "the largest principal moment of (1, 2, 5) kg m^2 exceeds the sum of the others by 2");
   EXPECT_NO_THROW(shift(J_p, r_pc, kilograms(0.5)));
+}
+
+// The rounding of m r^2 is larger than that of the inertia to which it returns.
+TEST(ParallelAxes, a_flat_plate_comes_back_from_far_away) {
+  Draw draw(7);
+  for (const double distance : {0.2, 20.0, 1e3, 1e5}) {
+    for (int i = 0; i < 300; ++i) {
+      const double m = 0.2 * std::pow(100.0, (draw.triple().x() + 1) / 2);
+      const Vector3d size = draw.triple().cwiseAbs() + Vector3d::Constant(0.1);
+      const double x = m * size.x() * size.x() / 12, y = m * size.y() * size.y() / 12;
+      const Matrix3d R = draw.rotation();
+      const auto J_c =
+          inertia<Body, CentreOfMassOf<Body>, Body>(R * Vector3d(x, y, x + y).asDiagonal() * R.transpose());
+      const Vector3d away = distance * draw.triple().normalized();
+      const auto J_p = shift(J_c, from_to<CentreOfMassOf<Body>, Hinge, Body>(away), kilograms(m));
+      const Inertia<Body> back = shift(J_p, from_to<Hinge, CentreOfMassOf<Body>, Body>(-away), kilograms(m));
+      EXPECT_LE((back.matrix() - J_c.matrix()).norm(),
+                16 * std::numeric_limits<double>::epsilon() * J_p.matrix().trace());
+    }
+  }
+}
+
+// What is left of a rod is rounding, which is no moment to divide by.
+TEST(ParallelAxes, a_rod_comes_back_as_a_rod) {
+  Draw draw(8);
+  for (const double distance : {0.2, 20.0, 1e3}) {
+    for (int i = 0; i < 300; ++i) {
+      const Matrix3d R = draw.rotation();
+      const auto J_c =
+          inertia<Body, CentreOfMassOf<Body>, Body>(R * Vector3d(0.0, 0.1, 0.1).asDiagonal() * R.transpose());
+      const Vector3d away = distance * draw.triple().normalized();
+      const auto J_p = shift(J_c, from_to<CentreOfMassOf<Body>, Hinge, Body>(away), kilograms(1.0));
+      const Inertia<Body> back =
+          shift(J_p, from_to<Hinge, CentreOfMassOf<Body>, Body>(-away), kilograms(1.0));
+      EXPECT_FALSE(back.has_inverse());
+    }
+  }
 }
 
 TEST(ParallelAxes, an_inertia_that_overflows_is_refused) {

@@ -131,6 +131,13 @@ TEST(RefusedScenario, what_is_missing_or_not_a_number) {
         s.gravity_gradient = true;
       },
       "the gravity-gradient torque needs an orbit in the initial state");
+  expect_refused_scenario(
+      [](auto& s) {
+        const auto unit = si::kilogram_square_metre;
+        s.inertia = inertia_from_tensor(in<Body>, 0.0 * unit, 4.0 * unit, 4.0 * unit, 0.0 * unit, 0.0 * unit,
+                                        0.0 * unit);  // a rod
+      },
+      "Euler's equation needs the inverse of the inertia [0 0 0; 0 4 0; 0 0 4] kg m^2");
   expect_refused_scenario([](auto& s) { s.torques = {CustomTorque<Gcrf, Body>{}}; },
                           "a custom torque has no function");
   expect_refused_scenario(

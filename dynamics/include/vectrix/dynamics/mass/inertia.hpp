@@ -3,6 +3,9 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <algorithm>
+#include <limits>
+#include <sstream>
+#include <utility>
 #include <vectrix/dynamics/force/about.hpp>
 #include <vectrix/kinematics/rates/angular_acceleration.hpp>
 
@@ -15,7 +18,9 @@ namespace vectrix {
 ///     1.  J_p^d = R_c^d J_p^c (R_c^d)^T      R_d_from_c * J_p_c
 ///     2.  H_c = J_c w_ab, T = 1/2 w_ab . J_c w_ab, about the centre of mass c only
 /// Made by inertia_from_tensor() or inertia_from_moments_and_products(); they differ in the sign of the
-/// off-diagonal numbers. No default constructor. The principal moments are positive, and J1 + J2 >= J3.
+/// off-diagonal numbers. No default constructor. No principal moment is negative, and J1 + J2 >= J3. One or
+/// all of them are zero for a rod and a point mass, which are parts of a body; Euler's equation refuses
+/// these.
 template <Frame B, Point P = CentreOfMassOf<B>, class ExpressedIn = In<B>, class S = double> class Inertia;
 
 template <Frame B, Point P, Frame C, class S> class Inertia<B, P, In<C>, S> {
@@ -35,23 +40,54 @@ template <Frame B, Point P, Frame C, class S> class Inertia<B, P, In<C>, S> {
   detail::Square<S> tensor_;
 };
 
+namespace detail {
+
+/// Relative tolerance for rounding: in J1 + J2 >= J3, where a flat plate has equality, and in J1 > 0, where a
+/// thin rod has J1 = 0.
+template <class S> S moment_tolerance() {
+  return S(std::max(1e-12, 16.0 * static_cast<double>(Eigen::NumTraits<S>::epsilon())));
+}
+
+/// The inverse, or NaN if the smallest moment is zero within <rounding> (kg m^2) and the relative tolerance.
+/// Of a body with moments of sum one the smallest is 4 to 8 times the determinant, since J1 + J2 >= J3.
+template <class S> Square<S> inverse_or_nan(const Square<S>& tensor, const S& rounding) {
+  const S trace = tensor.trace();
+  const Square<S> scaled = tensor / trace;
+  const S least = (moment_tolerance<S>() / S(2) + rounding / trace) / S(4);
+  const S divisor = select(scaled.determinant() > least, trace, S(std::numeric_limits<double>::quiet_NaN()));
+  return scaled.inverse() / divisor;
+}
+
+}  // namespace detail
+
 /// Also holds the inverse tensor, for Euler's equation.
 template <Frame B, class S> class Inertia<B, CentreOfMassOf<B>, In<B>, S> {
  public:
   Inertia() = delete;  // inertia_from_tensor(in<B>, ...) or inertia_from_moments_and_products(in<B>, ...)
-  Inertia(detail::Trusted, const detail::Square<S>& tensor)
-      : tensor_(tensor), inverse_((tensor / tensor.trace()).inverse() / tensor.trace()) {}
+  /// `rounding`: how far the tensor may be off, kg m^2.
+  Inertia(detail::Trusted, const detail::Square<S>& tensor, const S& rounding = S(0))
+      : tensor_(tensor), inverse_(detail::inverse_or_nan<S>(tensor, rounding)) {}
 
-  /// The entries of the tensor, kg m^2, without types; and the inverse tensor.
+  /// The entries of the tensor, kg m^2, without types; and the inverse tensor, 1/(kg m^2). Throws BadInput if
+  /// it has none, as that of a rod or a point mass, or if its numbers overflow.
   const detail::Square<S>& matrix() const& { return tensor_; }
   detail::Square<S> matrix() && { return tensor_; }
-  const detail::Square<S>& inverse_matrix() const& { return inverse_; }
-  detail::Square<S> inverse_matrix() && { return inverse_; }
+  const detail::Square<S>& inverse_matrix() const& {
+    if (!has_inverse()) refuse_inverse();
+    return inverse_;
+  }
+  detail::Square<S> inverse_matrix() && { return std::as_const(*this).inverse_matrix(); }
+  bool has_inverse() const {
+    const S& entry = inverse_(0, 0);
+    return detail::all(entry - entry == S(0));
+  }
 
   template <class Operand = Inertia>
   auto operator-() const -> Refused = delete;  // an inertia has no negative
 
  private:
+  [[noreturn, gnu::cold, gnu::noinline]] void refuse_inverse() const;
+
   detail::Square<S> tensor_;
   detail::Square<S> inverse_;
 };
@@ -68,6 +104,14 @@ template <class J, class S> struct WithScalar;
 template <class B, class P, class C, class Old, class S>
 struct WithScalar<Inertia<B, P, C, Old>, S> : std::type_identity<Inertia<B, P, C, S>> {};
 
+template <class J, class S> J of_tensor(const Square<S>& tensor, const S& rounding) {
+  if constexpr (std::constructible_from<J, Trusted, const Square<S>&, const S&>) {
+    return J{trusted, tensor, rounding};
+  } else {
+    return J{trusted, tensor};
+  }
+}
+
 template <class J> struct InertiaName;
 template <class B, class P, class C, class S> struct InertiaName<Inertia<B, P, In<C>, S>> {
   static std::string text() {
@@ -78,13 +122,9 @@ template <class B, class S> struct InertiaName<Inertia<B, CentreOfMassOf<B>, In<
   static std::string text() { return "in<" + frame_name<B>() + ">"; }
 };
 
-/// Relative tolerance for rounding. In J1 + J2 >= J3: a flat plate has equality. In J1 > 0: a thin rod has J1
-/// = 0, and its rounding must not be accepted as positive.
-template <class S> S moment_tolerance() {
-  return S(std::max(1e-12, 16.0 * static_cast<double>(Eigen::NumTraits<S>::epsilon())));
-}
-
-template <class J, class S> J checked_inertia(const char* door, const Square<S>& tensor) {
+/// `rounding`: how far the tensor may be off, kg m^2, besides the relative tolerance.
+template <class J, class S>
+J checked_inertia(const char* door, const Square<S>& tensor, const S& rounding = S(0)) {
   const std::string place = std::string{door} + "(" + InertiaName<J>::text() + "): ";
   for (Eigen::Index row = 0; row < 3; ++row) {
     for (Eigen::Index column = row; column < 3; ++column) {
@@ -99,36 +139,33 @@ template <class J, class S> J checked_inertia(const char* door, const Square<S>&
   const Column<S> moments = solver.eigenvalues();  // in increasing order
   const std::string listed =
       "(" + text(moments(0)) + ", " + text(moments(1)) + ", " + text(moments(2)) + ") kg m^2";
-  if (!(moments(0) > moment_tolerance<S>() * moments(2))) {
-    throw BadInput(place + "the principal moments " + listed + " are not all positive");
+  const S off = moment_tolerance<S>() * moments(2) + rounding;
+  if (!(moments(0) >= -off && moments(2) >= S(0))) {
+    throw BadInput(place + "not all principal moments " + listed + " are positive or zero");
   }
   const S excess = moments(2) - moments(0) - moments(1);
-  if (!(excess <= moment_tolerance<S>() * moments(2))) {
+  if (!(excess <= off)) {
     throw BadInput(place + "the largest principal moment of " + listed +
                    " exceeds the sum of the others by " + text(excess) + "; no body has this inertia");
   }
-  const J inertia{trusted, tensor};
-  if constexpr (requires { inertia.inverse_matrix(); }) {
-    if (!inertia.inverse_matrix().allFinite()) {
-      throw BadInput(place + "the principal moments " + listed + " are too " +
-                     (moments(2) > S(1) ? "large" : "small") + " to be divided by");
-    }
-  }
-  return inertia;
+  return of_tensor<J>(tensor, rounding);
 }
 /// The eigenvalue solver has branches, so each lane is checked alone.
-template <class J, Batch S> J checked_inertia(const char* door, const Square<S>& tensor) {
+template <class J, Batch S>
+J checked_inertia(const char* door, const Square<S>& tensor, const S& rounding = S(0)) {
   for (std::size_t i = 0; i < S::size(); ++i) {
-    checked_inertia<typename WithScalar<J, typename S::value_type>::type>(door, lane(tensor, i));
+    using Lane = typename S::value_type;
+    checked_inertia<typename WithScalar<J, Lane>::type>(door, lane(tensor, i), Lane(rounding[i]));
   }
-  return J{trusted, tensor};
+  return of_tensor<J>(tensor, rounding);
 }
 /// Checked on values, not derivatives.
-template <class J, Differentiated S> J checked_inertia(const char* door, const Square<S>& tensor) {
+template <class J, Differentiated S>
+J checked_inertia(const char* door, const Square<S>& tensor, const S& rounding = S(0)) {
   using Value = std::remove_cvref_t<decltype(tensor(0, 0).value())>;
   const Square<Value> values = tensor.unaryExpr([](const S& x) { return Value(x.value()); });
-  checked_inertia<typename WithScalar<J, Value>::type>(door, values);
-  return J{trusted, tensor};
+  checked_inertia<typename WithScalar<J, Value>::type>(door, values, Value(rounding.value()));
+  return of_tensor<J>(tensor, rounding);
 }
 
 template <class S>
@@ -141,8 +178,7 @@ Square<S> symmetric(const S& xx, const S& yy, const S& zz, const S& xy, const S&
 }  // namespace detail
 
 /// From the entries of the tensor: Jxy = - int x y dm, the number that stands in the matrix. Throws BadInput
-/// if an entry is not finite, a principal moment is not positive, or one principal moment exceeds the sum of
-/// the other two.
+/// if an entry is not finite, a principal moment is negative, or one exceeds the sum of the other two.
 template <Frame B, Point P, Frame C, class S>
 Inertia<B, P, In<C>, S> inertia_from_tensor(Of<B>, About<P>, In<C>,
                                             const Quantity<si::moment_of_inertia, S>& Jxx,
@@ -248,6 +284,22 @@ std::ostream& print_framed(std::ostream& out, const Inertia<B, P, In<C>, S>& J_p
     out << " of " << frame_name<B>() << " about " << frame_name<P>();
   }
   return out << " in " << frame_name<C>();
+}
+
+namespace detail {
+
+template <class B, class S> std::string no_inverse(const CentralInertia<B, S>& J_b) {
+  std::ostringstream said;
+  said << "Euler's equation needs the inverse of the inertia ";
+  print_framed(said, J_b);
+  said << "; a principal moment is zero within rounding, or out of the range of numbers";
+  return said.str();
+}
+
+}  // namespace detail
+
+template <Frame B, class S> void Inertia<B, CentreOfMassOf<B>, In<B>, S>::refuse_inverse() const {
+  throw BadInput(detail::no_inverse(*this));
 }
 
 }  // namespace vectrix

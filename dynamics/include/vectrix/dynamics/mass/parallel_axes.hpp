@@ -39,16 +39,19 @@ Inertia<B, P, In<C>, S> shifted(const Inertia<B, CentreOfMassOf<B>, In<C>, S>& J
 }
 
 /// J_c = J_p - m (|r_pc|^2 I - r_pc r_pc^T): back to the centre of mass, where the inertia is smallest:
-/// shift(J_p, r_pc_c, m). Throws BadInput if the mass is not positive, or if no body has this inertia: J_p is
-/// too small for a mass m at that distance.
+/// shift(J_p, r_pc_c, m). The result is off by the rounding of J_p. Throws BadInput if the mass is not
+/// positive, or if beyond this rounding no body has the result: J_p is too small for a mass m at that
+/// distance.
 template <class B, class P, class C, class S>
   requires(!std::same_as<P, CentreOfMassOf<B>>)
 Inertia<B, CentreOfMassOf<B>, In<C>, S> shifted(const Inertia<B, P, In<C>, S>& J_p,
                                                 const Displacement<P, CentreOfMassOf<B>, In<C>, S>& r_pc_c,
                                                 const Quantity<si::mass, S>& mass) {
   detail::require_mass<B>("shift", mass);
+  // Each of the two tensors is a sum of products: a few roundings of the larger.
+  const S rounding = S(16.0 * static_cast<double>(Eigen::NumTraits<S>::epsilon())) * J_p.matrix().trace();
   return detail::checked_inertia<Inertia<B, CentreOfMassOf<B>, In<C>, S>, S>(
-      "shift", J_p.matrix() - detail::inertia_of_point_mass(mass.value(), r_pc_c.coordinates()));
+      "shift", J_p.matrix() - detail::inertia_of_point_mass(mass.value(), r_pc_c.coordinates()), rounding);
 }
 
 }  // namespace vectrix

@@ -73,6 +73,7 @@ template <class I, class B> TorqueFree<I, B> torque_free(const Inertia<B>& J_b, 
     throw BadInput(place + "the rate (" + detail::text(w.x()) + ", " + detail::text(w.y()) + ", " +
                    detail::text(w.z()) + ") rad/s is not finite");
   }
+  if (!J_b.has_inverse()) throw BadInput(place + detail::no_inverse(J_b));
   detail::FreeRotation rotation(J_b.matrix(), initial.q_i_from_b.scalar_first(), w);
   if (!(rotation.smallest_moment() > 0.0)) {
     throw BadInput(place + "the smallest principal moment is " + detail::text(rotation.smallest_moment()) +

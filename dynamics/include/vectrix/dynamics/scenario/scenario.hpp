@@ -126,6 +126,7 @@ template <class I, class B> void require_complete(const Scenario<I, B>& scenario
   const std::string place = "Scenario of " + frame_name<B>() + " relative to " + frame_name<I>() + ": ";
   const double start = scenario.initial.time.value();
   if (!std::isfinite(start)) throw BadInput(place + "the initial time is " + text(start) + " s");
+  if (!scenario.inertia.has_inverse()) throw BadInput(place + no_inverse(scenario.inertia));
   if (scenario.initial.orbit && !scenario.mu)
     throw BadInput(place + "the initial state has an orbit, but mu is not given");
   if (scenario.mu && !(scenario.mu->value() > 0.0 && std::isfinite(scenario.mu->value()))) {
