@@ -120,7 +120,8 @@ auto axis_angle(const Rotation& R_a_from_b)
 }
 
 /// Claims that the numbers, rad/s and then 1/s, are the derivative of angle and axis. Throws BadInput when
-/// one is not finite, or the axis would not stay a unit vector: |n . n'| exceeds unit_norm_tolerance |n'|.
+/// one is not finite, or the axis would not stay a unit vector: |n . n'| exceeds orthonormality_tolerance
+/// |n'|.
 template <class A, class B, class S, class Derived>
   requires(std::same_as<typename Derived::PlainObject, Eigen::Matrix<S, 4, 1>>)
 ParameterRate<AxisAngle<A, B, S>> parameter_rate(const AxisAngle<A, B, S>& x_ab,
@@ -128,7 +129,7 @@ ParameterRate<AxisAngle<A, B, S>> parameter_rate(const AxisAngle<A, B, S>& x_ab,
   detail::require_finite<AxisAngle<A, B, S>>(numbers, "parameter_rate");
   const detail::Column<S> ndot = numbers.template tail<3>();
   const S along = x_ab.coordinates().template tail<3>().dot(ndot);
-  const S tolerance(detail::door_tolerance<S>(unit_norm_tolerance));
+  const S tolerance(detail::door_tolerance<S>(orthonormality_tolerance));
   if (!detail::all(along * along <= tolerance * tolerance * ndot.squaredNorm())) {
     throw BadInput(detail::parameters_name<AxisAngle<A, B, S>>("parameter_rate") +
                    "the rate of the axis along the axis is " + detail::text(along) +
@@ -184,7 +185,7 @@ struct KinematicsOf<AxisAngle<A, B, S>, expressed_in_turned> {
   // n . n'' = -|n'|^2 for every unit vector.
   static void require_unit_axis(const S& along, const S& square, const S& largest) {
     const S apart = along + square;
-    const S allowed = number<S>(door_tolerance<S>(unit_norm_tolerance)) * (square + largest);
+    const S allowed = number<S>(door_tolerance<S>(orthonormality_tolerance)) * (square + largest);
     if (!all(apart <= allowed) || !all(-apart <= allowed)) {
       throw BadInput(parameters_name<AxisAngle<A, B, S>>("angular_acceleration") +
                      "the second rate of the axis along the axis is " + text(along) +

@@ -3,13 +3,10 @@
 #include <Eigen/Geometry>
 #include <array>
 #include <cmath>
-#include <vectrix/frames/dcm.hpp>
+#include <vectrix/frames/dcm_doors.hpp>
 #include <vectrix/frames/scalar/square_root.hpp>
 
 namespace vectrix {
-
-/// Largest | |q| - 1 | that the checked doors accept: numbers printed with ten digits pass.
-inline constexpr double unit_norm_tolerance = 1e-9;
 
 /// q_a^b, `q_b_from_a`, of type Quaternion<B, A>: a unit quaternion (Hamilton's product) that maps
 /// coordinates as R_a^b:
