@@ -133,7 +133,6 @@ static_assert(!std::is_convertible_v<Dcm<Gcrf, Body>, Dcm<Body, Gcrf>>);
 static_assert(!std::is_convertible_v<Eigen::Matrix3d, Dcm<Body, Gcrf>>);
 static_assert(!std::is_default_constructible_v<Dcm<Body, Gcrf>>);
 static_assert(sizeof(Dcm<Body, Gcrf>) == 9 * sizeof(double));
-static_assert(std::is_trivially_copyable_v<Eigen::Matrix3d> == std::is_trivially_copyable_v<Dcm<Body, Gcrf>>);
 
 }  // namespace
 }  // namespace dcm_test
