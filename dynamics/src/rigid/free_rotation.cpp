@@ -67,7 +67,8 @@ JacobiNumbers ComplementarySeries::at(long double seconds) const {
   }
   const double direction = reduced < 0.0L ? -1.0 : 1.0;
   const double parity = std::remainder(count, 2.0L) == 0.0L ? 1.0 : -1.0;
-  const std::complex<double> turned = unit_complex(count * half_turn_interval + half_turn_rate * reduced);
+  const std::complex<double> turned =
+      unit_complex(half_turn_rate * seconds + half_turn_per_u * reduced + count * half_turn_interval);
   return {parity * direction * sn_factor * theta1 / theta2, parity * cn_factor * root_x * theta4 / theta2,
           dn_factor * root_x * theta3 / theta2, turned * std::complex<double>(real, direction * imaginary)};
 }

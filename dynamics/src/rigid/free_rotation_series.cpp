@@ -162,9 +162,9 @@ ComplementarySeries complementary_series(const Polhode& body, const Periods& of)
   series.interval = 2.0L * of.K;
   series.to_v = narrow(pi / (2.0L * of.K_complement));
   series.largest_v = narrow(ratio / 2.0L);
-  const Real per_u =
-      body.sign * body.half_turn_rate() / body.rho + pi / (4.0L * of.K_complement) * derivative / theta;
-  series.half_turn_rate = per_u / (2.0L * pi);
+  const Real per_u = pi / (4.0L * of.K_complement) * derivative / theta;
+  series.half_turn_rate = body.half_turn_rate() / (2.0L * pi);
+  series.half_turn_per_u = per_u / (2.0L * pi);
   series.half_turn_interval = of.K < infinity ? (per_u * of.K + std::atan2(im, re)) / pi : 0.0L;
   return series;
 }

@@ -37,17 +37,19 @@ struct DirectSeries {
 /// 1. For q' = 0, the separatrix, they are the hyperbolic functions.
 struct ComplementarySeries {
   double sn_factor, cn_factor, dn_factor;
-  std::array<double, 4> odd;       ///< q'^(n (n + 1)), n = 0 ...
-  std::array<double, 5> even;      ///< q'^(n^2), n = 0 ...
-  std::array<double, 5> cosine;    ///< q'^(n^2 / 2) cos((2n + 1) a), n = 0 ...
-  std::array<double, 5> sine;      ///< q'^(n^2 / 2) sin((2n + 1) a)
-  double root_nome;                ///< q'^(1/2)
-  long double start, rate;         ///< of u
-  long double interval;            ///< 2 K
-  double to_v;                     ///< pi / (2 K')
-  double largest_v;                ///< pi K / (2 K')
-  long double half_turn_rate;      ///< rate of Phi/2 in u, in turns, without theta_2
-  long double half_turn_interval;  ///< change of Phi/2 over 2 K, in turns
+  std::array<double, 4> odd;     ///< q'^(n (n + 1)), n = 0 ...
+  std::array<double, 5> even;    ///< q'^(n^2), n = 0 ...
+  std::array<double, 5> cosine;  ///< q'^(n^2 / 2) cos((2n + 1) a), n = 0 ...
+  std::array<double, 5> sine;    ///< q'^(n^2 / 2) sin((2n + 1) a)
+  double root_nome;              ///< q'^(1/2)
+  long double start, rate;       ///< of u
+  long double interval;          ///< 2 K
+  double to_v;                   ///< pi / (2 K')
+  double largest_v;              ///< pi K / (2 K')
+  long double
+      half_turn_rate;  ///< rate of Phi/2 where dn = 1, in turns per second: u is slow in a near sphere
+  long double half_turn_per_u;     ///< what the poles add, in turns, without theta_2
+  long double half_turn_interval;  ///< what they add over 2 K, in turns, with theta_2
 
   [[nodiscard]] JacobiNumbers at(long double seconds) const;
 };

@@ -73,12 +73,12 @@ template <class I, class B> TorqueFree<I, B> torque_free(const Inertia<B>& J_b, 
     throw BadInput(place + "the rate (" + detail::text(w.x()) + ", " + detail::text(w.y()) + ", " +
                    detail::text(w.z()) + ") rad/s is not finite");
   }
-  if (!J_b.has_inverse()) throw BadInput(place + detail::no_inverse(J_b));
   detail::FreeRotation rotation(J_b.matrix(), initial.q_i_from_b.scalar_first(), w);
   if (!(rotation.smallest_moment() > 0.0)) {
     throw BadInput(place + "the smallest principal moment is " + detail::text(rotation.smallest_moment()) +
                    " kg m^2");
   }
+  if (!J_b.has_inverse()) throw BadInput(place + detail::no_inverse(J_b));
   return {detail::trusted, J_b, initial.time, std::move(rotation)};
 }
 template <class InertiaOf, class InertiaAbout, class InertiaIn, class StateRelativeTo, class StateOf>
