@@ -23,6 +23,14 @@ constexpr std::array<Field, 5> values{
 // table lacks.
 constexpr Quantity<si::time> largest_change_in_a_day = 0.01 * si::second;
 
+// The offsets from IAU 2006/2000A are some tenths of a milliarcsecond. Their largest in the series is 9.3 in
+// 1982 and 1.7 since 1985. Those from IAU 1980, in the same columns of finals.all, grow by 3 in a year: -105
+// in 2022.
+constexpr int first_day_of_1985 = 46066;
+double largest_offset(int day) {
+  return day < first_day_of_1985 ? 15.0 : 3.0;
+}
+
 class Reader {
  public:
   explicit Reader(const std::filesystem::path& file) : file_(file) {}
@@ -84,6 +92,14 @@ class Reader {
   }
 
   void add(int day, const std::array<double, values.size()>& found) {
+    for (const std::size_t i : {3U, 4U}) {
+      if (std::abs(found[i]) > largest_offset(day)) {
+        fail(values[i], text(found[i]) +
+                            " milliarcseconds is no offset of the pole from IAU 2006/2000A, at most " +
+                            text(largest_offset(day)) +
+                            "; finals.all has offsets from IAU 1980 in these columns, read finals2000A");
+      }
+    }
     const Epoch epoch = Epoch::from_utc_mjd(day);
     const auto arcseconds = [](double angle) { return convert<si::angle>(angle * si::arcsecond); };
     const auto ut1_minus_tai = found[2] * si::second - epoch.tai_minus_utc();

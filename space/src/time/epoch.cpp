@@ -1,6 +1,7 @@
 #include <erfa.h>
 #include <erfam.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -81,6 +82,54 @@ void require_utc(int status, const std::string& what) {
   if (status < 0) throw BadInput(what + " is not a date that ERFA can take to or from UTC");
 }
 
+// The second of the day and, of a UTC day that ends in a step, its length. ERFA's quasi-Julian date stretches
+// such a day to 1 whatever the step; its eraD2dtf takes this back for leap seconds, not for the steps of 0.05
+// and 0.1 s of 1961 to 1971.
+struct SteppedDay {
+  double second, length;
+  JulianDate midnight, next;
+};
+std::optional<SteppedDay> stepped_day(const JulianDate& utc) {
+  const JulianDate date = normalised(utc.day, utc.fraction);
+  const auto tai_minus_utc = [](double midnight, double part) {
+    int year = 0, month = 0, day = 0;
+    double none = 0.0, seconds = 0.0;
+    eraJd2cal(midnight, 0.0, &year, &month, &day, &none);
+    eraDat(year, month, day, part, &seconds);
+    return seconds;
+  };
+  const double drift = 2.0 * (tai_minus_utc(date.day, 0.5) - tai_minus_utc(date.day, 0.0));
+  const double step = tai_minus_utc(date.day + 1.0, 0.0) - tai_minus_utc(date.day, 0.0) - drift;
+  constexpr double rounding = 1e-9;  // s
+  if (std::abs(step) < rounding) return std::nullopt;
+  const double length = ERFA_DAYSEC + step;
+  return SteppedDay{date.fraction * length, length, {date.day, 0.0}, {date.day + 1.0, 0.0}};
+}
+
+std::string iso_text(const char* scale, const JulianDate& date, int decimals);
+
+// The last minute of the day has the step. What rounds up to the end of the day is the next one.
+std::string text_of(const SteppedDay& day, int decimals) {
+  const double unit = std::pow(10.0, decimals);
+  const auto ticks = std::llround(day.second * unit);
+  constexpr double rounding = 0.03;  // of a tick, in 10^14 of them
+  if (static_cast<double>(ticks) > day.length * unit - rounding) return iso_text("TT", day.next, decimals);
+  const std::string midnight = iso_text("TT", day.midnight, 0);
+  const auto per_second = std::llround(unit);
+  const auto seconds = ticks / per_second;
+  const auto hour = std::min(seconds / 3600, 23LL);
+  const auto minute = std::min((seconds - 3600 * hour) / 60, 59LL);
+  std::array<char, 96> buffer{};
+  int length = std::snprintf(buffer.data(), buffer.size(), "%.11s%02lld:%02lld:%02lld", midnight.c_str(),
+                             hour, minute, seconds - 3600 * hour - 60 * minute);
+  if (decimals > 0) {
+    const auto used = static_cast<std::size_t>(length);
+    length +=
+        std::snprintf(buffer.data() + used, buffer.size() - used, ".%0*lld", decimals, ticks % per_second);
+  }
+  return {buffer.data(), static_cast<std::size_t>(length)};
+}
+
 std::string iso_text(const char* scale, const JulianDate& date, int decimals) {
   if (decimals < 0 || decimals > 9) {
     throw BadInput("Epoch: asked for " + detail::text(decimals) + " decimals; there can be 0 to 9");
@@ -149,7 +198,10 @@ Epoch Epoch::from_utc_mjd(int day, double part) {
 }
 
 std::string Epoch::utc(int decimals) const {
-  return iso_text("UTC", utc_date(tai_), decimals);
+  const JulianDate utc = utc_date(tai_);
+  const auto stepped = stepped_day(utc);
+  return stepped && decimals >= 0 && decimals <= 9 ? text_of(*stepped, decimals)
+                                                   : iso_text("UTC", utc, decimals);
 }
 
 std::string Epoch::tt(int decimals) const {

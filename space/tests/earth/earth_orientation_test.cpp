@@ -176,6 +176,18 @@ TEST(EarthOrientation, RefusesEpochsOutsideTheData) {
             "2022-04-11T00:00:00.000000 UTC to 2022-04-17T00:00:00.000000 UTC");
 }
 
+// Its columns are the same, but its nutation is dPsi, dEps from IAU 1980: 3 m at the surface in 2022.
+TEST(EarthOrientation, RefusesFinalsAll) {
+  const std::filesystem::path data = source / "space/tests/data";
+  const auto in_2022 = complaint([&] { EarthOrientation::read(data / "finals_all_2022.txt"); });
+  EXPECT_NE(in_2022.find("line 3: columns 98-106 (dX): -105.062 milliarcseconds is no offset"),
+            std::string::npos)
+      << in_2022;
+  EXPECT_NE(in_2022.find("read finals2000A"), std::string::npos) << in_2022;
+  const auto in_1973 = complaint([&] { EarthOrientation::read(data / "finals_all_1973.txt"); });
+  EXPECT_NE(in_1973.find("44.969 milliarcseconds"), std::string::npos) << in_1973;
+}
+
 class Finals2000A : public ::testing::Test {
  protected:
   Finals2000A() {

@@ -83,6 +83,30 @@ RC_GTEST_PROP(Epoch, TextIsReadBack, ()) {
   RC_ASSERT(std::abs(seconds(Epoch::from_tt(epoch.tt(4)) - epoch)) <= clock_rounding);
 }
 
+// Until 1972 some days end in a step of 0.05 or 0.1 s, and one in 0.107758 s.
+TEST(Epoch, TextOfEveryDayFrom1960IsReadBack) {
+  constexpr int first = 36934, after = 41683;  // to the leap seconds of 1972, inclusive
+  for (int day = first; day < after; ++day) {
+    const std::string date = Epoch::from_utc_mjd(day).utc(0).substr(0, 11);
+    for (const std::string time : {"00:00:00.000000", "00:00:00.000001", "12:00:00.000000", "17:43:21.123456",
+                                   "23:59:00.000000", "23:59:59.800000"}) {
+      EXPECT_EQ(Epoch::from_utc(date + time).utc(6), date + time);
+    }
+  }
+}
+
+TEST(Epoch, PrintsTheEndOfADayWithAStep) {
+  EXPECT_EQ(Epoch::from_utc("1971-12-31T12:00:00").utc(6), "1971-12-31T12:00:00.000000");
+  EXPECT_EQ(Epoch::from_utc("1965-08-31T12:00:00").utc(6), "1965-08-31T12:00:00.000000");
+  EXPECT_EQ(Epoch::from_utc("1971-12-31T23:59:60.1").utc(6), "1971-12-31T23:59:60.100000");
+  EXPECT_EQ(Epoch::from_utc("1971-12-31T23:59:60.1").utc(1), "1971-12-31T23:59:60.1");
+  EXPECT_EQ(Epoch::from_utc("1971-12-31T23:59:60.1").utc(0), "1971-12-31T23:59:60");
+  EXPECT_EQ(Epoch::from_utc("1961-07-31T23:59:59.9").utc(0), "1961-08-01T00:00:00");  // it ends at 59.95
+  EXPECT_EQ(Epoch::from_utc("2016-12-31T23:59:60.75").utc(2), "2016-12-31T23:59:60.75");
+  EXPECT_EQ(Epoch::from_utc("2016-12-31T23:59:60.75").utc(0), "2017-01-01T00:00:00");
+  EXPECT_EQ(Epoch::from_utc("2016-12-31T23:59:59.75").utc(0), "2016-12-31T23:59:60");
+}
+
 std::string refusal(const std::string& text) {
   return complaint([&] { Epoch::from_utc(text); });
 }
