@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <numbers>
+
 #include "testing/attitudes.hpp"
 #include "testing/coning_motion.hpp"
 
@@ -93,6 +95,62 @@ TEST(Coning, CorrectedCountsKeepTheAttitude) {
   EXPECT_LT(after, 1e-2 * plain);
   EXPECT_LT(two, 1e-2 * plain);
   EXPECT_LT(three, 0.3 * two);
+}
+
+// Counts over intervals of 0.8 h and 1.2 h in turn. The error of a run falls with h^3, with the coefficient
+// of equal intervals with h^2.
+TEST(Coning, KeepsItsOrderForUnequalIntervals) {
+  const Coning wide{0.1, 20.0};
+  const auto error = [&](int steps) {
+    const double h = 1.0 / steps;
+    GyroAttitude<Gcrf, Body> attitude(
+        wide.attitude(0.0),
+        gyro_errors(zero<si::angular_velocity>(in<Body>), zero<si::dimensionless>(in<Body>),
+                    Eigen::Matrix<double, 3, 2>(Eigen::Matrix<double, 3, 2>::Zero())));
+    double t = 0.0;
+    for (int i = 0; i < steps; ++i) {
+      const double dt = i % 2 == 0 ? 0.8 * h : 1.2 * h;
+      attitude.add(measured(wide.count(t, dt)), dt * si::second);
+      t += dt;
+    }
+    return log(inverse(before(attitude.attitude())) * wide.attitude(1.0)).angle().value();
+  };
+  const double coarse = error(400), fine = error(800);
+  EXPECT_GT(coarse / fine, 6.5);  // 8 but for higher orders; 4 with the wrong coefficient
+}
+
+// 2 Hz, half angle 0.02 rad, intervals of 5 and 15 ms for 60 s: h^2/12 w x w' more or less in each interval
+// is 4e-4 rad in the end.
+TEST(Coning, ShortAndLongIntervalsDoNotDrift) {
+  const Coning motion_2_hz{0.02, 4 * std::numbers::pi};
+  Quaternion<Gcrf, Body> q = motion_2_hz.attitude(0.0);
+  double t = 0.0, dt_before = 0.005;
+  auto before_count = motion_2_hz.count(-dt_before, dt_before);
+  for (int i = 0; i < 6000; ++i) {
+    const double dt = i % 2 == 0 ? 0.015 : 0.005;
+    const auto count = motion_2_hz.count(t, dt);
+    q = advance(q, coning_corrected_after(before_count, dt_before * si::second, count, dt * si::second));
+    before_count = count;
+    dt_before = dt;
+    t += dt;
+  }
+  EXPECT_LT(log(inverse(before(q)) * motion_2_hz.attitude(60.0)).angle().value(), 1e-5);
+}
+
+TEST(Coning, EqualIntervalsNeedNoDuration) {
+  const double h = 0.01;
+  const auto first = motion.count(0.0, h), second = motion.count(h, h);
+  EXPECT_LE(distance(coning_corrected_after(first, h * si::second, second, h * si::second).coordinates(),
+                     coning_corrected_after(first, second).coordinates()),
+            rounding * second.coordinates().norm());
+  for (const double bad : {0.0, -0.01, std::numeric_limits<double>::quiet_NaN()}) {
+    EXPECT_NE(message<BadInput>(
+                  [&] { (void)coning_corrected_after(first, bad * si::second, second, h * si::second); }),
+              "");
+    EXPECT_NE(message<BadInput>(
+                  [&] { (void)coning_corrected_after(first, h * si::second, second, bad * si::second); }),
+              "");
+  }
 }
 
 TEST(Coning, AdjoiningCountsAdd) {

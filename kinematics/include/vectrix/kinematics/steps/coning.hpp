@@ -33,6 +33,18 @@ AngleIncrement<A, B, S> sum(const AngleIncrement<A, B, S>& first, const AngleInc
   return AngleIncrement<A, B, S>{detail::trusted, first.coordinates() + second.coordinates()};
 }
 
+namespace detail {
+
+template <class A, class B, class S> void require_positive_duration(const S& dt, const char* action) {
+  require_duration<A, B>(dt, action);
+  if (!all(dt > S(0))) {
+    throw BadInput(std::string{action} + "(of " + frame_name<B>() + " relative to " + frame_name<A>() +
+                   "): dt is " + text(dt) + " s; a count takes time");
+  }
+}
+
+}  // namespace detail
+
 // The increment of a step from the angle increments of its parts, which have equal duration.
 template <class A, class B, class S>
 Increment<A, B, S> corrected_increment(const AngleIncrement<A, B, S>& first,
@@ -75,15 +87,30 @@ template <class... Parts>
 auto coning_corrected(  // two or three angle increments of one b relative to one a
     const Parts&...) -> Refused = delete;
 
-/// The increment over the interval of one count, corrected with the previous count (Savage 1998):
-///     theta = alpha + 1/12 alpha_before x alpha
-/// In coning it is as good as the two-sample rule, and gives an increment at every count. For a general
-/// motion the error of an interval is h^4/12 w x w'' and the order is 3; the two-sample rule has order 4.
+/// The increment over the interval h of one count, corrected with the previous count, over h_before. For a
+/// rate that is linear over both:
+///     theta = alpha + c alpha_before x alpha,  c = h^2 / (6 h_before (h_before + h))
+/// For equal intervals c = 1/12 (Savage 1998), and the durations are left out. In coning it is as good as the
+/// two-sample rule, and gives an increment at every count. For a general motion the error of an interval is
+/// h^4/12 w x w'' and the order is 3; the two-sample rule has order 4. Throws BadInput unless the durations
+/// are positive.
 template <class A, class B, class S>
 Increment<A, B, S> coning_corrected_after(const AngleIncrement<A, B, S>& alpha_before,
                                           const AngleIncrement<A, B, S>& alpha) {
   return {detail::trusted,
           alpha.coordinates() + alpha_before.coordinates().cross(alpha.coordinates()) / S(12)};
+}
+template <class A, class B, class S>
+Increment<A, B, S> coning_corrected_after(const AngleIncrement<A, B, S>& alpha_before,
+                                          const Quantity<si::time, S>& dt_before,
+                                          const AngleIncrement<A, B, S>& alpha,
+                                          const Quantity<si::time, S>& dt) {
+  const S &before = dt_before.value(), &h = dt.value();
+  detail::require_positive_duration<A, B>(before, "coning_corrected_after");
+  detail::require_positive_duration<A, B>(h, "coning_corrected_after");
+  const S share = h / before;  // in the ratio, so that no square underflows
+  return {detail::trusted, alpha.coordinates() + share * share / (S(6) * (S(1) + share)) *
+                                                     alpha_before.coordinates().cross(alpha.coordinates())};
 }
 template <class BeforeCount, class Count>
 auto coning_corrected_after(  // two angle increments of one b relative to one a

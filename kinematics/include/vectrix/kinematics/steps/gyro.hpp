@@ -108,30 +108,34 @@ GyroErrors<B, S> gyro_errors(const Vector<B, si::angular_velocity, S>& bias_b,
 
 /// The attitude q_b^a propagated with the counts of a gyro triad in b. The errors are removed from each
 /// count; then it is corrected for coning with the previous count. Order and coning drift as
-/// coning_corrected_after(), order 3. The intervals should have equal length.
+/// coning_corrected_after(), order 3, for intervals of any length.
 template <Frame A, Frame B, class S = double> class GyroAttitude {
  public:
   GyroAttitude(const Quaternion<A, B, S>& start_a_from_b, const GyroErrors<B, S>& errors)
       : q_a_from_b_(start_a_from_b), errors_(errors) {}
 
-  /// Takes the count of the next interval. Throws BadInput when the count or dt is not finite.
+  /// Takes the count of the next interval. Throws BadInput when the count is not finite or dt is not
+  /// positive.
   void add(const Measured<AngleIncrement<A, B, S>>& count, const Quantity<si::time, S>& dt) {
-    detail::require_duration<A, B>(dt.value(), "GyroAttitude::add");
+    detail::require_positive_duration<A, B>(dt.value(), "GyroAttitude::add");
     const AngleIncrement<A, B, S> alpha = errors_.corrected(count, dt);
-    q_a_from_b_ = advance(q_a_from_b_, coning_corrected_after(last_.value_or(alpha), alpha));
+    q_a_from_b_ =
+        advance(q_a_from_b_, coning_corrected_after(last_.value_or(alpha), last_dt_.value_or(dt), alpha, dt));
     last_ = alpha;
+    last_dt_ = dt;
   }
   template <class Count>
   void add(  // measured(alpha): the measured angle increment of b relative to a, and its dt
       const Count&, const Quantity<si::time, S>&) = delete;
 
-  /// The norm drifts only by rounding, 1e-16 per count.
+  /// The norm is 1 to a few rounding units after any number of counts.
   const Quaternion<A, B, S>& attitude() const { return q_a_from_b_; }
 
  private:
   Quaternion<A, B, S> q_a_from_b_;
   GyroErrors<B, S> errors_;
   std::optional<AngleIncrement<A, B, S>> last_;
+  std::optional<Quantity<si::time, S>> last_dt_;
 };
 
 }  // namespace vectrix

@@ -22,13 +22,33 @@ Quaternion<A, Before<A, B>, S> before(const Quaternion<A, B, S>& q_a_from_b) {
   return {detail::trusted, q_a_from_b.eigen()};
 }
 
+namespace detail {
+
+// A rotation off by a small e, without its error of first order; one of order e^2 is left. Else the rounding
+// of equal steps adds up.
+template <class S> Square<S> nearer_rotation(const Square<S>& R) {
+  const Column<S> first = R.col(0), second = R.col(1);
+  const S skewed = first.dot(second) / S(2);
+  const Column<S> x = (first - skewed * second) * ((S(3) - first.squaredNorm()) / S(2));
+  const Column<S> y = (second - skewed * first) * ((S(3) - second.squaredNorm()) / S(2));
+  Square<S> nearer;
+  nearer << x, y, x.cross(y);
+  return nearer;
+}
+template <class S> Eigen::Quaternion<S> nearer_rotation(const Eigen::Quaternion<S>& q) {
+  return Eigen::Quaternion<S>(q.coeffs() * ((S(3) - q.squaredNorm()) / S(2)));
+}
+
+}  // namespace detail
+
 template <class A, class B, class S>
 Dcm<A, B, S> advanced(const Dcm<A, B, S>& R_a_from_b, const Increment<A, B, S>& theta) {
-  return detail::composed(before(R_a_from_b), exp(theta));
+  return {detail::trusted,
+          detail::nearer_rotation<S>(detail::composed(before(R_a_from_b), exp(theta)).matrix())};
 }
 template <class A, class B, class S>
 Quaternion<A, B, S> advanced(const Quaternion<A, B, S>& q_a_from_b, const Increment<A, B, S>& theta) {
-  return before(q_a_from_b) * exp_quaternion(theta);
+  return {detail::trusted, detail::nearer_rotation<S>((before(q_a_from_b) * exp_quaternion(theta)).eigen())};
 }
 
 namespace detail {
@@ -56,7 +76,7 @@ template <class A, class B, class S> struct BodyRate<AngularVelocity<A, B, In<B>
 }  // namespace detail
 
 /// The attitude after the step, for a DCM or a quaternion: advance(R_a_from_b, theta). The result is a
-/// rotation for every increment. Throws BadInput as exp().
+/// rotation for every increment, to a few rounding units after any number of steps. Throws BadInput as exp().
 template <class Rotation, class Turn>
 detail::AdvancedOf<Rotation, Turn> advance(const Rotation& rotation, const Turn& theta) {
   return advanced(rotation, theta);

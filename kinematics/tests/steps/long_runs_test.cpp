@@ -1,0 +1,71 @@
+#include <gtest/gtest.h>
+
+#include <random>
+#include <vectrix/kinematics/steps/exponential_step.hpp>
+#include <vectrix/kinematics/steps/gyro.hpp>
+
+#include "testing/attitudes.hpp"
+
+// The rounding of equal steps has a direction. It must not add up.
+namespace vectrix_test::long_runs_test {
+namespace {
+
+using namespace vectrix;
+
+constexpr int steps = 1'000'000;
+/// What one step leaves: a product of three rounded numbers in each entry, and the square of what was before.
+constexpr double rounding_units = 16;
+
+template <class S> double off_the_group(const Dcm<Gcrf, Body, S>& R) {
+  return static_cast<double>((R.matrix().transpose() * R.matrix() - detail::Square<S>::Identity()).norm());
+}
+template <class S> double off_the_group(const Quaternion<Gcrf, Body, S>& q) {
+  return static_cast<double>(std::abs(q.eigen().norm() - S(1)));
+}
+
+template <class S> class LongRuns : public testing::Test {
+ protected:
+  static constexpr double bound = rounding_units * static_cast<double>(std::numeric_limits<S>::epsilon());
+
+  template <class Count> static void advance_by(const Count& count) {
+    Dcm<Gcrf, Body, S> R = aligned<S>(to<Gcrf>, from<Body>);
+    Quaternion<Gcrf, Body, S> q{detail::trusted, Eigen::Quaternion<S>::Identity()};
+    for (int i = 0; i < steps; ++i) {
+      const Increment<Gcrf, Body, S> theta{detail::trusted, count()};
+      R = advance(R, theta);
+      q = advance(q, theta);
+    }
+    EXPECT_LE(off_the_group(R), bound);
+    EXPECT_LE(off_the_group(q), bound);
+  }
+};
+using Scalars = testing::Types<float, double>;
+TYPED_TEST_SUITE(LongRuns, Scalars);
+
+TYPED_TEST(LongRuns, OfEqualCountsStayOnTheGroup) {
+  using Column = detail::Column<TypeParam>;
+  this->advance_by([] { return Column(TypeParam(0.01), 0, 0); });
+  this->advance_by([] { return Column(TypeParam(0.003), TypeParam(-0.007), TypeParam(0.011)); });
+}
+
+TYPED_TEST(LongRuns, OfRandomCountsStayOnTheGroup) {
+  std::mt19937_64 random(7);
+  std::uniform_real_distribution<TypeParam> number(TypeParam(-0.5), TypeParam(0.5));
+  this->advance_by([&] { return detail::Column<TypeParam>(number(random), number(random), number(random)); });
+}
+
+TYPED_TEST(LongRuns, OfAGyroStayOnTheGroup) {
+  using S = TypeParam;
+  const auto none = detail::Column<S>(detail::Column<S>::Zero());
+  GyroAttitude<Gcrf, Body, S> attitude(
+      {detail::trusted, Eigen::Quaternion<S>::Identity()},
+      gyro_errors(vector<si::angular_velocity>(in<Body>, none), vector<si::dimensionless>(in<Body>, none),
+                  Eigen::Matrix<S, 3, 2>(Eigen::Matrix<S, 3, 2>::Zero())));
+  const auto count = measured(angle_increment(
+      of<Body>, relative_to<Gcrf>, vector<si::angle>(in<Body>, detail::Column<S>(S(0.01), S(0), S(0)))));
+  for (int i = 0; i < steps; ++i) attitude.add(count, Quantity<si::time, S>::from_value(S(0.01)));
+  EXPECT_LE(off_the_group(attitude.attitude()), this->bound);
+}
+
+}  // namespace
+}  // namespace vectrix_test::long_runs_test
