@@ -18,7 +18,7 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-// rad: three products of quaternions and two of theta functions. The phases add 1e-19 of the angle turned.
+// rad: three products of quaternions and two of theta functions. The phases add to it with the angle turned.
 constexpr double attitude_rounding = 4e-15;
 constexpr double rate_rounding = 2e-15;  // of the rate
 

@@ -1,6 +1,7 @@
 #include <erfa.h>
 #include <erfam.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include <vectrix/space/earth/ellipsoid.hpp>
@@ -20,20 +21,58 @@ Eigen::Vector3d scaled(const Eigen::Vector3d& r) {
   return {r.x() / semi_major_axis, r.y() / semi_major_axis, r.z() / (semi_major_axis * (1.0 - flattening))};
 }
 
+using Real = long double;
+
+struct Meridian {
+  Real latitude, height;
+};
+
+// The normal of the ellipse through the point (R, z), R >= 0, from the nearest point of the ellipse. With k
+// the positive root of
+//     k^4 + 2 e^2 k^3 - (p + q - e^4) k^2 - 2 e^2 q k - e^4 q = 0,    p = (R/a)^2, q = (1 - e^2) (z/a)^2
+// the normal has the direction (R / (k + e^2), z / k). The quartic by its resolvent cubic, without
+// cancellation (Karney, Geodesics on an ellipsoid of revolution, 2011, appendix B).
+Meridian nearest_on_meridian(const Eigen::Vector3d& position) {
+  const Real R = std::hypot(Real{position.x()}, Real{position.y()}), z = position.z();
+  constexpr Real a = semi_major_axis;
+  constexpr Real e2 = Real{flattening} * (2 - Real{flattening});
+  constexpr Real e4 = e2 * e2;
+  const Real p = (R / a) * (R / a);
+  const Real q = (1 - e2) * (z / a) * (z / a);
+  const Real r = (p + q - e4) / 6;
+  if (e4 * q == 0 && r <= 0) {
+    // In the equatorial disc around the centre, k = 0. Of two nearest points the northern one.
+    const Real sine = std::sqrt((e4 - p) / (1 - e2)), cosine = std::sqrt(p);
+    const Real length = std::hypot(sine, cosine);
+    return {std::atan2(sine, cosine), -a * (1 - e2) * length / e2};
+  }
+  const Real S = e4 * p * q / 4;
+  const Real cube = r * r * r;
+  const Real discriminant = S * (2 * cube + S);
+  Real u = r;
+  if (discriminant >= 0) {
+    const Real sum = S + cube;
+    const Real root = std::cbrt(sum + std::copysign(std::sqrt(discriminant), sum));
+    if (root != 0) u += root + r * r / root;
+  } else {
+    u += 2 * r * std::cos(std::atan2(std::sqrt(-discriminant), -(S + cube)) / 3);
+  }
+  const Real v = std::sqrt(u * u + e4 * q);
+  const Real uv = u < 0 ? e4 * q / (v - u) : u + v;
+  const Real w = std::max(Real{0}, e2 * (uv - q) / (2 * v));
+  const Real k = uv / (std::sqrt(uv + w * w) + w);
+  return {std::atan2(z / k, R / (k + e2)), (1 - (1 - e2) / k) * std::hypot(k * R / (k + e2), z)};
+}
+
 }  // namespace
 
 Geodetic geodetic(const Vector<earth::Itrf, si::length>& r_itrf) {
-  Eigen::Vector3d r = r_itrf.coordinates();
+  const Eigen::Vector3d r = r_itrf.coordinates();
   if (r.isZero(0.0)) throw BadInput("wgs84::geodetic: the centre of the Earth has no latitude");
-  double longitude = 0.0;
-  double latitude = 0.0;
-  double height = 0.0;
-  eraGc2gd(ERFA_WGS84, r.data(), &longitude, &latitude, &height);  // fails only for an unknown ellipsoid
-  if (!(std::isfinite(latitude) && std::isfinite(height))) {
-    throw BadInput("wgs84::geodetic: a position of |r| = " + detail::text(detail::scaled_norm(r)) +
-                   " m is too far out for its latitude and height to be found");
-  }
-  return {latitude * si::radian, longitude * si::radian, height * si::metre};
+  const double longitude = std::atan2(r.y() + 0.0, r.x() + 0.0);  // -0 becomes 0: longitude pi, not -pi
+  const Meridian found = nearest_on_meridian(r);
+  return {static_cast<double>(found.latitude) * si::radian, longitude * si::radian,
+          static_cast<double>(found.height) * si::metre};
 }
 
 Vector<earth::Itrf, si::length> position(const Geodetic& geodetic) {
@@ -67,10 +106,9 @@ std::optional<Vector<earth::Itrf, si::length>> first_intersection(
   const double outside = u.squaredNorm() - 1.0;
   if (std::abs(outside) <= surface_tolerance) return r_itrf;
   if (outside < 0.0) {
-    throw BadInput(
-        "wgs84::first_intersection: the origin lies inside the ellipsoid, at a height of " +
-        detail::text(r_itrf.coordinates().isZero(0.0) ? -semi_major_axis : geodetic(r_itrf).height.value()) +
-        " m");
+    throw BadInput("wgs84::first_intersection: the origin lies inside the ellipsoid, at a height of " +
+                   detail::text(static_cast<double>(nearest_on_meridian(r_itrf.coordinates()).height)) +
+                   " m");
   }
   const double approach = -u.dot(v);
   if (approach <= 0.0) return std::nullopt;

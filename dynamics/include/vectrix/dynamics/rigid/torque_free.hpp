@@ -13,8 +13,8 @@ namespace vectrix {
 ///     q_b^i = q_l^i q_z(Phi) s(h^p)* q_b^p,                             Landau, Lifshitz, Mechanics, 37)
 /// with l along the angular momentum h, s(h) the shortest rotation of the third axis onto h, and
 ///     Phi(t) = mean rate (t - t0) + 2 arg theta(u + i eta)              theta of the squared nome
-/// in every regime. Attitude and rate are accurate to a few roundings. The phases, in long double, lose 1e-19
-/// of |h| (t - t0) over the smallest moment: on x86, 1e-15 rad after 1e4 rad; larger for slender bodies, by
+/// in every regime. Attitude and rate are accurate to a few roundings. The phases, in long double, lose 2e-18
+/// of |h| (t - t0) over the smallest moment: on x86, 2e-14 rad after 1e4 rad; larger for slender bodies, by
 /// the ratio of their moments. Made by torque_free(); copies are cheap.
 template <InertialFrame I, Frame B> class TorqueFree {
  public:

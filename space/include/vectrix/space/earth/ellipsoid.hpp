@@ -17,8 +17,10 @@ struct Geodetic {
 /// The reference ellipsoid WGS-84: semi-major axis a = 6378137 m, flattening 1/298.257223563.
 namespace wgs84 {
 
-/// Throws BadInput for the centre of the Earth, which has no latitude, and for a position beyond 1e25 m,
-/// which is too far for ERFA.
+/// The nearest point of the ellipsoid, and the height above it: to rounding at every height and depth. On the
+/// axis the longitude is 0. On the evolute, within 43 km of the centre, several points are nearest; across
+/// the equatorial disc inside it the latitude jumps from north to south, and on the disc it is the northern
+/// one. Throws BadInput for the centre of the Earth, which has no latitude.
 VECTRIX_EXPORT Geodetic geodetic(const Vector<earth::Itrf, si::length>& r_itrf);
 
 /// The inverse. Throws BadInput if a number is not finite or |latitude| exceeds pi/2.
