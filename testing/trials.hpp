@@ -7,24 +7,19 @@
 /// repetitions shows as well, and take fifty times as long for each. The optimised runs do them all.
 namespace vectrix_test {
 
-#if defined(__has_feature)
-#if __has_feature(address_sanitizer)
-#define VECTRIX_TEST_SANITIZED
-#endif
-#endif
-#ifdef VECTRIX_TEST_SANITIZED
-constexpr int repetitions_skipped = 10;
+#ifdef VECTRIX_SANITIZED
+constexpr int one_in = 10;
 #else
-constexpr int repetitions_skipped = 1;
+constexpr int one_in = 1;
 #endif
 
 constexpr int trials(int wanted) {
-  return wanted / repetitions_skipped;
+  return wanted / one_in;
 }
 
 template <class T> std::vector<T> tried(const std::vector<T>& all) {
   std::vector<T> some;
-  for (std::size_t i = 0; i < all.size(); i += repetitions_skipped) some.push_back(all[i]);
+  for (std::size_t i = 0; i < all.size(); i += one_in) some.push_back(all[i]);
   return some;
 }
 

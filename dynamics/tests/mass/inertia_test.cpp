@@ -173,6 +173,7 @@ TEST(Inertia, the_inverse_is_right_at_any_size) {
 TEST(Inertia, the_trusted_door_takes_what_is_no_body) {
   const Matrix3d effective = Vector3d(1.0, 2.0, 4.0).asDiagonal();
   EXPECT_EQ(trust_inertia(in<Body>, effective).matrix(), effective);
+  EXPECT_TRUE(trust_inertia(in<Body>, Matrix3d(Vector3d(1e-9, 1e-9, 1.0).asDiagonal())).has_inverse());
 }
 
 /// d/dt (R J w) = R tau in the inertial frame, by a central difference along R(t) = R exp(t w + t^2/2 wdot).

@@ -134,6 +134,21 @@ TEST(Quaternion, TheToleranceIsThatOfTenPrintedDigits) {
   EXPECT_NE(door(1 - 1.1 * unit_norm_tolerance), "");
 }
 
+TEST(Quaternion, TenPrintedDigitsPassTheDoor) {
+  std::mt19937_64 random(20261129);
+  std::normal_distribution<double> number;
+  const auto printed = [](double x) { return std::round(x * 1e10) / 1e10; };
+  for (int i = 0; i < 1000; ++i) {
+    const Eigen::Vector4d q =
+        Eigen::Vector4d(number(random), number(random), number(random), number(random)).normalized();
+    EXPECT_EQ(message<BadInput>([&] {
+                quaternion_scalar_first(to<Body>, from<Gcrf>, printed(q(0)), printed(q(1)), printed(q(2)),
+                                        printed(q(3)));
+              }),
+              "");
+  }
+}
+
 template <class S> void expect_the_dcm_door_accepts(S off) {
   std::mt19937_64 random(20261128);
   std::normal_distribution<double> number;

@@ -62,6 +62,21 @@ auto turn(const AngleIncrement<Gcrf, Body>& first, [[maybe_unused]] const AngleI
 }
 }  // namespace coning_of_two_bodies
 
+namespace coning_of_intervals_of_two_bodies {
+// mistake: a count corrected for coning with the previous count of a gyro on another body
+// expect: AngleIncrement<Gcrf, Body
+// expect: AngleIncrement<Gcrf, Camera
+// expect: of one b relative to one a
+auto turn(const AngleIncrement<Gcrf, Body>& first, [[maybe_unused]] const AngleIncrement<Gcrf, Body>& second,
+          [[maybe_unused]] const AngleIncrement<Gcrf, Camera>& of_camera, const Quantity<si::time>& dt) {
+#ifdef REPAIRED
+  return coning_corrected_after(first, dt, second, dt);
+#else
+  return coning_corrected_after(first, dt, of_camera, dt);
+#endif
+}
+}  // namespace coning_of_intervals_of_two_bodies
+
 namespace exponential_step_of_rate_in_reference {
 // mistake: a step in the body's axes with the rate expressed in the reference frame
 // expect: Rotation = (vectrix::)?Dcm<Gcrf, Body

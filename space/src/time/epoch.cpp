@@ -82,73 +82,68 @@ void require_utc(int status, const std::string& what) {
   if (status < 0) throw BadInput(what + " is not a date that ERFA can take to or from UTC");
 }
 
-// The second of the day and, of a UTC day that ends in a step, its length. ERFA's quasi-Julian date stretches
-// such a day to 1 whatever the step; its eraD2dtf takes this back for leap seconds, not for the steps of 0.05
-// and 0.1 s of 1961 to 1971.
-struct SteppedDay {
-  double second, length;
-  JulianDate midnight, next;
+struct Calendar {
+  int year = 0, month = 0, day = 0;
 };
-std::optional<SteppedDay> stepped_day(const JulianDate& utc) {
-  const JulianDate date = normalised(utc.day, utc.fraction);
-  const auto tai_minus_utc = [](double midnight, double part) {
-    int year = 0, month = 0, day = 0;
-    double none = 0.0, seconds = 0.0;
-    eraJd2cal(midnight, 0.0, &year, &month, &day, &none);
-    eraDat(year, month, day, part, &seconds);
-    return seconds;
-  };
-  const double drift = 2.0 * (tai_minus_utc(date.day, 0.5) - tai_minus_utc(date.day, 0.0));
-  const double step = tai_minus_utc(date.day + 1.0, 0.0) - tai_minus_utc(date.day, 0.0) - drift;
-  constexpr double rounding = 1e-9;  // s
-  if (std::abs(step) < rounding) return std::nullopt;
-  const double length = ERFA_DAYSEC + step;
-  return SteppedDay{date.fraction * length, length, {date.day, 0.0}, {date.day + 1.0, 0.0}};
-}
-
-std::string iso_text(const char* scale, const JulianDate& date, int decimals);
-
-// The last minute of the day has the step. What rounds up to the end of the day is the next one.
-std::string text_of(const SteppedDay& day, int decimals) {
-  const double unit = std::pow(10.0, decimals);
-  const auto ticks = std::llround(day.second * unit);
-  constexpr double rounding = 0.03;  // of a tick, in 10^14 of them
-  if (static_cast<double>(ticks) > day.length * unit - rounding) return iso_text("TT", day.next, decimals);
-  const std::string midnight = iso_text("TT", day.midnight, 0);
-  const auto per_second = std::llround(unit);
-  const auto seconds = ticks / per_second;
-  const auto hour = std::min(seconds / 3600, 23LL);
-  const auto minute = std::min((seconds - 3600 * hour) / 60, 59LL);
-  std::array<char, 96> buffer{};
-  int length = std::snprintf(buffer.data(), buffer.size(), "%.11s%02lld:%02lld:%02lld", midnight.c_str(),
-                             hour, minute, seconds - 3600 * hour - 60 * minute);
-  if (decimals > 0) {
-    const auto used = static_cast<std::size_t>(length);
-    length +=
-        std::snprintf(buffer.data() + used, buffer.size() - used, ".%0*lld", decimals, ticks % per_second);
+Calendar calendar_of(const JulianDate& date) {
+  Calendar found;
+  double fraction = 0.0;
+  if (eraJd2cal(date.day, date.fraction, &found.year, &found.month, &found.day, &fraction) < 0) {
+    throw BadInput("Epoch: the Julian date " + detail::text(date.day) + " is outside the calendar");
   }
-  return {buffer.data(), static_cast<std::size_t>(length)};
+  return found;
 }
 
-std::string iso_text(const char* scale, const JulianDate& date, int decimals) {
+// TAI - UTC, s, on a day of UTC, as ERFA's quasi-Julian date.
+double seconds_of_tai_minus_utc(const JulianDate& utc) {
+  const JulianDate date = normalised(utc.day, utc.fraction);
+  const Calendar on = calendar_of({date.day, 0.0});
+  double seconds = 0.0;
+  eraDat(on.year, on.month, on.day, date.fraction, &seconds);
+  return seconds;
+}
+
+// The time on a day of this length, s: the last minute has what the day has more or less. What rounds up to
+// the end of the day is the next one.
+std::string day_text(const JulianDate& date, double length, int decimals) {
   if (decimals < 0 || decimals > 9) {
     throw BadInput("Epoch: asked for " + detail::text(decimals) + " decimals; there can be 0 to 9");
   }
-  int year = 0;
-  int month = 0;
-  int day = 0;
-  std::array<int, 4> time{};
-  if (eraD2dtf(scale, decimals, date.day, date.fraction, &year, &month, &day, time.data()) < 0) {
-    throw BadInput("Epoch: the Julian date " + detail::text(date.day) + " is outside the calendar");
-  }
+  const JulianDate at = normalised(date.day, date.fraction);
+  const double unit = std::pow(10.0, decimals);
+  const auto rounded = std::llround(at.fraction * length * unit);
+  constexpr double rounding = 0.03;  // of the last digit, of which a day has 10^14
+  const bool is_next = static_cast<double>(rounded) > length * unit - rounding;
+  const Calendar on = calendar_of({is_next ? at.day + 1.0 : at.day, 0.0});
+  const auto ticks = is_next ? 0 : rounded;
+  const auto per_second = std::llround(unit);
+  const auto second = ticks / per_second;
+  const auto hour = std::min(second / 3600, 23LL);
+  const auto minute = std::min(second / 60 - 60 * hour, 59LL);
   std::array<char, 96> buffer{};
-  int length = std::snprintf(buffer.data(), buffer.size(), "%04d-%02d-%02dT%02d:%02d:%02d", year, month, day,
-                             time[0], time[1], time[2]);
+  int size = std::snprintf(buffer.data(), buffer.size(), "%04d-%02d-%02dT%02lld:%02lld:%02lld", on.year,
+                           on.month, on.day, hour, minute, second - 3600 * hour - 60 * minute);
   if (decimals > 0) {
-    const auto used = static_cast<std::size_t>(length);
-    length += std::snprintf(buffer.data() + used, buffer.size() - used, ".%0*d", decimals, time[3]);
+    const auto used = static_cast<std::size_t>(size);
+    size +=
+        std::snprintf(buffer.data() + used, buffer.size() - used, ".%0*lld", decimals, ticks % per_second);
   }
-  return {buffer.data(), static_cast<std::size_t>(length)};
+  return {buffer.data(), static_cast<std::size_t>(size)};
+}
+
+// In TAI and TT.
+std::string iso_text(const JulianDate& date, int decimals) {
+  return day_text(date, ERFA_DAYSEC, decimals);
+}
+
+// ERFA's quasi-Julian date stretches a day that ends in a step to 1. Its eraD2dtf takes this back for leap
+// seconds, but not for the steps of 0.05 and 0.1 s before 1972.
+std::string utc_text(const JulianDate& utc, int decimals) {
+  const double midnight = normalised(utc.day, utc.fraction).day;
+  const double at_midnight = seconds_of_tai_minus_utc({midnight, 0.0});
+  const double drift = 2.0 * (seconds_of_tai_minus_utc({midnight, 0.5}) - at_midnight);
+  const double step = seconds_of_tai_minus_utc({midnight + 1.0, 0.0}) - at_midnight - drift;
+  return day_text(utc, ERFA_DAYSEC + step, decimals);
 }
 
 JulianDate tai_of_utc(const JulianDate& utc, const std::string& what) {
@@ -165,11 +160,11 @@ bool before_utc(const JulianDate& tai) {
 // UTC, as ERFA's quasi-Julian date, in which every day has the length 1.
 JulianDate utc_date(const JulianDate& tai) {
   if (before_utc(tai)) {
-    throw BadInput("Epoch " + iso_text("TAI", tai, 6) + " TAI: UTC is not known before 1960");
+    throw BadInput("Epoch " + iso_text(tai, 6) + " TAI: UTC is not known before 1960");
   }
   double day = 0.0;
   double fraction = 0.0;
-  require_utc(eraTaiutc(tai.day, tai.fraction, &day, &fraction), "Epoch " + iso_text("TAI", tai, 6) + " TAI");
+  require_utc(eraTaiutc(tai.day, tai.fraction, &day, &fraction), "Epoch " + iso_text(tai, 6) + " TAI");
   return {day, fraction};
 }
 
@@ -198,14 +193,11 @@ Epoch Epoch::from_utc_mjd(int day, double part) {
 }
 
 std::string Epoch::utc(int decimals) const {
-  const JulianDate utc = utc_date(tai_);
-  const auto stepped = stepped_day(utc);
-  return stepped && decimals >= 0 && decimals <= 9 ? text_of(*stepped, decimals)
-                                                   : iso_text("UTC", utc, decimals);
+  return utc_text(utc_date(tai_), decimals);
 }
 
 std::string Epoch::tt(int decimals) const {
-  return iso_text("TT", tt_date(), decimals);
+  return iso_text(tt_date(), decimals);
 }
 
 JulianDate Epoch::tt_date() const {
@@ -216,15 +208,7 @@ JulianDate Epoch::tt_date() const {
 }
 
 Quantity<si::time> Epoch::tai_minus_utc() const {
-  const JulianDate utc = utc_date(tai_);
-  int year = 0;
-  int month = 0;
-  int day = 0;
-  double fraction = 0.0;
-  double seconds = 0.0;
-  eraJd2cal(utc.day, utc.fraction, &year, &month, &day, &fraction);
-  eraDat(year, month, day, fraction, &seconds);
-  return seconds * si::second;
+  return seconds_of_tai_minus_utc(utc_date(tai_)) * si::second;
 }
 
 Quantity<si::time> operator-(const Epoch& end, const Epoch& start) {

@@ -49,12 +49,14 @@ template <class S> S moment_tolerance() {
 }
 
 /// The inverse, or NaN if the smallest moment is zero within <rounding> (kg m^2) and the relative tolerance.
-/// Of a body with moments of sum one the smallest is 4 to 8 times the determinant, since J1 + J2 >= J3.
+/// With moments of sum one: J1 J2 J3 / (J1 J2 + J2 J3 + J3 J1) is J1 if J1 is small, and between J1/3 and J1.
 template <class S> Square<S> inverse_or_nan(const Square<S>& tensor, const S& rounding) {
   const S trace = tensor.trace();
   const Square<S> scaled = tensor / trace;
-  const S least = (moment_tolerance<S>() / S(2) + rounding / trace) / S(4);
-  const S divisor = select(scaled.determinant() > least, trace, S(std::numeric_limits<double>::quiet_NaN()));
+  const S products = (S(1) - scaled.squaredNorm()) / S(2);
+  const S least = moment_tolerance<S>() / S(2) + rounding / trace;
+  const S divisor =
+      select(scaled.determinant() > least * products, trace, S(std::numeric_limits<double>::quiet_NaN()));
   return scaled.inverse() / divisor;
 }
 

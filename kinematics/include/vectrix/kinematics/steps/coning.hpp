@@ -115,6 +115,10 @@ Increment<A, B, S> coning_corrected_after(const AngleIncrement<A, B, S>& alpha_b
 template <class BeforeCount, class Count>
 auto coning_corrected_after(  // two angle increments of one b relative to one a
     const BeforeCount&, const Count&) -> Refused = delete;
+template <class BeforeCount, class BeforeDuration, class Count, class Duration>
+auto coning_corrected_after(  // two angle increments of one b relative to one a, each followed by its
+                              // duration
+    const BeforeCount&, const BeforeDuration&, const Count&, const Duration&) -> Refused = delete;
 
 template <class A, class B, class S>
 std::ostream& print_framed(std::ostream& out, const AngleIncrement<A, B, S>& alpha) {

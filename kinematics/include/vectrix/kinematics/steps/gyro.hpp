@@ -118,11 +118,10 @@ template <Frame A, Frame B, class S = double> class GyroAttitude {
   /// positive.
   void add(const Measured<AngleIncrement<A, B, S>>& count, const Quantity<si::time, S>& dt) {
     detail::require_positive_duration<A, B>(dt.value(), "GyroAttitude::add");
-    const AngleIncrement<A, B, S> alpha = errors_.corrected(count, dt);
-    q_a_from_b_ =
-        advance(q_a_from_b_, coning_corrected_after(last_.value_or(alpha), last_dt_.value_or(dt), alpha, dt));
-    last_ = alpha;
-    last_dt_ = dt;
+    const Interval now{errors_.corrected(count, dt), dt};
+    const Interval before = last_.value_or(now);
+    q_a_from_b_ = advance(q_a_from_b_, coning_corrected_after(before.alpha, before.dt, now.alpha, now.dt));
+    last_ = now;
   }
   template <class Count>
   void add(  // measured(alpha): the measured angle increment of b relative to a, and its dt
@@ -132,10 +131,14 @@ template <Frame A, Frame B, class S = double> class GyroAttitude {
   const Quaternion<A, B, S>& attitude() const { return q_a_from_b_; }
 
  private:
+  struct Interval {
+    AngleIncrement<A, B, S> alpha;
+    Quantity<si::time, S> dt;
+  };
+
   Quaternion<A, B, S> q_a_from_b_;
   GyroErrors<B, S> errors_;
-  std::optional<AngleIncrement<A, B, S>> last_;
-  std::optional<Quantity<si::time, S>> last_dt_;
+  std::optional<Interval> last_;
 };
 
 }  // namespace vectrix
