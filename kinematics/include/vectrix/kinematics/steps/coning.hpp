@@ -116,8 +116,7 @@ template <class BeforeCount, class Count>
 auto coning_corrected_after(  // two angle increments of one b relative to one a
     const BeforeCount&, const Count&) -> Refused = delete;
 template <class BeforeCount, class BeforeDuration, class Count, class Duration>
-auto coning_corrected_after(  // two angle increments of one b relative to one a, each followed by its
-                              // duration
+auto coning_corrected_after(  // angle increments of one b relative to one a, each with its dt
     const BeforeCount&, const BeforeDuration&, const Count&, const Duration&) -> Refused = delete;
 
 template <class A, class B, class S>
