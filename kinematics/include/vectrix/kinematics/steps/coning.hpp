@@ -87,37 +87,50 @@ template <class... Parts>
 auto coning_corrected(  // two or three angle increments of one b relative to one a
     const Parts&...) -> Refused = delete;
 
-/// The increment over the interval h of one count, corrected with the previous count, over h_before. For a
-/// rate that is linear over both:
-///     theta = alpha + c alpha_before x alpha,  c = h^2 / (6 h_before (h_before + h))
-/// For equal intervals c = 1/12 (Savage 1998), and the durations are left out. In coning it is as good as the
-/// two-sample rule, and gives an increment at every count. For a general motion the error of an interval is
-/// h^4/12 w x w'' and the order is 3; the two-sample rule has order 4. Throws BadInput unless the durations
-/// are positive.
+// The increment of an interval from its angle increment and the one before; equal intervals, or each with its
+// duration.
 template <class A, class B, class S>
-Increment<A, B, S> coning_corrected_after(const AngleIncrement<A, B, S>& alpha_before,
-                                          const AngleIncrement<A, B, S>& alpha) {
+Increment<A, B, S> increment_after(const AngleIncrement<A, B, S>& alpha_before,
+                                   const AngleIncrement<A, B, S>& alpha) {
   return {detail::trusted,
           alpha.coordinates() + alpha_before.coordinates().cross(alpha.coordinates()) / S(12)};
 }
 template <class A, class B, class S>
-Increment<A, B, S> coning_corrected_after(const AngleIncrement<A, B, S>& alpha_before,
-                                          const Quantity<si::time, S>& dt_before,
-                                          const AngleIncrement<A, B, S>& alpha,
-                                          const Quantity<si::time, S>& dt) {
-  const S &before = dt_before.value(), &h = dt.value();
-  detail::require_positive_duration<A, B>(before, "coning_corrected_after");
-  detail::require_positive_duration<A, B>(h, "coning_corrected_after");
-  const S share = h / before;  // in the ratio, so that no square underflows
+Increment<A, B, S> increment_after(const AngleIncrement<A, B, S>& alpha_before,
+                                   const Quantity<si::time, S>& dt_before,
+                                   const AngleIncrement<A, B, S>& alpha, const Quantity<si::time, S>& dt) {
+  for (const S& duration : {dt_before.value(), dt.value()}) {
+    detail::require_positive_duration<A, B>(duration, "coning_corrected_after");
+  }
+  const S share = dt.value() / dt_before.value();  // so that no square underflows
   return {detail::trusted, alpha.coordinates() + share * share / (S(6) * (S(1) + share)) *
                                                      alpha_before.coordinates().cross(alpha.coordinates())};
 }
-template <class BeforeCount, class Count>
-auto coning_corrected_after(  // two angle increments of one b relative to one a
-    const BeforeCount&, const Count&) -> Refused = delete;
-template <class BeforeCount, class BeforeDuration, class Count, class Duration>
-auto coning_corrected_after(  // angle increments of one b relative to one a, each with its dt
-    const BeforeCount&, const BeforeDuration&, const Count&, const Duration&) -> Refused = delete;
+
+namespace detail {
+
+template <class... Parts> using AfterOf = decltype(increment_after(std::declval<const Parts&>()...));
+template <class... Parts>
+concept CorrectsAfter = requires {
+  typename AfterOf<Parts...>;
+};
+
+}  // namespace detail
+
+/// The increment over the interval h of one count, corrected with the previous count, over h_before:
+/// coning_corrected_after(alpha_before, dt_before, alpha, dt). For a rate that is linear over both:
+///     theta = alpha + c alpha_before x alpha,  c = h^2 / (6 h_before (h_before + h))
+/// For equal intervals c = 1/12 (Savage 1998): coning_corrected_after(alpha_before, alpha). In coning it is
+/// as good as the two-sample rule, and gives an increment at every count. For a general motion the error of
+/// an interval is h^4/12 w x w'' and the order is 3; the two-sample rule has order 4. Throws BadInput unless
+/// the durations are positive.
+template <class... Parts> detail::AfterOf<Parts...> coning_corrected_after(const Parts&... parts) {
+  return increment_after(parts...);
+}
+template <class... Parts>
+  requires(!detail::CorrectsAfter<Parts...>)
+auto coning_corrected_after(  // angle increments of one b relative to one a: two, or each with its dt
+    const Parts&...) -> Refused = delete;
 
 template <class A, class B, class S>
 std::ostream& print_framed(std::ostream& out, const AngleIncrement<A, B, S>& alpha) {

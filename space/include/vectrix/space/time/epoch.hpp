@@ -48,20 +48,21 @@ class VECTRIX_EXPORT Epoch {
 
   friend auto operator<=>(const Epoch&, const Epoch&) = default;
 
+  // Friends are no candidates where no epoch stands, and so not in the compiler's words on other operands.
+
+  /// The SI seconds from the second epoch to the first.
+  friend VECTRIX_EXPORT Quantity<si::time> operator-(const Epoch& end, const Epoch& start);
+  /// Throws BadInput if the duration is not finite.
+  friend VECTRIX_EXPORT Epoch operator+(const Epoch& epoch, const Quantity<si::time>& duration);
+  friend VECTRIX_EXPORT Epoch operator-(const Epoch& epoch, const Quantity<si::time>& duration);
+
+  /// In UTC, "2022-04-14T10:22:11.874999 UTC"; before 1960 in TT.
+  friend VECTRIX_EXPORT std::ostream& operator<<(std::ostream& out, const Epoch& epoch);
+
  private:
   explicit Epoch(const JulianDate& tai) : tai_(tai) {}
-  friend VECTRIX_EXPORT Epoch operator+(const Epoch& epoch, const Quantity<si::time>& duration);
 
   JulianDate tai_;
 };
-
-/// The SI seconds from the second epoch to the first.
-VECTRIX_EXPORT Quantity<si::time> operator-(const Epoch& end, const Epoch& start);
-/// Throws BadInput if the duration is not finite.
-VECTRIX_EXPORT Epoch operator+(const Epoch& epoch, const Quantity<si::time>& duration);
-VECTRIX_EXPORT Epoch operator-(const Epoch& epoch, const Quantity<si::time>& duration);
-
-/// In UTC, "2022-04-14T10:22:11.874999 UTC"; before 1960 in TT.
-VECTRIX_EXPORT std::ostream& operator<<(std::ostream& out, const Epoch& epoch);
 
 }  // namespace vectrix
