@@ -59,8 +59,8 @@ Errors errors(Draw& draw, double third_moment) {
       .time = 0.0 * si::second,
       .q_i_from_b = q_of<A, B>(q),
       .w_ib_b = angular_velocity(of<B>, relative_to<A>, vector<si::angular_velocity>(in<B>, w))};
-  const auto motion = torque_free(
-      inertia_from_tensor(in<B>, J(0) * kg_m2, J(1) * kg_m2, J(2) * kg_m2, none, none, none), initial);
+  const auto motion =
+      torque_free(inertia_from_principal_moments(in<B>, J(0) * kg_m2, J(1) * kg_m2, J(2) * kg_m2), initial);
   const State<A, B> found = motion.at(t * si::second);
 
   const int steps = 1 + static_cast<int>(8 * t * w.norm());

@@ -77,12 +77,13 @@ std::optional<Run> cheapest(const Engine& engine, const std::vector<Run>& runs, 
 
 Scenario<Inertial, Body> free_body(const Eigen::Vector3d& principal_moments, const Eigen::Vector3d& w) {
   const auto kg_m2 = [](double value) { return Quantity<si::moment_of_inertia>::from_value(value); };
-  return {.inertia = inertia_from_tensor(in<Body>, kg_m2(principal_moments.x()), kg_m2(principal_moments.y()),
-                                         kg_m2(principal_moments.z()), kg_m2(0.0), kg_m2(0.0), kg_m2(0.0)),
-          .initial = {.time = 0.0 * si::second,
-                      .q_i_from_b = quaternion_scalar_first(to<Inertial>, from<Body>, 1.0, 0.0, 0.0, 0.0),
-                      .w_ib_b = angular_velocity(of<Body>, relative_to<Inertial>,
-                                                 vector<si::angular_velocity>(in<Body>, w))}};
+  return {
+      .inertia = inertia_from_principal_moments(in<Body>, kg_m2(principal_moments.x()),
+                                                kg_m2(principal_moments.y()), kg_m2(principal_moments.z())),
+      .initial = {.time = 0.0 * si::second,
+                  .q_i_from_b = quaternion_scalar_first(to<Inertial>, from<Body>, 1.0, 0.0, 0.0, 0.0),
+                  .w_ib_b = angular_velocity(of<Body>, relative_to<Inertial>,
+                                             vector<si::angular_velocity>(in<Body>, w))}};
 }
 
 auto vectrix_engine(ode::Method method, AttitudeState attitude) {

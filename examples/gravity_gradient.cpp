@@ -44,15 +44,15 @@ Scenario<Inertial, Body> run_10A() {
       angular_velocity(of<Lvlh>, relative_to<Inertial>, vector<si::angular_velocity>(in<Inertial>, w));
   const auto w_ib_b = R_b_from_i * w_il_i + at_rest(of<Body>, relative_to<Lvlh>, in<Body>);
 
-  return {.inertia = inertia_from_tensor(in<Body>, 500.0 * kg_m2, 12250.0 * kg_m2, 12250.0 * kg_m2,
-                                         0.0 * kg_m2, 0.0 * kg_m2, 0.0 * kg_m2),
-          .initial = {.time = 0.0 * si::second,
-                      .q_i_from_b = quaternion(inverse(R_b_from_i)),
-                      .w_ib_b = w_ib_b,
-                      .orbit = point_motion(of<CentreOfMassOf<Body>>, relative_to<Inertial>,
-                                            observed_from<Inertial>, r_i, v_i)},
-          .mu = Quantity<si::gravitational_parameter>::from_value(3.986004415e14),
-          .gravity_gradient = true};
+  return {
+      .inertia = inertia_from_principal_moments(in<Body>, 500.0 * kg_m2, 12250.0 * kg_m2, 12250.0 * kg_m2),
+      .initial = {.time = 0.0 * si::second,
+                  .q_i_from_b = quaternion(inverse(R_b_from_i)),
+                  .w_ib_b = w_ib_b,
+                  .orbit = point_motion(of<CentreOfMassOf<Body>>, relative_to<Inertial>,
+                                        observed_from<Inertial>, r_i, v_i)},
+      .mu = Quantity<si::gravitational_parameter>::from_value(3.986004415e14),
+      .gravity_gradient = true};
 }
 
 // NASA's state after 28 800 s; the matrix is body from inertial.

@@ -24,8 +24,7 @@ const Eigen::Vector3d J(1.0, 2.0, 3.0);
 void run() {
   const Eigen::Vector3d w0(0.0, 1.0, 1e-2);
   const Scenario<Inertial, Body> scenario{
-      .inertia = inertia_from_tensor(in<Body>, J.x() * kg_m2, J.y() * kg_m2, J.z() * kg_m2, 0.0 * kg_m2,
-                                     0.0 * kg_m2, 0.0 * kg_m2),
+      .inertia = inertia_from_principal_moments(in<Body>, J.x() * kg_m2, J.y() * kg_m2, J.z() * kg_m2),
       .initial = {.time = 0.0 * si::second,
                   .q_i_from_b = quaternion_scalar_first(to<Inertial>, from<Body>, 1.0, 0.0, 0.0, 0.0),
                   .w_ib_b = angular_velocity(of<Body>, relative_to<Inertial>,

@@ -24,8 +24,8 @@ constexpr double degree = std::numbers::pi / 180.0;
 TorqueFree<Reference, Body> free_body(const Vector3& w) {
   const auto moment = [](double value) { return Quantity<si::moment_of_inertia>::from_value(value); };
   const auto none = moment(0.0);
-  const auto J_b = inertia_from_tensor(in<Body>, moment(moments(0)), moment(moments(1)), moment(moments(2)),
-                                       none, none, none);
+  const auto J_b =
+      inertia_from_principal_moments(in<Body>, moment(moments(0)), moment(moments(1)), moment(moments(2)));
   const State<Reference, Body> start{
       0.0 * si::second, quaternion_scalar_first(to<Reference>, from<Body>, 1.0, 0.0, 0.0, 0.0),
       angular_velocity(of<Body>, relative_to<Reference>, vector<si::angular_velocity>(in<Body>, w))};

@@ -32,10 +32,9 @@ Dcm<Body, Inertial> R_b_from_n() {
 
 Scenario<Inertial, Body> free_hub(const std::string& name) {
   Scenario<Inertial, Body> scenario{
-      .inertia = inertia_from_tensor(in<Body>, moments.x() * si::kilogram_square_metre,
-                                     moments.y() * si::kilogram_square_metre,
-                                     moments.z() * si::kilogram_square_metre, 0.0 * si::kilogram_square_metre,
-                                     0.0 * si::kilogram_square_metre, 0.0 * si::kilogram_square_metre),
+      .inertia = inertia_from_principal_moments(in<Body>, moments.x() * si::kilogram_square_metre,
+                                                moments.y() * si::kilogram_square_metre,
+                                                moments.z() * si::kilogram_square_metre),
       .initial = {.time = 0.0 * si::second,
                   .q_i_from_b = quaternion_scalar_first(to<Inertial>, from<Body>, 1.0, 0.0, 0.0, 0.0),
                   .w_ib_b = angular_velocity(of<Body>, relative_to<Inertial>,

@@ -30,16 +30,14 @@ Dcm<Body, Lvlh> R_b_from_lvlh(const std::string& run) {
 
 Inertia<Body> inertia(const std::string& run) {
   if (run == "10A") {  // cylinder
-    return inertia_from_tensor(in<Body>, 500.0 * kg_m2, 12250.0 * kg_m2, 12250.0 * kg_m2, 0.0 * kg_m2,
-                               0.0 * kg_m2, 0.0 * kg_m2);
+    return inertia_from_principal_moments(in<Body>, 500.0 * kg_m2, 12250.0 * kg_m2, 12250.0 * kg_m2);
   }
   if (run == "8A" || run == "8B") {  // sphere
-    return inertia_from_tensor(in<Body>, 0.4 * kg_m2, 0.4 * kg_m2, 0.4 * kg_m2, 0.0 * kg_m2, 0.0 * kg_m2,
-                               0.0 * kg_m2);
+    return inertia_from_principal_moments(in<Body>, 0.4 * kg_m2, 0.4 * kg_m2, 0.4 * kg_m2);
   }
   // The International Space Station: the numbers are entries of the tensor, not products of inertia.
-  return inertia_from_tensor(in<Body>, 1.02e8 * kg_m2, 0.91e8 * kg_m2, 1.64e8 * kg_m2, -6.96e6 * kg_m2,
-                             -5.48e6 * kg_m2, 5.90e5 * kg_m2);
+  return inertia_from_tensor(in<Body>, 1.02e8 * kg_m2, 0.91e8 * kg_m2, 1.64e8 * kg_m2, xy(-6.96e6 * kg_m2),
+                             xz(-5.48e6 * kg_m2), yz(5.90e5 * kg_m2));
 }
 
 AngularVelocity<Inertial, Body, In<Body>> w_ib_b(const std::string& run) {

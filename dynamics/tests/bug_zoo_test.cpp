@@ -53,8 +53,9 @@ TEST(BugZoo, AProductOfInertiaIsMinusTheEntryOfTheTensor) {
   EXPECT_GT(((mistaken * rate_body(w)).coordinates() - cloud.momentum(w)).norm(), visible);
 
   const auto unit = si::kilogram_square_metre;
-  const auto J_b = inertia_from_moments_and_products(in<Body>, xx * unit, yy * unit, zz * unit, xy * unit,
-                                                     xz * unit, yz * unit);
+  const auto J_b =
+      inertia_from_moments_and_products(in<Body>, xx * unit, yy * unit, zz * unit, vectrix::xy(xy * unit),
+                                        vectrix::xz(xz * unit), vectrix::yz(yz * unit));
   EXPECT_LE(((J_b * rate_body(w)).coordinates() - cloud.momentum(w)).norm(), rounding);
 }
 

@@ -24,7 +24,8 @@ inline Quantity<si::time> seconds(double t) {
 inline Inertia<Body> tensor(double xx, double yy, double zz, double xy = 0.0, double xz = 0.0,
                             double yz = 0.0) {
   const auto unit = si::kilogram_square_metre;
-  return inertia_from_tensor(in<Body>, xx * unit, yy * unit, zz * unit, xy * unit, xz * unit, yz * unit);
+  return inertia_from_tensor(in<Body>, xx * unit, yy * unit, zz * unit, vectrix::xy(xy * unit),
+                             vectrix::xz(xz * unit), vectrix::yz(yz * unit));
 }
 
 inline Vector<Body, si::torque> torque_body(double x, double y, double z) {

@@ -30,8 +30,8 @@ template <class S> CentralInertia<Body, S> body(const Given<S>& given) {
   detail::Square<S> J = detail::Square<S>::Identity();
   for (const auto& r : {given.v[0], given.v[1]})
     J += r.squaredNorm() * detail::Square<S>::Identity() - r * r.transpose();
-  return inertia_from_tensor(in<Body>, moment(J(0, 0)), moment(J(1, 1)), moment(J(2, 2)), moment(J(0, 1)),
-                             moment(J(0, 2)), moment(J(1, 2)));
+  return inertia_from_tensor(in<Body>, moment(J(0, 0)), moment(J(1, 1)), moment(J(2, 2)), xy(moment(J(0, 1))),
+                             xz(moment(J(0, 2))), yz(moment(J(1, 2))));
 }
 
 template <class S> std::vector<S> right_hand_sides(const Given<S>& given) {
@@ -113,8 +113,8 @@ TEST(DynamicsOfAnyScalar, ADoorRefusesABadLane) {
     const Batch one(1.0);
     const Batch zero(0.0);
     return message<BadInput>([&] {
-      inertia_from_tensor(in<Body>, moment(jxx), moment(one), moment(one), moment(zero), moment(zero),
-                          moment(zero));
+      inertia_from_tensor(in<Body>, moment(jxx), moment(one), moment(one), xy(moment(zero)), xz(moment(zero)),
+                          yz(moment(zero)));
     });
   };
   EXPECT_EQ(refusal(1.5), "");

@@ -221,13 +221,37 @@ TEST(Quantity, computes_as_its_scalar_does) {
 
 TEST(Quantity, goes_with_a_wider_scalar) {
   static_assert(std::same_as<decltype(2.0 * (3.0f * si::metre)), Quantity<si::length>>);
-  static_assert(std::same_as<decltype(60 * si::second * 0.5), Quantity<si::time>>);
+  static_assert(std::same_as<decltype(60.0f * si::second * 0.5), Quantity<si::time>>);
   static_assert(std::same_as<decltype((2.0 * si::metre) * Batch(3)), Quantity<si::length, Batch>>);
   static_assert(
       std::same_as<decltype((2.0 * si::metre) / (Dual(3) * si::second)), Quantity<si::velocity, Dual>>);
   const auto speed = (2.0 * si::metre) / (Dual(4.0, Eigen::Vector2d(1, 0)) * si::second);
   EXPECT_EQ(speed.value().value(), 0.5);
   EXPECT_EQ(speed.value().derivatives().x(), -0.125);
+}
+
+// As whole numbers, 1 m / 2 s would be 0, and a quarter turn in radians 1.
+TEST(Quantity, takes_whole_numbers_as_numbers) {
+  EXPECT_EQ((1 * si::metre / (2 * si::second)).value(), 0.5);
+  EXPECT_EQ((1 / (4 * si::second)).value(), 0.25);
+  EXPECT_EQ(convert<si::angle>(90 * si::degree).value(), std::numbers::pi / 2);
+}
+
+TEST(Quantity, gives_its_number_in_another_unit) {
+  constexpr double exact_to_roundings = 4e-16;
+  EXPECT_NEAR((std::numbers::pi / 3 * si::radian).in(si::degree), 60.0, 60 * exact_to_roundings);
+  EXPECT_NEAR((7.5 * si::kilometre / si::second).in(si::metre / si::second), 7500.0,
+              7500 * exact_to_roundings);
+  EXPECT_NEAR((2.0f * si::minute).in(si::second), 120.0f, 1e-5f);
+  EXPECT_EQ((3.0 * si::metre).in(si::metre), 3.0);
+  static_assert(std::same_as<decltype((2.0f * si::minute).in(si::second)), float>);
+  const Dual turn(1.0, Eigen::Vector2d(1, 0));
+  EXPECT_NEAR((turn * si::radian).in(si::degree).derivatives().x(), 180 / std::numbers::pi, 1e-13);
+}
+
+TEST(Quantity, has_a_magnitude) {
+  EXPECT_EQ(abs(-2.0 * si::newton_metre), 2.0 * si::newton_metre);
+  EXPECT_EQ(abs(2.0 * si::newton_metre), 2.0 * si::newton_metre);
 }
 
 TEST(Quantity, prints_its_unit) {

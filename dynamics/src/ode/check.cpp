@@ -1,6 +1,7 @@
 #include "check.hpp"
 
 #include <cmath>
+#include <limits>
 
 #include <vectrix/frames/errors.hpp>
 
@@ -71,6 +72,18 @@ void check_roots(const Problem& problem) {
 
 }  // namespace
 
+std::string tolerance_below_rounding(const Problem& problem, std::span<const double> state) {
+  for (std::size_t i = 0; i < state.size(); ++i) {
+    const double allowed = problem.relative_tolerance * std::abs(state[i]) + problem.absolute_tolerances[i];
+    const double rounding = std::numeric_limits<double>::epsilon() * std::abs(state[i]);
+    if (allowed < rounding) {
+      return "the tolerances allow " + component(problem, i) + " = " + text(state[i]) + " an error of " +
+             text(allowed) + ", less than its rounding, " + text(rounding);
+    }
+  }
+  return "";
+}
+
 std::string component(const Problem& problem, std::size_t i) {
   return problem.component_names.empty() ? "component " + text(i) : problem.component_names.at(i);
 }
@@ -86,6 +99,8 @@ void check(const Problem& problem) {
     require_finite(problem, component(problem, i) + " of the initial state", problem.initial_state[i]);
   }
   check_tolerances(problem);
+  const std::string below = tolerance_below_rounding(problem, problem.initial_state);
+  require(problem, below.empty(), below);
   check_times(problem);
   check_roots(problem);
   require(problem, problem.max_steps > 0, "max_steps must be greater than 0");

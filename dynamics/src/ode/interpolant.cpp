@@ -1,14 +1,13 @@
 #include "interpolant.hpp"
 
 #include <algorithm>
-#include <iterator>
 
 namespace vectrix::ode {
 
 Interpolant::Interpolant(const Record& record, std::size_t left) : record_(record) {
   choose_nodes(left);
   const std::size_t count = 2 * node_count_;
-  for (std::size_t i = 0; i < count; ++i) abscissas_[i] = record_.times[nodes_[i / 2]];
+  for (std::size_t i = 0; i < count; ++i) abscissas_[i] = record_.elapsed[nodes_[i / 2]];
   for (std::size_t k = 1; k < count; ++k) {
     for (std::size_t i = k == 1 ? 1 : 0; i + k < count; i += k == 1 ? 2 : 1) {
       inverse_spans_[k][i] = 1.0 / (abscissas_[i + k] - abscissas_[i]);
@@ -20,10 +19,9 @@ Interpolant::Interpolant(const Record& record, std::size_t left) : record_(recor
 /// closer to each other than half the interval: their divided differences would amplify rounding far beyond
 /// that of the state.
 void Interpolant::choose_nodes(std::size_t left) {
-  const auto& t = record_.times;
-  const auto next_segment = std::upper_bound(record_.segments.begin(), record_.segments.end(), left);
-  const std::size_t first = *std::prev(next_segment);
-  const std::size_t last = (next_segment == record_.segments.end() ? t.size() : *next_segment) - 1;
+  const auto& t = record_.elapsed;
+  const auto [first, after] = record_.segment_of(left);
+  const std::size_t last = after - 1;
   const double start = t[left];
   const double end = t[left + 1];
   const double gap = 0.5 * (end - start);
@@ -46,10 +44,10 @@ void Interpolant::choose_nodes(std::size_t left) {
   }
 }
 
-void Interpolant::at(double t, std::span<double> state) const {
+void Interpolant::at(double elapsed, std::span<double> state) const {
   const std::size_t count = 2 * node_count_;
   std::array<double, max_abscissas> distance{};
-  for (std::size_t i = 0; i < count; ++i) distance[i] = t - abscissas_[i];
+  for (std::size_t i = 0; i < count; ++i) distance[i] = elapsed - abscissas_[i];
 
   for (std::size_t c = 0; c < record_.dimension; ++c) {
     std::array<double, max_abscissas> difference{};  // column k of the table of divided differences
@@ -70,12 +68,16 @@ void Interpolant::at(double t, std::span<double> state) const {
 }
 
 void interpolate(const Record& record, double t, std::span<double> state) {
-  const auto after = std::upper_bound(record.times.begin(), record.times.end(), t);
-  const auto node = static_cast<std::size_t>(after - record.times.begin()) - 1;
-  if (record.times[node] == t) {
+  const auto later = std::ranges::upper_bound(record.times, t);
+  const auto [first, after] = record.segment_of(static_cast<std::size_t>(later - record.times.begin()) - 1);
+  const std::span nodes = std::span(record.elapsed).subspan(first, after - first);
+  const double elapsed = std::min(t - record.times[first], nodes.back());
+  const auto next = std::ranges::upper_bound(nodes, elapsed);
+  const std::size_t node = first + static_cast<std::size_t>(next - nodes.begin()) - 1;
+  if (record.elapsed[node] == elapsed) {
     std::ranges::copy(record.state(node), state.begin());
   } else {
-    Interpolant(record, node).at(t, state);
+    Interpolant(record, node).at(elapsed, state);
   }
 }
 

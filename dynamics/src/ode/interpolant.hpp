@@ -14,8 +14,8 @@ class Interpolant {
  public:
   Interpolant(const Record& record, std::size_t left);
 
-  /// State at a time in the closed interval.
-  void at(double t, std::span<double> state) const;
+  /// State at a time in the closed interval, since the start of the segment.
+  void at(double elapsed, std::span<double> state) const;
 
  private:
   static constexpr std::size_t max_nodes = 6;

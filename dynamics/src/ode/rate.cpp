@@ -21,27 +21,32 @@ void Rate::enter_segment(double start, double end) {
   remembers_ = false;
 }
 
-bool Rate::operator()(double t, std::span<const double> y, std::span<double> ydot) noexcept {
+// A stage of an integrator may pass the segment's end by a rounding error. The function never sees such a
+// time.
+double Rate::time(double elapsed) const {
+  return std::clamp(segment_start_ + elapsed, segment_start_, segment_end_);
+}
+
+bool Rate::operator()(double elapsed, std::span<const double> y, std::span<double> ydot) noexcept {
   if (failed()) return false;
-  // A stage of an integrator may pass the segment's end by a rounding error. The function never sees such a
-  // time.
-  const double time = std::clamp(t, segment_start_, segment_end_);
-  if (remembers_ && time == last_time_ && std::memcmp(y.data(), last_state_.data(), y.size_bytes()) == 0) {
+  if (remembers_ && elapsed == last_elapsed_ &&
+      std::memcmp(y.data(), last_state_.data(), y.size_bytes()) == 0) {
     std::ranges::copy(last_rate_, ydot.begin());
     return true;
   }
   remembers_ = false;
-  last_time_ = time;
+  last_elapsed_ = elapsed;
   try {
-    evaluate(time, y, ydot);
+    evaluate(elapsed, y, ydot);
   } catch (...) {
     cause_ = std::current_exception();
   }
   return !failed();
 }
 
-void Rate::evaluate(double t, std::span<const double> y, std::span<double> ydot) {
+void Rate::evaluate(double elapsed, std::span<const double> y, std::span<double> ydot) {
   ++evaluations_;
+  const double t = time(elapsed);
   problem_.rhs(segment_start_, t, y, ydot);
   const auto wrong = std::ranges::find_if(ydot, [](double rate) { return !std::isfinite(rate); });
   if (wrong != ydot.end()) {

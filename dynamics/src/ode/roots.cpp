@@ -70,20 +70,25 @@ void RootFinder::retreat() {
 }
 
 Event RootFinder::locate(const Record& record, const Bracket& bracket) const {
-  const double left = record.times[bracket.left];
-  const double right = record.times[bracket.left + 1];
-  Event event{bracket.root, problem_.roots[bracket.root].name, right, std::vector<double>(record.dimension),
+  const double start = record.times[record.segment_of(bracket.left).first];
+  const double latest = record.times[bracket.left + 1];
+  Event event{bracket.root, problem_.roots[bracket.root].name, latest, std::vector<double>(record.dimension),
               bracket.left_value < 0.0 ? Direction::rising : Direction::falling};
   if (bracket.right_value != 0.0) {
     const Interpolant interpolant(record, bracket.left);
-    const auto function = [&](double t) {
-      interpolant.at(t, event.state);
-      return value(bracket.root, t, event.state);
+    const auto function = [&](double elapsed) {
+      interpolant.at(elapsed, event.state);
+      return value(bracket.root, start + elapsed, event.state);
     };
     std::uintmax_t iterations = max_iterations;
-    event.time = boost::math::tools::toms748_solve(function, left, right, bracket.left_value,
-                                                   bracket.right_value, narrow, iterations)
-                     .second;
+    const double crossed = boost::math::tools::toms748_solve(
+                               function, record.elapsed[bracket.left], record.elapsed[bracket.left + 1],
+                               bracket.left_value, bracket.right_value, narrow, iterations)
+                               .second;
+    // The caller's time, rounded to the side of the new sign.
+    double t = start + crossed;
+    if (t - start < crossed) t = std::nextafter(t, std::numeric_limits<double>::infinity());
+    event.time = std::min(t, latest);
   }
   interpolate(record, event.time, event.state);
   return event;

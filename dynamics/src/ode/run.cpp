@@ -1,11 +1,14 @@
 #include "run.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
+#include <limits>
 #include <string>
 
 #include <vectrix/frames/errors.hpp>
 
+#include "check.hpp"
 #include "interpolant.hpp"
 
 namespace vectrix::ode {
@@ -46,15 +49,16 @@ Solution Run::operator()() {
 
 void Run::integrate() {
   roots_.start(problem_.start, state_);
-  double start = problem_.start;
+  segment_start_ = problem_.start;
   for (const double end : segment_ends()) {
-    rate_.enter_segment(start, end);
+    segment_end_ = end;
+    rate_.enter_segment(segment_start_, segment_end_);
     record_->segments.push_back(record_->times.size());
-    append(start, rate_(start, state_, slope_) ? 0 : flag::rhs_failed);
-    integrate_segment(start, end);
+    append(0.0, rate_(0.0, state_, slope_) ? 0 : flag::rhs_failed);
+    integrate_segment();
     if (record_->stopped) return;
     roots_.resolve(*record_);
-    start = end;
+    segment_start_ = segment_end_;
   }
 }
 
@@ -68,13 +72,15 @@ std::vector<double> Run::segment_ends() const {
 
 /// If a step passes a stopping root, that step is repeated in at least five shorter steps. The root then has
 /// nodes of its own scale on both sides, and the rate is never evaluated beyond the end of the original step.
-void Run::integrate_segment(double start, double end) {
-  const double longest = std::min(problem_.maximum_step, (end - start) / steps_per_segment);
-  restart(start, end, longest);
+/// All times count from the start of the segment.
+void Run::integrate_segment() {
+  const double end = segment_end_ - segment_start_;
+  const double longest = std::min(problem_.maximum_step, end / steps_per_segment);
+  restart(0.0, end, longest);
   bool retaking = false;
   double target = end;
   while (true) {
-    const double before = record_->times.back();
+    const double before = record_->elapsed.back();
     const double t = step();
     append(t, stepper_->rate(t, slope_));
     if (roots_.advance(*record_)) {
@@ -98,17 +104,24 @@ void Run::integrate_segment(double start, double end) {
   }
 }
 
-void Run::restart(double t, double stop, double longest) {
-  const int flag = stepper_->restart(t, state_, stop, longest);
-  if (flag < 0) raise(flag, t);
+void Run::restart(double elapsed, double stop, double longest) {
+  const int flag = stepper_->restart(elapsed, state_, stop, longest);
+  if (flag < 0) raise(flag, time(elapsed));
 }
 
-/// Returns the time reached; the state is in state_. Takes more steps while they are too short to
-/// change a large time.
+/// The caller's time: exactly the end of the segment only there.
+double Run::time(double elapsed) const {
+  if (elapsed >= segment_end_ - segment_start_) return segment_end_;
+  return std::min(segment_start_ + elapsed,
+                  std::nextafter(segment_end_, -std::numeric_limits<double>::infinity()));
+}
+
+/// Returns the time reached, since the start of the segment; the state is in state_. Takes more steps while
+/// they are too short to change the caller's time.
 double Run::step() {
   const double before = record_->times.back();
-  double t = before;
-  while (!(t > before)) {
+  double t = record_->elapsed.back();
+  while (!(time(t) > before)) {
     if (record_->statistics.steps >= problem_.max_steps) {
       throw Trouble{flag::too_many_steps, before, "max_steps = " + text(problem_.max_steps) + " reached",
                     nullptr};
@@ -122,9 +135,9 @@ double Run::step() {
 }
 
 /// Appends state_ and slope_ as a node. Raises the error if the slope could not be computed.
-void Run::append(double t, int rate_flag) {
-  if (rate_flag < 0) raise(rate_flag, t);
-  record_->push(t, state_, slope_);
+void Run::append(double elapsed, int rate_flag) {
+  if (rate_flag < 0) raise(rate_flag, time(elapsed));
+  record_->push(time(elapsed), elapsed, state_, slope_);
 }
 
 void Run::stop_at_first_stopping_event() {
@@ -132,13 +145,14 @@ void Run::stop_at_first_stopping_event() {
   auto& events = record_->events;
   const auto first =
       std::ranges::find_if(events, [&](const Event& e) { return problem_.roots[e.root].stop; });
-  const double time = first->time;
-  std::rotate(first, first + 1, std::ranges::upper_bound(events, time, {}, &Event::time));
-  events.erase(std::ranges::upper_bound(events, time, {}, &Event::time), events.end());
-  if (time < record_->times.back()) {
+  const double stop = first->time;
+  std::rotate(first, first + 1, std::ranges::upper_bound(events, stop, {}, &Event::time));
+  events.erase(std::ranges::upper_bound(events, stop, {}, &Event::time), events.end());
+  if (stop < record_->times.back()) {
     state_ = events.back().state;
     record_->pop();
-    append(time, rate_(time, state_, slope_) ? 0 : flag::rhs_failed);
+    const double elapsed = stop - segment_start_;
+    append(elapsed, rate_(elapsed, state_, slope_) ? 0 : flag::rhs_failed);
   }
   record_->stopped = true;
 }
@@ -177,7 +191,11 @@ void Run::fail(const Trouble& trouble) {
   const auto failure = [&] {
     return Failure(message, trouble.time, record.statistics.steps, trouble.flag, Solution(record_));
   };
-  if (!trouble.cause) throw failure();
+  if (!trouble.cause) {
+    const std::string below = tolerance_below_rounding(problem_, state_);
+    if (!below.empty()) message += "; " + below;
+    throw failure();
+  }
   try {
     std::rethrow_exception(trouble.cause);
   } catch (const std::exception& cause) {

@@ -24,10 +24,11 @@ class Run {
  private:
   void integrate();
   [[nodiscard]] std::vector<double> segment_ends() const;
-  void integrate_segment(double start, double end);
-  void restart(double t, double stop, double longest);
+  void integrate_segment();
+  void restart(double elapsed, double stop, double longest);
   double step();
-  void append(double t, int rate_flag);
+  [[nodiscard]] double time(double elapsed) const;
+  void append(double elapsed, int rate_flag);
   void stop_at_first_stopping_event();
   void fill_outputs();
   [[noreturn]] void raise(int flag, double t) const;
@@ -38,6 +39,8 @@ class Run {
   std::unique_ptr<Stepper> stepper_;
   RootFinder roots_;
   std::shared_ptr<Record> record_;
+  double segment_start_ = 0.0;
+  double segment_end_ = 0.0;
   std::vector<double> state_;  ///< of the node being appended
   std::vector<double> slope_;
 };

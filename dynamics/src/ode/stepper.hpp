@@ -23,17 +23,16 @@ inline constexpr int no_progress = -27;
 /// A SUNDIALS integrator in one-step mode.
 ///
 /// SUNDIALS adds up the steps without compensation, so that rounding errors accumulate in its clock: 1e-10 s
-/// in a thousand seconds of small steps, more than the error of the states. This class starts the clock at 0,
-/// so that a late start time loses no digits. It keeps the same sum with compensation, and corrects all times
-/// given to and taken from SUNDIALS.
+/// in a thousand seconds of small steps, more than the error of the states. This class starts the clock at 0
+/// at each restart. It keeps the same sum with compensation, and corrects all times given to and taken from
+/// SUNDIALS. Its times count from the start of the segment, so that a late start loses no digits.
 class Stepper {
  public:
   virtual ~Stepper() = default;
 
   /// Restarts at (t, y), without history; stops exactly at `stop` and takes no step longer than `longest`.
   int restart(double t, std::span<const double> y, double stop, double longest);
-  /// Takes one accepted step and sets t; a very short step may leave t the same. Returns SUNDIALS' flag,
-  /// negative on failure.
+  /// Takes one accepted step and sets t. Returns SUNDIALS' flag, negative on failure.
   int step(double& t);
   [[nodiscard]] virtual std::span<const double> state() const = 0;
   /// Rate at the time t of the last step; returns a negative flag on failure.

@@ -41,8 +41,8 @@ Vector3d random_vector(std::mt19937_64& random) {
 
 Inertia<Body> products(double xx, double yy, double zz, double xy, double xz, double yz) {
   const auto unit = si::kilogram_square_metre;
-  return inertia_from_moments_and_products(in<Body>, xx * unit, yy * unit, zz * unit, xy * unit, xz * unit,
-                                           yz * unit);
+  return inertia_from_moments_and_products(in<Body>, xx * unit, yy * unit, zz * unit, vectrix::xy(xy * unit),
+                                           vectrix::xz(xz * unit), vectrix::yz(yz * unit));
 }
 
 struct Wheel : moving_frame {};
@@ -164,7 +164,7 @@ TEST(Inertia, a_plate_a_rod_and_a_point_are_bodies_however_they_lie) {
 TEST(Inertia, the_inverse_is_right_at_any_size) {
   for (const double size : {1e-250, 1e-110, 1e110, 1e250}) {
     const auto J = size * si::kilogram_square_metre;
-    const auto inertia = inertia_from_tensor(in<Body>, 2.0 * J, 2.0 * J, 2.0 * J, 0.0 * J, 0.0 * J, 0.0 * J);
+    const auto inertia = inertia_from_principal_moments(in<Body>, 2.0 * J, 2.0 * J, 2.0 * J);
     // The two divisions by the trace each round by half an ulp.
     EXPECT_NEAR(inertia.inverse_matrix()(1, 1) * size, 0.5, 1e-15) << size;
   }

@@ -147,7 +147,7 @@ TEST(Inertia, a_door_about_another_point_names_all_three) {
   const auto unit = si::kilogram_square_metre;
   const Inertia<Bus, Hinge, In<Body>> J =
       inertia_from_moments_and_products(of<Bus>, about<Hinge>, in<Body>, 3.0 * unit, 4.0 * unit, 5.0 * unit,
-                                        0.1 * unit, 0.2 * unit, -0.3 * unit);
+                                        yz(-0.3 * unit), xy(0.1 * unit), zx(0.2 * unit));
   EXPECT_EQ(J.matrix(), tensor(3.0, 4.0, 5.0, -0.1, -0.2, 0.3).matrix());
 }
 

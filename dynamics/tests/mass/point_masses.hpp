@@ -63,7 +63,7 @@ inline Masses random_masses(Draw& draw) {
 template <class B, class P, class C> Inertia<B, P, In<C>> inertia(const Matrix3d& J) {
   const auto unit = si::kilogram_square_metre;
   return inertia_from_tensor(of<B>, about<P>, in<C>, J(0, 0) * unit, J(1, 1) * unit, J(2, 2) * unit,
-                             J(0, 1) * unit, J(0, 2) * unit, J(1, 2) * unit);
+                             xy(J(0, 1) * unit), xz(J(0, 2) * unit), yz(J(1, 2) * unit));
 }
 inline Quantity<si::mass> kilograms(double m) {
   return m * si::kilogram;

@@ -35,6 +35,12 @@ const std::vector<Door>& doors() {
        [](Problem& p) { p.absolute_tolerances[1] = -1.0; }},
       {"absolute tolerance of component 0 must be finite and greater than 0, got inf",
        [](Problem& p) { p.absolute_tolerances[0] = infinity; }},
+      {"the tolerances allow component 0 = 1 an error of 1.1e-17, less than its rounding, "
+       "2.220446049250313e-16",
+       [](Problem& p) {
+         p.relative_tolerance = 1e-17;
+         p.absolute_tolerances[0] = 1e-18;
+       }},
       {"start must be finite, got nan", [](Problem& p) { p.start = Problem{}.start; }},
       {"end must be finite, got nan", [](Problem& p) { p.end = Problem{}.end; }},
       {"end = 0 must be later than start = 0", [](Problem& p) { p.end = 0.0; }},

@@ -99,6 +99,25 @@ TEST_P(OdeFailure, at_the_very_first_evaluation_the_solution_is_empty) {
   EXPECT_THROW((void)failure.solution().at(0.0), BadInput);
 }
 
+// The state grows until its rounding exceeds the absolute tolerance.
+TEST_P(OdeFailure, for_a_tolerance_below_rounding_says_so) {
+  Problem problem = oscillator(GetParam(), 1e3, 1e-12);
+  problem.rhs = [](double, double, State y, std::span<double> ydot) {
+    ydot[0] = y[0];
+    ydot[1] = 0.0;
+  };
+  problem.relative_tolerance = 1e-30;
+  problem.max_steps = 20'000;
+  try {
+    (void)solve(problem);
+    ADD_FAILURE() << "not refused";
+  } catch (const Failure& failure) {
+    EXPECT_NE(std::string(failure.what()).find("the tolerances allow component 0 = "), std::string::npos)
+        << failure.what();
+    EXPECT_GT(failure.solution().end(), 0.0);
+  }
+}
+
 TEST_P(OdeFailure, in_a_later_segment_the_earlier_are_kept) {
   Problem problem = troubled(GetParam(), [](std::span<double>) { throw std::runtime_error("late"); });
   problem.breakpoints = {2.0, trouble_time};

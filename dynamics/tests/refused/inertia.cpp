@@ -60,8 +60,7 @@ namespace inertia_default {
 auto satellite() {
 #ifdef REPAIRED
   const auto moment = 3.0 * si::kilogram_square_metre;
-  const auto none = 0.0 * si::kilogram_square_metre;
-  const Inertia<Body> J_body = inertia_from_tensor(in<Body>, moment, moment, moment, none, none, none);
+  const Inertia<Body> J_body = inertia_from_principal_moments(in<Body>, moment, moment, moment);
 #else
   const Inertia<Body> J_body;
 #endif
@@ -85,8 +84,8 @@ auto satellite(const Eigen::Matrix3d& J) {
 
 namespace inertia_from_bare_numbers {
 // mistake: moments of inertia without a unit
-// expect: inertia_from_tensor
-// expect: six quantities in kg m.2
+// expect: inertia_from_principal_moments
+// expect: in kg m.2
 // expect: double
 auto satellite() {
 #ifdef REPAIRED
@@ -94,14 +93,13 @@ auto satellite() {
 #else
   const double unit = 1.0;
 #endif
-  return inertia_from_tensor(in<Body>, 3.0 * unit, 4.0 * unit, 5.0 * unit, 0.1 * unit, 0.2 * unit,
-                             0.3 * unit);
+  return inertia_from_principal_moments(in<Body>, 3.0 * unit, 4.0 * unit, 5.0 * unit);
 }
 }  // namespace inertia_from_bare_numbers
 
 namespace inertia_of_masses {
 // mistake: masses, kg, for moments of inertia, kg m^2
-// expect: inertia_from_moments_and_products
+// expect: inertia_from_principal_moments
 // expect: si::mass
 auto satellite() {
 #ifdef REPAIRED
@@ -109,24 +107,37 @@ auto satellite() {
 #else
   const auto unit = si::kilogram;
 #endif
-  return inertia_from_moments_and_products(in<Body>, 3.0 * unit, 4.0 * unit, 5.0 * unit, 0.1 * unit,
-                                           0.2 * unit, 0.3 * unit);
+  return inertia_from_principal_moments(in<Body>, 3.0 * unit, 4.0 * unit, 5.0 * unit);
 }
 }  // namespace inertia_of_masses
 
-namespace inertia_of_ratios {
-// mistake: dimensionless ratios for moments of inertia, kg m^2
-// expect: inertia_from_tensor
-// expect: dimensionless
-auto satellite(const Quantity<si::dimensionless>& ratio, const Quantity<si::moment_of_inertia>& moment) {
+namespace inertia_of_unnamed_products {
+// mistake: products of inertia in the order of a table that lists xy, yz, zx
+// expect: inertia_from_moments_and_products
+// expect: xy.Pxy., xz.Pxz., yz.Pyz.
+auto satellite(const Quantity<si::moment_of_inertia>& moment, const Quantity<si::moment_of_inertia>& Pxy,
+               const Quantity<si::moment_of_inertia>& Pyz, const Quantity<si::moment_of_inertia>& Pzx) {
 #ifdef REPAIRED
-  const Quantity<si::moment_of_inertia> product = ratio * moment;
+  return inertia_from_moments_and_products(in<Body>, moment, moment, moment, xy(Pxy), yz(Pyz), zx(Pzx));
 #else
-  const Quantity<si::dimensionless> product = ratio;
+  return inertia_from_moments_and_products(in<Body>, moment, moment, moment, Pxy, Pyz, Pzx);
 #endif
-  return inertia_from_tensor(in<Body>, moment, moment, moment, product, product, product);
 }
-}  // namespace inertia_of_ratios
+}  // namespace inertia_of_unnamed_products
+
+namespace inertia_product_given_twice {
+// mistake: one product of inertia given twice, another left out
+// expect: inertia_from_tensor
+// expect: OffDiagonal<1, 2
+// expect: xy.Jxy., xz.Jxz., yz.Jyz.
+auto satellite(const Quantity<si::moment_of_inertia>& moment, const Quantity<si::moment_of_inertia>& J) {
+#ifdef REPAIRED
+  return inertia_from_tensor(in<Body>, moment, moment, moment, xy(J), yz(J), xz(J));
+#else
+  return inertia_from_tensor(in<Body>, moment, moment, moment, xy(J), yz(J), xy(J));
+#endif
+}
+}  // namespace inertia_product_given_twice
 
 namespace inertia_rotated_by_inverse {
 // mistake: an inertia re-expressed by the rotation that leads to its frame instead of from it

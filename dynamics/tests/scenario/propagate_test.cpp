@@ -75,6 +75,40 @@ TEST_P(Propagate, torque_free_axisymmetric_body) {
   }
 }
 
+TEST_P(Propagate, counts_seconds_from_any_time) {
+  const AxisymmetricBody body;
+  for (const double start : {1.7e9, 2.1e11}) {  // since 1970, Julian
+    BodyScenario scenario = body.scenario();
+    scenario.initial.time = seconds(start);
+    const auto trajectory = propagate(scenario, until(start + 60.0));
+    for (double s = 0.0; s <= 60.0; s += 0.25) {
+      EXPECT_LT(error(trajectory.at(seconds(start + s)), body.exact(s)), accuracy()) << start << " + " << s;
+    }
+  }
+}
+
+// The same motion, in units of 2^-250 kg m^2 and 2^300 s: powers of 2 change no digit.
+TEST_P(Propagate, tiny_bodies_turn_as_large_ones_until_the_torque_underflows) {
+  const double slow = std::ldexp(1.0, -300);
+  const auto scaled = [&](double size) {
+    BodyScenario scenario{tensor(1.0 * size, 2.0 * size, 2.5 * size),
+                          state_at(0.0, Quaterniond(1, 0, 0, 0), slow * Vector3d(0.3, -0.2, 0.5))};
+    BodyPropagation how = until(10.0 / slow);
+    how.tolerances.rate = 1e-15 * slow * (si::radian / si::second);
+    return propagate(scenario, how).at(seconds(10.0 / slow));
+  };
+  const BodyState tiny = scaled(std::ldexp(1.0, -250));
+  BodyScenario large{tensor(1.0, 2.0, 2.5), state_at(0.0, Quaterniond(1, 0, 0, 0), Vector3d(0.3, -0.2, 0.5))};
+  const BodyState expected = propagate(large, until(10.0)).at(seconds(10.0));
+  EXPECT_LE(angle_between(tiny.q_i_from_b.eigen(), expected.q_i_from_b.eigen()), accuracy());
+  try {
+    scaled(std::ldexp(1.0, -500));
+    ADD_FAILURE() << "not refused";
+  } catch (const std::exception& failure) {
+    expect_said(failure, "underflows, J w^2 = ");
+  }
+}
+
 /// Kepler's ellipse, by Kepler's equation, together with an attitude that it does not affect.
 TEST_P(Propagate, kepler_ellipse_in_the_same_state) {
   constexpr double mu = 3.986004418e14, a = 1e7, e = 0.2;

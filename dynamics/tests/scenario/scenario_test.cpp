@@ -134,8 +134,7 @@ TEST(RefusedScenario, what_is_missing_or_not_a_number) {
   expect_refused_scenario(
       [](auto& s) {
         const auto unit = si::kilogram_square_metre;
-        s.inertia = inertia_from_tensor(in<Body>, 0.0 * unit, 4.0 * unit, 4.0 * unit, 0.0 * unit, 0.0 * unit,
-                                        0.0 * unit);  // a rod
+        s.inertia = inertia_from_principal_moments(in<Body>, 0.0 * unit, 4.0 * unit, 4.0 * unit);  // a rod
       },
       "Euler's equation needs the inverse of the inertia [0 0 0; 0 4 0; 0 0 4] kg m^2");
   expect_refused_scenario([](auto& s) { s.torques = {CustomTorque<Gcrf, Body>{}}; },

@@ -9,21 +9,6 @@ struct Body : moving_frame {};
 struct Camera : moving_frame {};
 struct Ground : moving_frame {};
 
-namespace graph_at_integer_time {
-// mistake: an instant in whole seconds
-// expect: RefusingEdge = .*Link<Body, Gcrf>
-// expect: does not take this instant
-auto attitude(const Quantity<si::angular_velocity>& rate) {
-  const auto graph = frame_graph(
-      edge([=](const Quantity<si::time>& t) { return turned_z(to<Body>, from<Gcrf>, rate * t); }));
-#ifdef REPAIRED
-  return graph.at(1.0 * si::second).rotation(to<Body>, from<Gcrf>);
-#else
-  return graph.at(1 * si::second).rotation(to<Body>, from<Gcrf>);
-#endif
-}
-}  // namespace graph_at_integer_time
-
 namespace graph_edge_given_twice {
 // mistake: the same edge given twice
 // expect: Fault = .*TwoPathsOver<(vectrix::)?Link<Gcrf, Body>

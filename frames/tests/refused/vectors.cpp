@@ -8,18 +8,34 @@ struct Itrf : moving_frame {};
 struct Body : moving_frame {};
 template <int I> struct Wheel : moving_frame {};
 
-namespace quantity_converted_from_integer {
-// mistake: whole degrees converted, which would be cut to whole radians
-// expect: a whole number would be cut
-// expect: int
-Quantity<si::angle> right_angle() {
+namespace angle_between_frames {
+// mistake: the angle between vectors expressed in two frames
+// expect: Left = (vectrix::)?Vector<Body
+// expect: Right = (vectrix::)?Vector<Wheel<1>
+// expect: angle_between.r_a, s_a.: in one frame
+auto off_axis(const Dcm<Body, Wheel<1>>& R_body_from_wheel, const Vector<Body, si::dimensionless>& axis_body,
+              const Vector<Wheel<1>, si::dimensionless>& axis_wheel) {
 #ifdef REPAIRED
-  return convert<si::angle>(90.0 * si::degree);
+  return angle_between(axis_body, R_body_from_wheel * axis_wheel);
 #else
-  return convert<si::angle>(90 * si::degree);
+  static_cast<void>(R_body_from_wheel);
+  return angle_between(axis_body, axis_wheel);
 #endif
 }
-}  // namespace quantity_converted_from_integer
+}  // namespace angle_between_frames
+
+namespace quantity_in_unit_of_other_dimension {
+// mistake: seconds of an angle
+// expect: UnitConstant<(vectrix::)?si::time>
+// expect: a unit of the same dimension
+double number(const Quantity<si::angle>& angle) {
+#ifdef REPAIRED
+  return angle.in(si::arcsecond);
+#else
+  return angle.in(si::second);
+#endif
+}
+}  // namespace quantity_in_unit_of_other_dimension
 
 namespace quantity_energy_for_torque {
 // mistake: an energy given for a torque
@@ -229,19 +245,6 @@ auto torque() {
 #endif
 }
 }  // namespace vector_of_energy
-
-namespace vector_of_integers {
-// mistake: coordinates that are integers, as in 1 * si::metre
-// expect: F = Body
-// expect: UnitGiven = (vectrix::)?si::length
-auto position() {
-#ifdef REPAIRED
-  return vector(in<Body>, 1.0 * si::metre, 2.0 * si::metre, 3.0 * si::metre);
-#else
-  return vector(in<Body>, 1 * si::metre, 2 * si::metre, 3 * si::metre);
-#endif
-}
-}  // namespace vector_of_integers
 
 namespace vector_of_kilometres {
 // mistake: kilometres given for metres

@@ -274,8 +274,8 @@ TEST(Wahba, WhatFixesNoRotationIsRefused) {
   const std::string parallel = said({seen(R, x), seen(R, 2 * x), seen(R, -3 * x)});
   EXPECT_TRUE(contains(parallel, place + "only the share ") && contains(parallel, "feels a turn about ("))
       << parallel;
-  EXPECT_TRUE(contains(said({seen(R, x), seen(R, x + 1e-6 * y)}), "at least 1e-10 is needed"));
-  EXPECT_EQ(said({seen(R, x), seen(R, x + 1e-4 * y)}), "");
+  EXPECT_TRUE(contains(said({seen(R, x), seen(R, x + 0.5e-9 * y)}), "at least 2.5e-19 is needed"));
+  EXPECT_EQ(said({seen(R, x), seen(R, x + 2e-9 * y)}), "");
   // A mirror image: every half turn fits equally well.
   const auto mirrored = [](const Vector3d& r) { return observation(measured(-r), reference(r), rad(0.01)); };
   EXPECT_TRUE(contains(said({mirrored(x), mirrored(y), mirrored(z)}), "contradict each other"));
@@ -285,12 +285,72 @@ TEST(Wahba, WhatFixesNoRotationIsRefused) {
     return weighted_observation(vector<si::dimensionless>(in<Body>, direction),
                                 vector<si::dimensionless>(in<Gcrf>, direction), weight);
   };
-  const std::string of_float = message<BadInput>([&] {
-    wahba(to<Body>, from<Gcrf>, std::vector{one_of_float(x, 1.0f), one_of_float(y, 1e-6f)});
-  });
-  EXPECT_TRUE(contains(of_float, "at least 1.9073486328125e-06 is needed")) << of_float;
-  // The ratio of the weights is larger than a number can represent.
-  EXPECT_TRUE(contains(said({seen(R, x, 1e-8), seen(R, y, 1.0)}), "outweighs the rest"));
+  const auto of_float = [&](const Vector3d& second, float weight) {
+    return message<BadInput>([&] {
+      wahba(to<Body>, from<Gcrf>, std::vector{one_of_float(x, 1.0f), one_of_float(second, weight)});
+    });
+  };
+  EXPECT_TRUE(contains(of_float(x + 1e-6 * y, 1.0f), "at least 9.094947e-13 is needed"))
+      << of_float(x + 1e-6 * y, 1.0f);
+  EXPECT_EQ(of_float(y, 1e-6f), "");
+  // The ratio of the weights is larger than the square of the bound.
+  EXPECT_TRUE(contains(said({seen(R, x, 1e-10), seen(R, y, 1.0)}), "outweighs the rest"));
+  EXPECT_EQ(said({seen(R, x, 1e-8), seen(R, y, 1.0)}), "");
+}
+
+/// Noisy stars in a narrow field, as S and as long double.
+template <class S> struct NarrowField {
+  std::vector<Observation<Body, Gcrf, S>> given;
+  std::vector<Observation<Body, Gcrf, long double>> exact;
+
+  NarrowField(double width, std::size_t stars, Noise& noise) {
+    using Exact = Eigen::Matrix<long double, 3, 1>;
+    const Eigen::Quaterniond turn = Eigen::Quaterniond(0.3, -0.6, 0.2, 0.8).normalized();
+    for (std::size_t i = 0; i < stars; ++i) {
+      const double angle = 2.4 * static_cast<double>(i), sigma = 0.01 * width;
+      const Vector3d star = Vector3d(1, -0.4, 0.3).normalized() +
+                            width / 2 * Vector3d(0.3 * std::sin(angle), std::cos(angle), std::sin(angle));
+      const Eigen::Matrix<S, 3, 1> a = star.normalized().cast<S>();
+      const Eigen::Matrix<S, 3, 1> b = noise.across(turn * star.normalized(), sigma).cast<S>();
+      const auto seen_as = [&]<class T>(const T&, const auto& in_b, const auto& in_a) {
+        return observation(vector<si::dimensionless>(in<Body>, in_b),
+                           vector<si::dimensionless>(in<Gcrf>, in_a),
+                           Quantity<si::angle, T>::from_value(static_cast<T>(static_cast<S>(sigma))));
+      };
+      given.push_back(seen_as(S{}, b, a));
+      exact.push_back(
+          seen_as(0.0L, Exact(b.template cast<long double>()), Exact(a.template cast<long double>())));
+    }
+  }
+};
+
+/// The directions are rounded once, by up to half a rounding each way; a field of the width w sees this as a
+/// turn of rounding / w. The sums over a few stars add theirs.
+template <class S> void expect_accurate_in_narrow_fields(const std::vector<double>& widths) {
+  const double rounding_of_s = static_cast<double>(std::numeric_limits<S>::epsilon());
+  Noise noise(20241103);
+  for (const double width : widths) {
+    for (std::size_t stars = 2; stars < 8; ++stars) {
+      const NarrowField<S> field(width, stars, noise);
+      const auto found = wahba(to<Body>, from<Gcrf>, field.given);
+      const auto exact = wahba(to<Body>, from<Gcrf>, field.exact);
+      const double bound = 16 * rounding_of_s / width;
+      const auto off =
+          (found.rotation.matrix().template cast<long double>() - exact.rotation.matrix()).eval();
+      EXPECT_LE(static_cast<double>(off.norm()), bound) << width << ", " << stars << " stars";
+      const auto P = found.covariance.matrix().template cast<long double>().eval();
+      EXPECT_LE(
+          static_cast<double>((P - exact.covariance.matrix()).norm() / exact.covariance.matrix().norm()),
+          bound)
+          << width << ", " << stars << " stars";
+    }
+  }
+}
+
+// A singular value decomposition alone loses rounding / width^2.
+TEST(Wahba, NarrowFieldsAreFittedToTheirRounding) {
+  expect_accurate_in_narrow_fields<double>({1e-1, 1e-2, 1e-3, 1e-5, 1e-6, 1e-7});
+  expect_accurate_in_narrow_fields<float>({1e-1, 1e-2, 1e-3, 1e-4});
 }
 
 TEST(Observation, WhatIsNoneIsRefused) {

@@ -57,6 +57,25 @@ auto acceleration(const AngularAcceleration<Gcrf, Body, In<Body>>& alpha_gcrf_bo
 }
 }  // namespace alpha_chained_without_omega
 
+namespace alpha_difference {
+// mistake: accelerations subtracted without the rates: the transport term would be lost
+// expect: Left = (vectrix::)?AngularAcceleration<Gcrf, Camera, (vectrix::)?In<Body>
+// expect: Right = (vectrix::)?AngularAcceleration<Gcrf, Body, (vectrix::)?In<Body>
+// expect: Reason = .*transport_term_is_lost
+auto acceleration(const AngularAcceleration<Gcrf, Camera, In<Body>>& alpha_gcrf_camera,
+                  const AngularAcceleration<Gcrf, Body, In<Body>>& alpha_gcrf_body,
+                  const AngularVelocity<Gcrf, Camera, In<Body>>& w_gcrf_camera,
+                  const AngularVelocity<Gcrf, Body, In<Body>>& w_gcrf_body) {
+#ifdef REPAIRED
+  return chain(-alpha_gcrf_body, alpha_gcrf_camera, -w_gcrf_body, w_gcrf_camera);
+#else
+  static_cast<void>(w_gcrf_camera);
+  static_cast<void>(w_gcrf_body);
+  return alpha_gcrf_camera - alpha_gcrf_body;
+#endif
+}
+}  // namespace alpha_difference
+
 namespace alpha_drives_dcm {
 // mistake: an angular acceleration given for an angular velocity
 // expect: Rotation = (vectrix::)?Dcm<Gcrf, Body

@@ -140,20 +140,66 @@ auto rate() {
 }
 }  // namespace omega_default
 
-namespace omega_difference {
-// mistake: the difference of two rates, where the reversal of one says which
-// expect: Left = (vectrix::)?AngularVelocity<Gcrf, Camera, (vectrix::)?In<Body>
-// expect: Right = (vectrix::)?AngularVelocity<Gcrf, Body, (vectrix::)?In<Body>
-// expect: w_ab_c . -w_db_c
-auto rate(const AngularVelocity<Gcrf, Camera, In<Body>>& w_gcrf_camera,
-          const AngularVelocity<Gcrf, Body, In<Body>>& w_gcrf_body) {
+namespace omega_difference_of_estimates {
+// mistake: the error of an estimate, which is no rate of one frame relative to another, as a difference of
+// rates expect: Left = (vectrix::)?AngularVelocity<Gcrf, Body, (vectrix::)?In<Body> expect: Reason =
+// .*one_pair_twice
+auto error(const AngularVelocity<Gcrf, Body, In<Body>>& w_gyro,
+           const AngularVelocity<Gcrf, Body, In<Body>>& w_truth) {
 #ifdef REPAIRED
-  return -w_gcrf_body + w_gcrf_camera;
+  return error_between(w_gyro, w_truth);
 #else
-  return w_gcrf_camera - w_gcrf_body;
+  return w_gyro - w_truth;
 #endif
 }
-}  // namespace omega_difference
+}  // namespace omega_difference_of_estimates
+
+namespace omega_difference_in_two_frames {
+// mistake: the difference of two rates that are expressed in two frames
+// expect: Left = (vectrix::)?AngularVelocity<Gcrf, Camera, (vectrix::)?In<Camera>
+// expect: Right = (vectrix::)?AngularVelocity<Gcrf, Body, (vectrix::)?In<Body>
+// expect: Reason = .*expressed_in_two_frames
+auto rate(const Dcm<Body, Camera>& R_body_from_camera,
+          const AngularVelocity<Gcrf, Camera, In<Camera>>& w_gcrf_camera_camera,
+          const AngularVelocity<Gcrf, Body, In<Body>>& w_gcrf_body_body) {
+#ifdef REPAIRED
+  return R_body_from_camera * w_gcrf_camera_camera - w_gcrf_body_body;
+#else
+  static_cast<void>(R_body_from_camera);
+  return w_gcrf_camera_camera - w_gcrf_body_body;
+#endif
+}
+}  // namespace omega_difference_in_two_frames
+
+namespace omega_difference_without_common_frame {
+// mistake: the difference of two rates that have no frame in common: the one needed is reversed
+// expect: Left = (vectrix::)?AngularVelocity<Gcrf, Body, (vectrix::)?In<Body>
+// expect: Right = (vectrix::)?AngularVelocity<Body, Camera, (vectrix::)?In<Body>
+// expect: Reason = .*no_frame_cancels
+auto rate(const AngularVelocity<Gcrf, Body, In<Body>>& w_gcrf_body,
+          const AngularVelocity<Body, Camera, In<Body>>& w_body_camera) {
+#ifdef REPAIRED
+  return w_gcrf_body - -w_body_camera;
+#else
+  return w_gcrf_body - w_body_camera;
+#endif
+}
+}  // namespace omega_difference_without_common_frame
+
+namespace omega_times_bare_gain {
+// mistake: a torque from a rate and a gain without a unit
+// expect: Left = double
+// expect: Right = (vectrix::)?AngularVelocity<Gcrf, Body
+// expect: k . w_ab_b.vector
+Vector<Body, si::torque> damper(const AngularVelocity<Gcrf, Body, In<Body>>& w_body) {
+#ifdef REPAIRED
+  const auto k = 0.5 * (si::newton_metre / (si::radian / si::second));
+#else
+  const double k = 0.5;
+#endif
+  return -k * w_body;
+}
+}  // namespace omega_times_bare_gain
 
 namespace omega_dot_across_frames {
 // mistake: the power of a torque and a rate that are expressed in two frames

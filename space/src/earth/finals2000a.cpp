@@ -1,7 +1,9 @@
 #include "finals2000a.hpp"
 
+#include <erfa.h>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <optional>
 
 #include <vectrix/frames/errors.hpp>
@@ -23,12 +25,23 @@ constexpr std::array<Field, 5> values{
 // table lacks.
 constexpr Quantity<si::time> largest_change_in_a_day = 0.01 * si::second;
 
-// The offsets from IAU 2006/2000A are some tenths of a milliarcsecond. Their largest in the series is 9.3 in
-// 1982 and 1.7 since 1985. Those from IAU 1980, in the same columns of finals.all, grow by 3 in a year: -105
-// in 2022.
-constexpr int first_day_of_1985 = 46066;
-double largest_offset(int day) {
-  return day < first_day_of_1985 ? 15.0 : 3.0;
+// dX, dY, and in the same columns of finals.all dPsi, dEps, milliarcseconds.
+struct Offsets {
+  double first, second;
+
+  [[nodiscard]] double square() const { return first * first + second * second; }
+  Offsets operator-(const Offsets& other) const { return {first - other.first, second - other.second}; }
+};
+
+// The dPsi, dEps of a pole that IAU 2006/2000A gives exactly: the error of IAU 1976/1980, -105 and -9 in
+// 2022. To first order in the offsets, and in the precession since 2000: within some percent of themselves.
+Offsets offsets_from_iau_1980(int mjd) {
+  constexpr double mjd_zero = 2400000.5, milliarcseconds = 180.0 / std::numbers::pi * 3600e3;
+  double x = 0.0, y = 0.0, pole_1980[3][3];
+  eraXy06(mjd_zero, mjd, &x, &y);
+  eraPnm80(mjd_zero, mjd, pole_1980);
+  return {(x - pole_1980[2][0]) / std::sin(eraObl80(mjd_zero, mjd)) * milliarcseconds,
+          (y - pole_1980[2][1]) * milliarcseconds};
 }
 
 class Reader {
@@ -92,14 +105,6 @@ class Reader {
   }
 
   void add(int day, const std::array<double, values.size()>& found) {
-    for (const std::size_t i : {3U, 4U}) {
-      if (std::abs(found[i]) > largest_offset(day)) {
-        fail(values[i], text(found[i]) +
-                            " milliarcseconds is no offset of the pole from IAU 2006/2000A, at most " +
-                            text(largest_offset(day)) +
-                            "; finals.all has offsets from IAU 1980 in these columns, read finals2000A");
-      }
-    }
     const Epoch epoch = Epoch::from_utc_mjd(day);
     const auto arcseconds = [](double angle) { return convert<si::angle>(angle * si::arcsecond); };
     const auto ut1_minus_tai = found[2] * si::second - epoch.tai_minus_utc();
@@ -110,6 +115,7 @@ class Reader {
                             " s in a day; is there a leap second missing?");
       }
     }
+    days_.push_back({day, line_, {found[3], found[4]}});
     epochs_.push_back(epoch);
     rows_.push_back({arcseconds(found[0]), arcseconds(found[1]), ut1_minus_tai,
                      Quantity<si::dimensionless>{0.0}, arcseconds(1e-3 * found[3]),
@@ -117,7 +123,10 @@ class Reader {
   }
 
   std::pair<std::vector<Epoch>, std::vector<EarthOrientationParameters>> result() {
-    if (rows_.size() >= 2) return {std::move(epochs_), std::move(rows_)};
+    if (rows_.size() >= 2) {
+      require_offsets_from_iau_2006();
+      return {std::move(epochs_), std::move(rows_)};
+    }
     line_ = incomplete_line_;
     const std::string few = text(rows_.size()) + " complete rows; there must be two";
     if (incomplete_field_ != nullptr) fail(*incomplete_field_, "the field is blank after " + few);
@@ -125,11 +134,36 @@ class Reader {
   }
 
  private:
+  struct Day {
+    int mjd;
+    std::size_t line;
+    Offsets offsets;
+  };
+
+  // Fails if the offsets are nearer to those from IAU 1980 than to zero. Some rows of the file say it.
+  void require_offsets_from_iau_2006() {
+    constexpr std::size_t examined = 64;
+    const std::size_t step = 1 + days_.size() / examined;
+    double from_2006 = 0.0, from_1980 = 0.0;
+    const Day* largest = &days_.front();
+    for (std::size_t i = 0; i < days_.size(); i += step) {
+      from_2006 += days_[i].offsets.square();
+      from_1980 += (days_[i].offsets - offsets_from_iau_1980(days_[i].mjd)).square();
+      if (days_[i].offsets.square() > largest->offsets.square()) largest = &days_[i];
+    }
+    if (from_2006 <= from_1980) return;
+    line_ = largest->line;
+    fail(values[3], text(largest->offsets.first) + " and " + text(largest->offsets.second) +
+                        " milliarcseconds are offsets of the pole from IAU 1980, as finals.all has them in "
+                        "these columns, not from IAU 2006/2000A; read finals2000A");
+  }
+
   const std::filesystem::path& file_;
   std::size_t line_ = 0;
   std::optional<double> last_day_;
   std::size_t incomplete_line_ = 0;
   const Field* incomplete_field_ = nullptr;
+  std::vector<Day> days_;
   std::vector<Epoch> epochs_;
   std::vector<EarthOrientationParameters> rows_;
 };

@@ -38,8 +38,7 @@ Eigen::Matrix3d exact() {
 Eigen::Matrix3d by_vectrix(ode::Method method) {
   const auto moment = [](double value) { return value * si::kilogram_square_metre; };
   const Scenario<Inertial, Body> scenario{
-      .inertia = inertia_from_tensor(in<Body>, moment(a), moment(a), moment(c), moment(0.0), moment(0.0),
-                                     moment(0.0)),
+      .inertia = inertia_from_principal_moments(in<Body>, moment(a), moment(a), moment(c)),
       .initial = {
           0.0 * si::second, quaternion_scalar_first(to<Inertial>, from<Body>, 1.0, 0.0, 0.0, 0.0),
           angular_velocity(of<Body>, relative_to<Inertial>, vector<si::angular_velocity>(in<Body>, w0))}};

@@ -8,10 +8,11 @@ namespace detail {
 
 template <class S> using Square = Eigen::Matrix<S, 3, 3>;
 
-/// A 3x3 matrix of a scalar type that can hold a cosine: not of integers.
+/// A 3x3 matrix of a scalar type that can hold a cosine: not of integers. A matrix or block whose size is
+/// known at run time is taken too; the doors call require_size().
 template <class M>
-concept Matrix3x3 = std::is_base_of_v<Eigen::MatrixBase<M>, M> && M::RowsAtCompileTime == 3 &&
-                    M::ColsAtCompileTime == 3 && !std::is_integral_v<typename M::Scalar>;
+concept Matrix3x3 = std::is_base_of_v<Eigen::MatrixBase<M>, M> && may_be<3, M::RowsAtCompileTime> &&
+    may_be<3, M::ColsAtCompileTime> && !std::is_integral_v<typename M::Scalar>;
 
 /// The tolerance of a checked door, at least 16 epsilons of S.
 template <class S> double door_tolerance(double wanted) {

@@ -64,6 +64,7 @@ template <class B, class A, class S> Dcm<B, A, S> checked_dcm(const Square<S>& e
 /// orthonormality_tolerance, or when the determinant is not positive.
 template <Frame B, Frame A, detail::Matrix3x3 Matrix>
 detail::OfTwo<B, A, Dcm<B, A, typename Matrix::Scalar>> dcm(To<B>, From<A>, const Matrix& matrix) {
+  detail::require_size(matrix, 3, 3);
   return detail::checked_dcm<B, A, typename Matrix::Scalar>(matrix, "dcm");
 }
 template <class ToFrame, class FromFrame, class Given>
@@ -118,15 +119,17 @@ template <Frame B, Frame A, detail::Matrix3x3 Matrix>
   requires(!detail::Differentiated<typename Matrix::Scalar>)
 detail::OfTwo<B, A, NearestDcm<B, A, typename Matrix::Scalar>> nearest_dcm(To<B>, From<A>,
                                                                            const Matrix& matrix) {
+  detail::require_size(matrix, 3, 3);
   return detail::nearest<B, A, typename Matrix::Scalar>(matrix);
 }
 template <class ToFrame, class FromFrame, class Given>
 auto nearest_dcm(  // to<B>, from<A>: two frames; a 3x3 matrix, without derivatives
     const ToFrame&, const FromFrame&, const Given&) -> Refused = delete;
 
-/// The trusted door: checks nothing. The caller guarantees a rotation matrix that takes a to b.
+/// The trusted door: checks no number. The caller guarantees a rotation matrix that takes a to b.
 template <Frame B, Frame A, detail::Matrix3x3 Matrix>
 detail::OfTwo<B, A, Dcm<B, A, typename Matrix::Scalar>> trust_dcm(To<B>, From<A>, const Matrix& matrix) {
+  detail::require_size(matrix, 3, 3);
   return Dcm<B, A, typename Matrix::Scalar>{detail::trusted, matrix};
 }
 /// The same for the result of make(), an Eigen::Matrix<S, 3, 3>. It is built in the Dcm, not copied.

@@ -24,6 +24,16 @@ template <class Left> Refused dot_product(const Left&, const Refused&);
 template <class Right> Refused cross_product(const Refused&, const Right&);
 template <class Left> Refused cross_product(const Left&, const Refused&);
 
+/// Why a sum or a difference is refused. The compiler prints the name.
+namespace reason {
+struct expressed_in_two_frames;
+struct in_two_units;
+struct no_frame_cancels;        // w_ab_c + w_de_c
+struct one_pair_twice;          // w_ab_c + w_ab_c; for two estimates, error_between(w, v)
+struct transport_term_is_lost;  // alpha_ib_c - alpha_il_c; use chain()
+struct no_law_for_this_pair;
+}  // namespace reason
+
 namespace detail {
 
 /// Types whose operators depend on frames. Each is specialised beside its class.
@@ -65,6 +75,29 @@ concept LawfulInPlace = requires {
 };
 template <class... Operands> inline constexpr bool any_framed = (is_framed<Operands> || ...);
 
+/// The frame of the axes of a quantity, or void.
+template <class X> struct AxesOf : std::type_identity<void> {};
+template <class X>
+  requires requires {
+    typename X::frame;
+  }
+struct AxesOf<X> : std::type_identity<typename X::frame> {};
+template <class X>
+  requires requires {
+    typename X::expressed;
+  }
+struct AxesOf<X> : std::type_identity<typename X::expressed> {};
+template <class Left, class Right, class LeftAxes = typename AxesOf<Left>::type,
+          class RightAxes = typename AxesOf<Right>::type>
+inline constexpr bool in_two_frames =
+    !std::is_void_v<LeftAxes> && !std::is_void_v<RightAxes> && !std::is_same_v<LeftAxes, RightAxes>;
+
+/// Types with more to say specialise it.
+template <class Left, class Right>
+struct ReasonOf : std::conditional<in_two_frames<Left, Right>, reason::expressed_in_two_frames,
+                                   reason::no_law_for_this_pair> {};
+template <class Left, class Right> using ReasonFor = typename ReasonOf<Left, Right>::type;
+
 }  // namespace detail
 
 // There is one operator for all types of the library, so that the compiler lists two candidates for a refused
@@ -81,7 +114,8 @@ template <class Left, class Right>
 }
 template <class Left, class Right>
   requires(detail::FramedPair<Left, Right> && !detail::Lawful<detail::ProductOf, Left, Right>)
-auto operator*(  // the inner frames cancel, and the kinds go together: R_c_from_b * R_b_from_a, J_b * w_ab_b
+auto operator*(  // inner frames cancel, kinds go together: R_c_from_b * R_b_from_a, J_b * w_ab_b, k *
+                 // w_ab_b.vector()
     const Left&, const Right&) -> Refused = delete;
 
 template <class Left, class Right>
@@ -100,9 +134,9 @@ detail::SumOf<Left, Right>
 operator+(const Left& left, const Right& right) {
   return sum(left, right);
 }
-template <class Left, class Right>
+template <class Left, class Right, class Reason = detail::ReasonFor<Left, Right>>
   requires(detail::FramedPair<Left, Right> && !detail::Lawful<detail::SumOf, Left, Right>)
-auto operator+(  // one frame and one unit: r_a + s_a, w_ab_c + w_bd_c
+auto operator+(  // one frame and one unit, and the inner frames cancel: r_a + s_a, w_ab_c + w_bd_c
     const Left&, const Right&) -> Refused = delete;
 
 // The unary minus is a member of each type, or deleted there, so it is no candidate for a difference of other
@@ -113,9 +147,9 @@ detail::DifferenceOf<Left, Right>
 operator-(const Left& left, const Right& right) {
   return difference(left, right);
 }
-template <class Left, class Right>
+template <class Left, class Right, class Reason = detail::ReasonFor<Left, Right>>
   requires(detail::FramedPair<Left, Right> && !detail::Lawful<detail::DifferenceOf, Left, Right>)
-auto operator-(  // one frame and one unit: r_a - s_a, w_ab_c + -w_db_c
+auto operator-(  // one frame and one unit, and the common frame goes: r_a - s_a, w_ib_c - w_il_c is w_lb_c
     const Left&, const Right&) -> Refused = delete;
 
 // Only where the result has the type of the left operand: r_a += s_a, r_a *= 2.0. The sum of two rates has

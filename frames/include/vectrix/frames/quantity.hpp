@@ -1,6 +1,7 @@
 #pragma once
 
 #include <boost/units/units_fwd.hpp>
+#include <cmath>
 #include <type_traits>
 #include <vectrix/frames/operators.hpp>
 #include <vectrix/frames/scalar/batch.hpp>
@@ -29,10 +30,22 @@ concept FitsInto = std::convertible_to<const T&, S> &&
     !(std::is_arithmetic_v<T> && std::is_arithmetic_v<S> &&
       (sizeof(T) > sizeof(S) || (std::is_integral_v<S> && !std::is_integral_v<T>)));
 
+template <class U, class V, class S>
+inline constexpr bool converts =
+    !std::is_integral_v<S> &&
+    std::same_as<typename boost_unit<U>::dimension_type, typename boost_unit<V>::dimension_type>;
+
+/// How many U one V is.
+template <class U, class V>
+inline constexpr double conversion_factor = bu::conversion_factor(boost_unit<V>{}, boost_unit<U>{});
+
 /// The one of two scalars that the other fits into.
 template <class S, class T>
   requires FitsInto<T, S> || FitsInto<S, T>
 using Wider = std::conditional_t<FitsInto<T, S>, S, T>;
+
+/// The scalar of a number that gets a unit.
+template <class S> using Measure = std::conditional_t<std::is_integral_v<S>, double, S>;
 
 /// A factor of a number of S. Only what the machine multiplies at once has one type: a derivative times a
 /// double stays that.
@@ -92,6 +105,19 @@ template <Unit U, class S> class Quantity {
   constexpr const S& value() const& { return value_; }
   constexpr S value() && { return value_; }
   constexpr operator S() const requires is_ratio { return value_; }
+  /// The bare number in another unit of the dimension: angle.in(si::degree).
+  template <class V>
+    requires detail::converts<V, U, S>
+  constexpr S in(UnitConstant<V>) const {
+    if constexpr (std::is_floating_point_v<S>) {
+      return static_cast<S>(value_ * detail::conversion_factor<V, U>);
+    } else {
+      return S(value_ * detail::number<S>(detail::conversion_factor<V, U>));
+    }
+  }
+  template <class Given>
+  auto in(  // a unit of the same dimension: angle.in(si::degree)
+      const Given&) const -> Refused = delete;
 
   constexpr Quantity operator-() const { return from_value(-value_); }
   constexpr Quantity& operator+=(const Quantity& x) {
@@ -167,14 +193,23 @@ constexpr Quantity<unit_tag<BoostUnit>, S> quantity(const boost::units::quantity
   return {detail::trusted, x.value()};
 }
 
-/// A unit to stand behind a number: 2.0 * si::metre, 0.1 * (si::radian / si::second).
+/// |x|.
+template <class U, class S> constexpr Quantity<U, S> abs(const Quantity<U, S>& x) {
+  using std::abs;
+  return {detail::trusted, S(abs(x.value()))};
+}
+
+/// A unit to stand behind a number: 2.0 * si::metre, 0.1 * (si::radian / si::second). A whole number becomes
+/// a double, because 1 * si::metre / (2 * si::second) is half a metre per second.
 template <Unit U> struct UnitConstant {
-  template <detail::Number S> friend constexpr Quantity<U, S> operator*(const S& number, UnitConstant) {
-    return {detail::trusted, number};
+  template <detail::Number S>
+  friend constexpr Quantity<U, detail::Measure<S>> operator*(const S& number, UnitConstant) {
+    return {detail::trusted, static_cast<detail::Measure<S>>(number)};
   }
   template <detail::Number S>
-  friend constexpr Quantity<unit_quotient<si::dimensionless, U>, S> operator/(const S& number, UnitConstant) {
-    return {detail::trusted, number};
+  friend constexpr Quantity<unit_quotient<si::dimensionless, U>, detail::Measure<S>> operator/(
+      const S& number, UnitConstant) {
+    return {detail::trusted, static_cast<detail::Measure<S>>(number)};
   }
   template <class V, class S>
   friend constexpr Quantity<unit_product<V, U>, S> operator*(const Quantity<V, S>& x, UnitConstant) {

@@ -30,25 +30,13 @@ inline constexpr UnitConstant<degree_per_second_unit> degree_per_second;
 
 namespace detail {
 
-template <class U, class V, class S>
-inline constexpr bool converts =
-    !std::is_integral_v<S> &&
-    std::same_as<typename boost_unit<U>::dimension_type, typename boost_unit<V>::dimension_type>;
 template <class U, class V, class S> using Converted = std::enable_if_t<converts<U, V, S>, Quantity<U, S>>;
-
-/// How many U one V is.
-template <class U, class V>
-inline constexpr double conversion_factor = bu::conversion_factor(boost_unit<V>{}, boost_unit<U>{});
 
 }  // namespace detail
 
 /// The quantity in another unit of its dimension: convert<si::length>(7000.0 * si::kilometre) is 7e6 m.
 template <Unit U, class V, class S> constexpr detail::Converted<U, V, S> convert(const Quantity<V, S>& x) {
-  if constexpr (std::is_floating_point_v<S>) {
-    return {detail::trusted, static_cast<S>(x.value() * detail::conversion_factor<U, V>)};
-  } else {
-    return {detail::trusted, x.value() * detail::number<S>(detail::conversion_factor<U, V>)};
-  }
+  return {detail::trusted, x.in(UnitConstant<U>{})};
 }
 template <Unit To, class From, class S>
   requires(!detail::converts<To, From, S>)

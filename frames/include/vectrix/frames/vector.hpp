@@ -9,6 +9,7 @@
 #include <vectrix/frames/frame.hpp>
 #include <vectrix/frames/operators.hpp>
 #include <vectrix/frames/print.hpp>
+#include <vectrix/frames/scalar/arc_tangent.hpp>
 #include <vectrix/frames/trusted.hpp>
 #include <vectrix/frames/units.hpp>
 
@@ -16,6 +17,24 @@ namespace vectrix {
 namespace detail {
 
 template <class S> using Column = Eigen::Matrix<S, 3, 1>;
+
+/// Whether a size is right, or known at run time only.
+template <int wanted, int size> inline constexpr bool may_be = size == wanted || size == Eigen::Dynamic;
+
+/// Throws BadInput if the size, where it is known at run time only, is another.
+template <class M> void require_size(const M& numbers, Eigen::Index rows, Eigen::Index columns) {
+  if constexpr (M::SizeAtCompileTime == Eigen::Dynamic) {
+    if (numbers.rows() != rows || numbers.cols() != columns) {
+      throw BadInput("the matrix has " + text(numbers.rows()) + " x " + text(numbers.cols()) +
+                     " entries, not " + text(rows) + " x " + text(columns));
+    }
+  }
+}
+
+/// Three numbers of any shape.
+template <class M>
+concept ThreeNumbers = M::SizeAtCompileTime == 3 ||
+                       (M::SizeAtCompileTime == Eigen::Dynamic && M::ColsAtCompileTime == 1);
 
 /// The norm of finite numbers of any size: the squares do not overflow or underflow. Derivatives are NaN at
 /// zero.
@@ -106,10 +125,12 @@ auto vector(  // one SI vector unit for all: convert<U>()
     In<F>, const X&, const Y&, const Z&) -> Refused = delete;
 
 /// Claims that the three bare numbers are coordinates in F, in the coherent SI unit U:
-/// vector<si::length>(in<F>, m). Throws BadInput when one is not finite.
+/// vector<si::length>(in<F>, m), also of a part of a longer column: x.segment(3, 3). Throws BadInput when one
+/// is not finite, or there are not three.
 template <VectorUnit U, Frame F, class Derived>
-  requires(Derived::SizeAtCompileTime == 3)
+  requires detail::ThreeNumbers<Derived>
 auto vector(In<F>, const Eigen::MatrixBase<Derived>& coordinates) {
+  detail::require_size(coordinates, 3, 1);
   return detail::checked_vector<F, U, typename Derived::Scalar>(coordinates);
 }
 
@@ -128,6 +149,9 @@ template <Frame F, class S = double> Vector<F, si::dimensionless, S> unit_y(In<F
 template <Frame F, class S = double> Vector<F, si::dimensionless, S> unit_z(In<F>) {
   return {detail::trusted, detail::Column<S>::UnitZ()};
 }
+
+template <class F, class U, class V, class S>
+struct detail::ReasonOf<Vector<F, U, S>, Vector<F, V, S>> : std::type_identity<reason::in_two_units> {};
 
 template <class F, class U, class S> Vector<F, U, S> sum(const Vector<F, U, S>& r, const Vector<F, U, S>& s) {
   return {detail::trusted, r.coordinates() + s.coordinates()};
@@ -177,6 +201,11 @@ Vector<F, unit_of_vector_product<U, V>, S> cross_product(const Vector<F, U, S>& 
   return {detail::trusted, r.coordinates().cross(s.coordinates())};
 }
 
+/// |r|^2, in the exact square of the unit of r.
+template <class F, class U, class S> Quantity<unit_product<U, U>, S> squared_norm(const Vector<F, U, S>& r) {
+  return Quantity<unit_product<U, U>, S>::from_value(r.coordinates().squaredNorm());
+}
+
 /// |r|, in the unit of r. Correct also where r^2 overflows or underflows.
 template <class F, class U, class S> Quantity<U, S> norm(const Vector<F, U, S>& r) {
   const S square = r.coordinates().squaredNorm();
@@ -206,6 +235,17 @@ template <class F, class U, class S> Vector<F, si::dimensionless, S> direction(c
   const detail::Column<S> scaled = r.coordinates() / largest;
   return {detail::trusted, scaled / scaled.norm()};
 }
+
+namespace detail {
+
+/// angle_between() of two vectors.
+template <class F, class U, class V, class S>
+Quantity<si::angle, S> angle_of(const Vector<F, U, S>& r, const Vector<F, V, S>& s) {
+  const Column<S> u = direction(r).coordinates(), v = direction(s).coordinates();
+  return Quantity<si::angle, S>::from_value(S(2) * arc_tangent<S>((u - v).norm(), (u + v).norm()));
+}
+
+}  // namespace detail
 
 template <class F, class U, class S> std::ostream& print_framed(std::ostream& out, const Vector<F, U, S>& r) {
   return detail::print_column(out, r.coordinates(), detail::unit_symbol<U>) << " in " << frame_name<F>();

@@ -17,10 +17,10 @@ namespace vectrix {
 /// Its laws; see also parallel_axes.hpp and, for the sum of parts, join.hpp:
 ///     1.  J_p^d = R_c^d J_p^c (R_c^d)^T      R_d_from_c * J_p_c
 ///     2.  H_c = J_c w_ab, T = 1/2 w_ab . J_c w_ab, about the centre of mass c only
-/// Made by inertia_from_tensor() or inertia_from_moments_and_products(); they differ in the sign of the
-/// off-diagonal numbers. No default constructor. No principal moment is negative, and J1 + J2 >= J3. One or
-/// all of them are zero for a rod and a point mass, which are parts of a body; Euler's equation refuses
-/// these.
+/// Made by inertia_from_tensor() or inertia_from_moments_and_products(), which differ in the sign of the
+/// off-diagonal numbers, or inertia_from_principal_moments(). No default constructor. No principal moment is
+/// negative, and J1 + J2 >= J3. One or all of them are zero for a rod and a point mass, which are parts of a
+/// body; Euler's equation refuses these.
 template <Frame B, Point P = CentreOfMassOf<B>, class ExpressedIn = In<B>, class S = double> class Inertia;
 
 template <Frame B, Point P, Frame C, class S> class Inertia<B, P, In<C>, S> {
@@ -170,8 +170,35 @@ J checked_inertia(const char* door, const Square<S>& tensor, const S& rounding =
   return of_tensor<J>(tensor, rounding);
 }
 
-template <class S>
-Square<S> symmetric(const S& xx, const S& yy, const S& zz, const S& xy, const S& xz, const S& yz) {
+template <class J, class S> void require_symmetric(const char* door, const Square<S>& tensor) {
+  for (Eigen::Index i = 0; i < 3; ++i) {
+    for (Eigen::Index j = i + 1; j < 3; ++j) {
+      const S error = tensor(i, j) - tensor(j, i);
+      const S tolerance = moment_tolerance<S>() * (tensor(i, i) + tensor(j, j));
+      if (!all(error <= tolerance) || !all(-error <= tolerance)) {
+        throw BadInput(std::string{door} + "(" + InertiaName<J>::text() + "): entries (" + text(i + 1) +
+                       ", " + text(j + 1) + ") and (" + text(j + 1) + ", " + text(i + 1) +
+                       ") of the tensor differ by " + text(error) + " kg m^2");
+      }
+    }
+  }
+}
+
+/// An off-diagonal number of the axes i and j, i < j.
+template <int i, int j, class S> struct OffDiagonal { S value; };
+
+template <class S, class... Given>
+concept OffDiagonals =
+    sizeof...(Given) == 3 && one_of<OffDiagonal<1, 2, S>, Given...>&& one_of<
+                                 OffDiagonal<1, 3, S>, Given...>&& one_of<OffDiagonal<2, 3, S>, Given...>;
+
+template <class S, class... Given>
+Square<S> symmetric(const S& xx, const S& yy, const S& zz, const S& sign, const Given&... given) {
+  struct Named : Given... {};
+  const Named all{given...};
+  const S xy = sign * static_cast<const OffDiagonal<1, 2, S>&>(all).value;
+  const S xz = sign * static_cast<const OffDiagonal<1, 3, S>&>(all).value;
+  const S yz = sign * static_cast<const OffDiagonal<2, 3, S>&>(all).value;
   Square<S> matrix;
   matrix << xx, xy, xz, xy, yy, yz, xz, yz, zz;
   return matrix;
@@ -179,59 +206,99 @@ Square<S> symmetric(const S& xx, const S& yy, const S& zz, const S& xy, const S&
 
 }  // namespace detail
 
-/// From the entries of the tensor: Jxy = - int x y dm, the number that stands in the matrix. Throws BadInput
-/// if an entry is not finite, a principal moment is negative, or one exceeds the sum of the other two.
-template <Frame B, Point P, Frame C, class S>
-Inertia<B, P, In<C>, S> inertia_from_tensor(Of<B>, About<P>, In<C>,
-                                            const Quantity<si::moment_of_inertia, S>& Jxx,
-                                            const Quantity<si::moment_of_inertia, S>& Jyy,
-                                            const Quantity<si::moment_of_inertia, S>& Jzz,
-                                            const Quantity<si::moment_of_inertia, S>& Jxy,
-                                            const Quantity<si::moment_of_inertia, S>& Jxz,
-                                            const Quantity<si::moment_of_inertia, S>& Jyz) {
-  return detail::checked_inertia<Inertia<B, P, In<C>, S>>(
-      "inertia_from_tensor",
-      detail::symmetric<S>(Jxx.value(), Jyy.value(), Jzz.value(), Jxy.value(), Jxz.value(), Jyz.value()));
+/// These name the off-diagonal numbers, so that any order can be given: tables list xy, xz, yz or xy, yz, zx.
+template <class S> detail::OffDiagonal<1, 2, S> xy(const Quantity<si::moment_of_inertia, S>& J) {
+  return {J.value()};
 }
-template <Frame B, class S>
-CentralInertia<B, S> inertia_from_tensor(In<B>, const Quantity<si::moment_of_inertia, S>& Jxx,
-                                         const Quantity<si::moment_of_inertia, S>& Jyy,
-                                         const Quantity<si::moment_of_inertia, S>& Jzz,
-                                         const Quantity<si::moment_of_inertia, S>& Jxy,
-                                         const Quantity<si::moment_of_inertia, S>& Jxz,
-                                         const Quantity<si::moment_of_inertia, S>& Jyz) {
-  return inertia_from_tensor(of<B>, about<CentreOfMassOf<B>>, in<B>, Jxx, Jyy, Jzz, Jxy, Jxz, Jyz);
+template <class S> detail::OffDiagonal<1, 3, S> xz(const Quantity<si::moment_of_inertia, S>& J) {
+  return {J.value()};
+}
+template <class S> detail::OffDiagonal<1, 3, S> zx(const Quantity<si::moment_of_inertia, S>& J) {
+  return xz(J);
+}
+template <class S> detail::OffDiagonal<2, 3, S> yz(const Quantity<si::moment_of_inertia, S>& J) {
+  return {J.value()};
+}
+
+/// From the entries of the tensor, with Jxy = - int x y dm, the number that stands in the matrix:
+///     inertia_from_tensor(in<B>, Jxx, Jyy, Jzz, xy(Jxy), xz(Jxz), yz(Jyz)), the last three in any order
+/// Throws BadInput if an entry is not finite, a principal moment is negative, or one exceeds the sum of the
+/// other two.
+template <Frame B, Point P, Frame C, class S, class... OffDiagonal>
+  requires detail::OffDiagonals<S, OffDiagonal...> Inertia<B, P, In<C>, S> inertia_from_tensor(
+      Of<B>, About<P>, In<C>, const Quantity<si::moment_of_inertia, S>& Jxx,
+      const Quantity<si::moment_of_inertia, S>& Jyy, const Quantity<si::moment_of_inertia, S>& Jzz,
+      const OffDiagonal&... entries) {
+    return detail::checked_inertia<Inertia<B, P, In<C>, S>>(
+        "inertia_from_tensor", detail::symmetric<S>(Jxx.value(), Jyy.value(), Jzz.value(), S(1), entries...));
+  }
+template <Frame B, class S, class... OffDiagonal>
+  requires detail::OffDiagonals<S, OffDiagonal...> CentralInertia<B, S> inertia_from_tensor(
+      In<B>, const Quantity<si::moment_of_inertia, S>& Jxx, const Quantity<si::moment_of_inertia, S>& Jyy,
+      const Quantity<si::moment_of_inertia, S>& Jzz, const OffDiagonal&... entries) {
+    return inertia_from_tensor(of<B>, about<CentreOfMassOf<B>>, in<B>, Jxx, Jyy, Jzz, entries...);
+  }
+/// From a bare matrix, kg m^2. Throws BadInput also if it is not symmetric.
+template <Frame B, Point P, Frame C, detail::Matrix3x3 Matrix>
+Inertia<B, P, In<C>, typename Matrix::Scalar> inertia_from_tensor(Of<B>, About<P>, In<C>,
+                                                                  const Matrix& tensor) {
+  using J = Inertia<B, P, In<C>, typename Matrix::Scalar>;
+  detail::require_size(tensor, 3, 3);
+  detail::require_symmetric<J, typename Matrix::Scalar>("inertia_from_tensor", tensor);
+  return detail::checked_inertia<J, typename Matrix::Scalar>("inertia_from_tensor", tensor);
+}
+template <Frame B, detail::Matrix3x3 Matrix>
+CentralInertia<B, typename Matrix::Scalar> inertia_from_tensor(In<B>, const Matrix& tensor) {
+  return inertia_from_tensor(of<B>, about<CentreOfMassOf<B>>, in<B>, tensor);
 }
 template <class First, class... Given>
-auto inertia_from_tensor(  // in<B>, or of<B>, about<P>, in<C>; six quantities in kg m^2: Jxx, ...
+auto inertia_from_tensor(  // in<B> or of<B>, about<P>, in<C>; Jxx, Jyy, Jzz, xy(Jxy), xz(Jxz), yz(Jyz), kg
+                           // m^2
     const First&, const Given&...) -> Refused = delete;
 
 /// From moments and products of inertia, Pxy = + int x y dm: the off-diagonal entries of the tensor are their
-/// negatives. Throws BadInput as inertia_from_tensor() does.
+/// negatives. Named and in any order, xy(Pxy), yz(Pyz), zx(Pzx). Throws BadInput as inertia_from_tensor()
+/// does.
+template <Frame B, Point P, Frame C, class S, class... OffDiagonal>
+  requires detail::OffDiagonals<S, OffDiagonal...> Inertia<B, P, In<C>, S> inertia_from_moments_and_products(
+      Of<B>, About<P>, In<C>, const Quantity<si::moment_of_inertia, S>& Jxx,
+      const Quantity<si::moment_of_inertia, S>& Jyy, const Quantity<si::moment_of_inertia, S>& Jzz,
+      const OffDiagonal&... products) {
+    return detail::checked_inertia<Inertia<B, P, In<C>, S>>(
+        "inertia_from_moments_and_products",
+        detail::symmetric<S>(Jxx.value(), Jyy.value(), Jzz.value(), S(-1), products...));
+  }
+template <Frame B, class S, class... OffDiagonal>
+  requires detail::OffDiagonals<S, OffDiagonal...> CentralInertia<B, S> inertia_from_moments_and_products(
+      In<B>, const Quantity<si::moment_of_inertia, S>& Jxx, const Quantity<si::moment_of_inertia, S>& Jyy,
+      const Quantity<si::moment_of_inertia, S>& Jzz, const OffDiagonal&... products) {
+    return inertia_from_moments_and_products(of<B>, about<CentreOfMassOf<B>>, in<B>, Jxx, Jyy, Jzz,
+                                             products...);
+  }
+template <class First, class... Given>
+auto inertia_from_moments_and_products(  // in<B> or of<B>, about<P>, in<C>; Jxx, Jyy, Jzz, xy(Pxy), xz(Pxz),
+                                         // yz(Pyz)
+    const First&, const Given&...) -> Refused = delete;
+
+/// From the moments about the axes, where these are principal axes. Throws BadInput as inertia_from_tensor()
+/// does.
 template <Frame B, Point P, Frame C, class S>
-Inertia<B, P, In<C>, S> inertia_from_moments_and_products(Of<B>, About<P>, In<C>,
-                                                          const Quantity<si::moment_of_inertia, S>& Jxx,
-                                                          const Quantity<si::moment_of_inertia, S>& Jyy,
-                                                          const Quantity<si::moment_of_inertia, S>& Jzz,
-                                                          const Quantity<si::moment_of_inertia, S>& Pxy,
-                                                          const Quantity<si::moment_of_inertia, S>& Pxz,
-                                                          const Quantity<si::moment_of_inertia, S>& Pyz) {
-  return detail::checked_inertia<Inertia<B, P, In<C>, S>>(
-      "inertia_from_moments_and_products",
-      detail::symmetric<S>(Jxx.value(), Jyy.value(), Jzz.value(), -Pxy.value(), -Pxz.value(), -Pyz.value()));
+Inertia<B, P, In<C>, S> inertia_from_principal_moments(Of<B>, About<P>, In<C>,
+                                                       const Quantity<si::moment_of_inertia, S>& Jx,
+                                                       const Quantity<si::moment_of_inertia, S>& Jy,
+                                                       const Quantity<si::moment_of_inertia, S>& Jz) {
+  const detail::Column<S> moments(Jx.value(), Jy.value(), Jz.value());
+  return detail::checked_inertia<Inertia<B, P, In<C>, S>>("inertia_from_principal_moments",
+                                                          detail::Square<S>(moments.asDiagonal()));
 }
 template <Frame B, class S>
-CentralInertia<B, S> inertia_from_moments_and_products(In<B>, const Quantity<si::moment_of_inertia, S>& Jxx,
-                                                       const Quantity<si::moment_of_inertia, S>& Jyy,
-                                                       const Quantity<si::moment_of_inertia, S>& Jzz,
-                                                       const Quantity<si::moment_of_inertia, S>& Pxy,
-                                                       const Quantity<si::moment_of_inertia, S>& Pxz,
-                                                       const Quantity<si::moment_of_inertia, S>& Pyz) {
-  return inertia_from_moments_and_products(of<B>, about<CentreOfMassOf<B>>, in<B>, Jxx, Jyy, Jzz, Pxy, Pxz,
-                                           Pyz);
+CentralInertia<B, S> inertia_from_principal_moments(In<B>, const Quantity<si::moment_of_inertia, S>& Jx,
+                                                    const Quantity<si::moment_of_inertia, S>& Jy,
+                                                    const Quantity<si::moment_of_inertia, S>& Jz) {
+  return inertia_from_principal_moments(of<B>, about<CentreOfMassOf<B>>, in<B>, Jx, Jy, Jz);
 }
 template <class First, class... Given>
-auto inertia_from_moments_and_products(  // in<B>, or of<B>, about<P>, in<C>; six quantities in kg m^2
+auto inertia_from_principal_moments(  // in<B> or of<B>, about<P>, in<C>; Jx, Jy, Jz in kg m^2
     const First&, const Given&...) -> Refused = delete;
 
 /// The trusted door: checks nothing. For a symmetric positive tensor that no rigid body has, such as the

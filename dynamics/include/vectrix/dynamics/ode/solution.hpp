@@ -73,8 +73,9 @@ class VECTRIX_EXPORT Solution {
   [[nodiscard]] Statistics statistics() const;
 
   /// State at any time in [start, end]: the Hermite polynomial through (y, ydot) of up to six nodes around t
-  /// within its smooth segment (degree 11 or less). At a node it is exactly the state of the node. Throws
-  /// BadInput if t is outside [start, end] or not a number.
+  /// within its smooth segment (degree 11 or less). A node is reached at a time that need not be a double; at
+  /// the node's rounded time this is the state at the rounded time. Throws BadInput if t is outside
+  /// [start, end] or not a number.
   [[nodiscard]] std::vector<double> at(double t) const;
   void at(double t, std::span<double> state) const;
 

@@ -79,6 +79,20 @@ std::vector<double> absolute_tolerances(const Tolerances& tolerances, const Stat
   return absolute;
 }
 
+/// Throws BadInput if the torque w x J w underflows, while the body turns far enough in the propagation for
+/// it to matter. Without it the rate would stay constant.
+template <class B, class I>
+void require_gyroscopic_torque(const Inertia<B>& J_b, const AngularVelocity<I, B, In<B>>& w_ib_b,
+                               double duration) {
+  using Limits = std::numeric_limits<double>;
+  const double rate = norm(w_ib_b).value();
+  const double size = J_b.matrix().trace() * rate * rate;
+  if (size < Limits::min() / Limits::epsilon() && rate * duration > Limits::epsilon()) [[unlikely]] {
+    throw BadInput("propagate: at the rate " + text(rate) + " rad/s the torque w x J w of " +
+                   frame_name<B>() + " underflows, J w^2 = " + text(size) + " N m");
+  }
+}
+
 template <class I, class B> std::vector<double> breakpoints(const Scenario<I, B>& scenario) {
   std::vector<double> times;
   for (const PulseTorque<B>& pulse : scenario.pulses) {
@@ -119,7 +133,9 @@ Trajectory<I, B> propagate(const Scenario<I, B>& scenario, const Propagation<I, 
   problem.maximum_step = how.maximum_step.value();
   problem.caller = "propagate";
   problem.component_names = layout.names();
-  problem.rhs = [&](double segment_start, double t, std::span<const double> y, std::span<double> ydot) {
+  problem.rhs = [&, duration = problem.end - problem.start](
+                    double segment_start, double t, std::span<const double> y, std::span<double> ydot) {
+    detail::require_gyroscopic_torque(scenario.inertia, layout.rate(y), duration);
     layout.derivative(scenario, segment_start, t, y, ydot);
   };
   for (const Root<I, B>& root : how.roots) {

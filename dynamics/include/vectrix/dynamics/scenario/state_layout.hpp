@@ -62,6 +62,11 @@ template <InertialFrame I, Frame B> class StateLayout {
             orbit_ ? std::optional<Orbit>{orbit(y)} : std::nullopt};
   }
 
+  AngularVelocity<I, B, In<B>> rate(std::span<const double> y) const {
+    return AngularVelocity<I, B, In<B>>{trusted,
+                                        Vector<B, si::angular_velocity>{trusted, column(y, attitude_size())}};
+  }
+
   /// How far the raw attitude is from a rotation: | |q| - 1 |, or the largest entry of |R^T R - I|.
   double drift(std::span<const double> y) const {
     if (attitude_ == AttitudeState::quaternion) return std::abs(raw_quaternion(y).norm() - 1.0);
@@ -115,10 +120,6 @@ template <InertialFrame I, Frame B> class StateLayout {
   Quaternion<I, B> unit_attitude(std::span<const double> y) const {
     if (attitude_ == AttitudeState::quaternion) return {trusted, raw_quaternion(y).normalized()};
     return quaternion(nearest_dcm(to<I>, from<B>, raw_matrix(y)).dcm);
-  }
-  AngularVelocity<I, B, In<B>> rate(std::span<const double> y) const {
-    return AngularVelocity<I, B, In<B>>{trusted,
-                                        Vector<B, si::angular_velocity>{trusted, column(y, attitude_size())}};
   }
   Orbit orbit(std::span<const double> y) const {
     return {decltype(Orbit::position){trusted, column(y, attitude_size() + 3)},

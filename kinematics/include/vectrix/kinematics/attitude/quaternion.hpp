@@ -98,6 +98,16 @@ template <class ToFrame, class FromFrame, class X, class Y, class Z, class W>
 auto quaternion_scalar_last(  // to<B>, from<A>: two frames; four numbers of one floating type
     ToFrame, FromFrame, X, Y, Z, W) -> Refused = delete;
 
+/// The same of Eigen's quaternion, whose members say where the scalar is.
+template <Frame B, Frame A, class S>
+  requires(!std::integral<S>)
+detail::OfTwo<B, A, Quaternion<B, A, S>> quaternion(To<B>, From<A>, const Eigen::Quaternion<S>& q) {
+  return detail::unit_quaternion<B, A, S>(q, "quaternion");
+}
+template <class ToFrame, class FromFrame, class Given>
+auto quaternion(  // to<B>, from<A>: two frames; Eigen's quaternion, or quaternion_scalar_first(), _last()
+    To<ToFrame>, From<FromFrame>, const Given&) -> Refused = delete;
+
 template <class B, class A, class S> struct NearestQuaternion {
   Quaternion<B, A, S> quaternion;
   /// | |q| - 1 | before the projection.
@@ -137,6 +147,16 @@ detail::OfTwo<B, A, NearestQuaternion<B, A, S>> nearest_quaternion_scalar_last(T
 template <class ToFrame, class FromFrame, class X, class Y, class Z, class W>
 auto nearest_quaternion_scalar_last(  // to<B>, from<A>: two frames; four numbers of one floating type
     ToFrame, FromFrame, X, Y, Z, W) -> Refused = delete;
+
+template <Frame B, Frame A, class S>
+  requires(!std::integral<S>)
+detail::OfTwo<B, A, NearestQuaternion<B, A, S>> nearest_quaternion(To<B>, From<A>,
+                                                                   const Eigen::Quaternion<S>& q) {
+  return detail::nearest_quaternion<B, A, S>(q, "nearest_quaternion");
+}
+template <class ToFrame, class FromFrame, class Given>
+auto nearest_quaternion(  // to<B>, from<A>: two frames; Eigen's quaternion
+    To<ToFrame>, From<FromFrame>, const Given&) -> Refused = delete;
 
 // q_a^c = q_b^c q_a^b
 template <class C, class B, class A, class S>

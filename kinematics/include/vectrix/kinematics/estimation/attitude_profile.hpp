@@ -9,7 +9,8 @@ template <class S> struct ProfileRotation {
   Square<S> rotation;
   /// sigma_2 + d sigma_3: the second-order loss coefficient of a small turn about the least determined axis.
   S margin;
-  Column<S> least_axis;
+  /// Orthonormal; the first is the least determined axis, the mean direction of a narrow field.
+  Square<S> axes;
 };
 
 /// The R that maximises tr(R B^T), by B = U Sigma V^T, R = U diag(1, 1, d) V^T, d = det U det V.
@@ -20,7 +21,7 @@ template <class S> ProfileRotation<S> profile_rotation(const Square<S>& profile)
   const Square<S>& V = svd.matrixV();
   const S d = U.determinant() * V.determinant() < S(0) ? S(-1) : S(1);
   return {U * Column<S>(S(1), S(1), d).asDiagonal() * V.transpose(),
-          svd.singularValues()(1) + d * svd.singularValues()(2), U.col(0)};
+          svd.singularValues()(1) + d * svd.singularValues()(2), U};
 }
 
 }  // namespace vectrix::detail

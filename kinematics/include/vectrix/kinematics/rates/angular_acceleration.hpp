@@ -33,6 +33,11 @@ template <class A, class B, class C, class S>
 struct QuestionOf<AngularAcceleration<A, B, In<C>, S>> : std::type_identity<AskAngularAcceleration<B, A, C>> {
 };
 
+template <class A, class B, class C, class S, class D, class E>
+struct detail::ReasonOf<AngularAcceleration<A, B, C, S>, AngularAcceleration<D, E, C, S>>
+    : std::conditional<std::is_same_v<A, D> && std::is_same_v<B, E>, reason::one_pair_twice,
+                       reason::transport_term_is_lost> {};
+
 /// Claims that the vector is the angular acceleration of b relative to a.
 template <Frame B, Frame A, class C, class S>
 detail::OfTwo<B, A, AngularAcceleration<A, B, In<C>, S>> angular_acceleration(

@@ -34,6 +34,15 @@ inline constexpr bool detail::is_framed<AngularVelocity<A, B, C, S>> = true;
 template <class A, class B, class C, class S>
 struct QuestionOf<AngularVelocity<A, B, In<C>, S>> : std::type_identity<AskAngularVelocity<B, A, C>> {};
 
+namespace detail {
+
+/// A gain from rad/s to a torque or an angular momentum.
+template <class V>
+concept GainOfRate =
+    one_of<unit_of_vector_product<V, si::angular_velocity>, si::torque, si::angular_momentum>;
+
+}  // namespace detail
+
 /// Claims that the vector is the angular velocity of b relative to a.
 template <Frame B, Frame A, class C, class S>
 detail::OfTwo<B, A, AngularVelocity<A, B, In<C>, S>> angular_velocity(
@@ -69,6 +78,14 @@ template <class A, class B, class C, class U, class S>
 Quantity<unit_product<U, si::angular_velocity>, S> dot_product(
     const Vector<C, U, S>& r_c, const AngularVelocity<A, B, In<C>, S>& w_ab_c) {
   return dot(r_c, w_ab_c.vector());
+}
+
+// k w_ab^c with a gain k in N m s/rad, as of a damper: a torque. With a moment of inertia: an angular
+// momentum.
+template <detail::GainOfRate V, class A, class B, class C, class S>
+Vector<C, unit_of_vector_product<V, si::angular_velocity>, S> product(
+    const Quantity<V, S>& k, const AngularVelocity<A, B, In<C>, S>& w_ab_c) {
+  return {detail::trusted, k.value() * w_ab_c.coordinates()};
 }
 
 /// |w_ab|, rad/s.

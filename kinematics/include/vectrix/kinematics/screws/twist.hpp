@@ -68,6 +68,22 @@ Twist<A, D, At<P>, In<C>, S> sum(const Twist<A, B, At<P>, In<C>, S>& ab,
   return {detail::trusted, ab.angular_velocity().coordinates() + bd.angular_velocity().coordinates(),
           ab.velocity().coordinates() + bd.velocity().coordinates()};
 }
+// V_bd(p)^c = V_ad(p)^c - V_ab(p)^c: the common reference goes.
+template <class A, class B, class D, class P, class C, class S>
+  requires(!std::same_as<B, D>)
+Twist<B, D, At<P>, In<C>, S> difference(const Twist<A, D, At<P>, In<C>, S>& ad,
+                                        const Twist<A, B, At<P>, In<C>, S>& ab) {
+  return {detail::trusted, ad.angular_velocity().coordinates() - ab.angular_velocity().coordinates(),
+          ad.velocity().coordinates() - ab.velocity().coordinates()};
+}
+// V_ab(p)^c = V_ad(p)^c - V_bd(p)^c
+template <class A, class B, class D, class P, class C, class S>
+  requires(!std::same_as<A, B>)
+Twist<A, B, At<P>, In<C>, S> difference(const Twist<A, D, At<P>, In<C>, S>& ad,
+                                        const Twist<B, D, At<P>, In<C>, S>& bd) {
+  return {detail::trusted, ad.angular_velocity().coordinates() - bd.angular_velocity().coordinates(),
+          ad.velocity().coordinates() - bd.velocity().coordinates()};
+}
 // V_ab(p)^d = R_c^d V_ab(p)^c
 template <class D, class C, class A, class B, class P, class S>
 Twist<A, B, At<P>, In<D>, S> product(const Dcm<D, C, S>& R_d_from_c, const Twist<A, B, At<P>, In<C>, S>& ab) {

@@ -55,9 +55,9 @@ class VECTRIX_EXPORT EarthOrientation {
   /// values: rows after the last complete one are not used. Throws BadInput with file, line, columns and
   /// reason if a field is no number, a complete row follows an incomplete one, rows are not a day apart,
   /// UT1-TAI jumps as at a leap second that ERFA does not know, the file ends within a line, or fewer than
-  /// two rows are complete; and if dX or dY exceeds 3 milliarcsec (15 before 1985), as dPsi and dEps do in
-  /// the same columns of finals.all. An excerpt of finals.all from about 1980 to 1990 alone is not
-  /// recognised.
+  /// two rows are complete; and if dX and dY are nearer to the offsets from IAU 1980, which finals.all has in
+  /// the same columns, than to zero. Between 1981 and 1988 both are a few milliarcsec, as are the errors of
+  /// that time, so that an excerpt of those years alone may be mistaken.
   static EarthOrientation read(const std::filesystem::path& finals2000A);
 
   [[nodiscard]] const Epoch& first() const { return epochs_.front(); }

@@ -1,0 +1,78 @@
+#include <vectrix/frames/errors.hpp>
+
+#include "problems.hpp"
+
+namespace vectrix::ode::test::late_start_test {
+namespace {
+
+/// Seconds since 1970, Julian seconds, and before zero.
+constexpr double starts[] = {1.7e9, 2.1e11, -1.7e9, -2.1e11};
+
+/// Accumulated over 64 rad at a tolerance of 1e-12, as from a start at 0: the methods of many steps take
+/// more and shorter ones. A time that is rounded to the precision of the start would cost 1e-7 to 1e-5.
+double accumulated(Method method) {
+  return method == Method::cvode_adams || method == Method::cvode_bdf ? 5e-8 : 5e-10;
+}
+
+Problem late(Method method, double start) {
+  Problem problem = oscillator(method, 64.0, 1e-12);
+  problem.start = start;
+  problem.end = start + 64.0;
+  return problem;
+}
+
+class LateStart : public testing::TestWithParam<Method> {};
+INSTANTIATE_TEST_SUITE_P(Methods, LateStart, testing::ValuesIn(methods), name);
+
+TEST_P(LateStart, loses_no_digits_between_the_nodes) {
+  for (const double start : starts) {
+    Problem problem = late(GetParam(), start);
+    problem.breakpoints = {start + 10.25, start + 40.5};
+    const Solution solution = solve(problem);
+    double largest = 0.0;
+    for (double s = 0.0; s <= 64.0; s += 0.125)
+      largest = std::max(largest, distance(solution.at(start + s), oscillator_state(s)));
+    EXPECT_LE(largest, accumulated(GetParam())) << start;
+  }
+}
+
+TEST_P(LateStart, gives_events_at_the_rounded_time_and_after_the_change_of_sign) {
+  for (const double start : starts) {
+    Problem problem = late(GetParam(), start);
+    problem.roots = {{"x", [](double, State y) { return y[0]; }, Direction::any, false},
+                     {"third", [](double, State y) { return y[1] - 0.5; }, Direction::rising, false}};
+    const Solution solution = solve(problem);
+    ASSERT_EQ(solution.events().size(), 20U + 10U);
+    const double spacing = std::nextafter(std::abs(start), 1e300) - std::abs(start);
+    for (const Event& event : solution.events()) {
+      const double value = event.root == 0 ? event.state[0] : event.state[1] - 0.5;
+      EXPECT_TRUE(event.direction == Direction::rising ? value >= 0.0 : value <= 0.0) << value;
+      EXPECT_LE(std::abs(value), spacing + 1e-14);
+      EXPECT_EQ(solution.at(event.time), event.state);
+    }
+    problem.roots[0].stop = true;
+    const Solution stopped = solve(problem);
+    EXPECT_EQ(stopped.end(), stopped.events().back().time);
+    EXPECT_NEAR(stopped.end() - start, std::numbers::pi / 2, spacing + 1e-10);
+    EXPECT_EQ(stopped.at(stopped.end()), stopped.events().back().state);
+    EXPECT_LE(distance(stopped.at(start + 1.5), oscillator_state(1.5)), accumulated(GetParam()));
+  }
+}
+
+// A segment that is short beside the time zero: its nodes and steps count from its own start.
+TEST_P(LateStart, resolves_short_segments_far_from_the_start) {
+  Problem problem = oscillator(GetParam(), 1.0, 1e-9);
+  problem.start = -1e9;
+  problem.rhs = [](double segment_start, double t, State, std::span<double> ydot) {
+    ydot[0] = segment_start == 1e-8 ? 1e8 : 0.0;
+    ydot[1] = t > 0.0 ? 1.0 : 0.0;
+  };
+  problem.breakpoints = {1e-8, 2e-8};
+  const Solution solution = solve(problem);
+  EXPECT_EQ(solution.segment_count(), 3U);
+  EXPECT_NEAR(solution.at(1.5e-8)[0], 1.5, 1e-6);
+  EXPECT_NEAR(solution.at(1.0)[0], 2.0, 1e-6);
+}
+
+}  // namespace
+}  // namespace vectrix::ode::test::late_start_test
