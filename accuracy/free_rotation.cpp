@@ -48,13 +48,15 @@ struct Errors {
   Wide attitude, rate;
 };
 
-Errors errors(Draw& draw, double third_moment) {
-  const Eigen::Vector3d J(1.0, draw.uniform(1.05, third_moment - 0.05), third_moment);
+/// The largest moment exceeds the smallest, 1, by `spread` or less, down to 2^-halvings of it; the second is
+/// anywhere between.
+Errors errors(Draw& draw, double spread, double halvings) {
+  const double third = 1.0 + spread * std::exp2(-draw.uniform(0.0, halvings));
+  const Eigen::Vector3d J(1.0, draw.uniform(1.0, third), third);
   const Eigen::Vector3d w = draw.uniform(0.1, 2.0) * draw.direction();
   const Eigen::Vector4d q = draw.quaternion();
   const double t = draw.uniform(0.1, 20.0);
   const auto kg_m2 = si::kilogram_square_metre;
-  const auto none = 0.0 * kg_m2;
   const State<A, B> initial{
       .time = 0.0 * si::second,
       .q_i_from_b = q_of<A, B>(q),
@@ -78,23 +80,27 @@ void free_rotation_rows(Table& table) {
       "Motion without torque",
       "Reference: Taylor series of order 30 of Euler's equations and of the quaternion, with steps of an "
       "eighth of a radian. The closed form uses elliptic integrals, and their errors are included.");
-  const Bound bound{100,
-                    "about 20 operations for the constants of the motion; they divide by differences of "
-                    "moments, up to 20 times smaller than the moments; the error grows with the angle "
-                    "turned"};
-  for (const double third : {1.6, 1.95}) {
-    const std::string domain = "moments 1 to " + std::to_string(third).substr(0, 4) +
-                               ", at least 0.05 apart; rates to 2 rad/s, times to 20 s";
+  const Bound bound{
+      100,
+      "about 20 operations for the constants of the motion, and some for each radian turned: the "
+      "error grows with the angle"};
+  struct Bodies {
+    double spread, halvings;
+    const char* domain;
+  };
+  for (const Bodies& bodies : {Bodies{0.6, 0.0, "moments 1 to 1.6"}, Bodies{0.95, 0.0, "moments 1 to 1.95"},
+                               Bodies{0.95, 52.0, "largest moment 1 + 2^-52 to 1.95 of the smallest"}}) {
+    const std::string domain = std::string{bodies.domain} + "; rates to 2 rad/s, times to 20 s";
     table.row(
         "torque_free(...), attitude", domain, "radians turned, at least 1", bound,
         [&](Draw& draw) {
-          return Found{errors(draw, third).attitude, "", 0};
+          return Found{errors(draw, bodies.spread, bodies.halvings).attitude, "", 0};
         },
         300);
     table.row(
         "torque_free(...), rate", domain, "|w| times radians turned", bound,
         [&](Draw& draw) {
-          return Found{errors(draw, third).rate, "", 0};
+          return Found{errors(draw, bodies.spread, bodies.halvings).rate, "", 0};
         },
         300);
   }

@@ -36,7 +36,6 @@
 #include <cstdio>
 #include <exception>
 #include <fstream>
-#include <numbers>
 #include <stdexcept>
 #include <vector>
 
@@ -135,16 +134,6 @@ Dcm<Gcrf, Orbit> orbit_axes(const Displacement<Itrf, Satellite, In<Gcrf>>& r,
   return inverse(dcm_from_axes(to<Orbit>, cross(y, z), y, z));
 }
 
-double degrees(double radians) {
-  return radians * (180.0 / std::numbers::pi);
-}
-
-template <class F, class U, class V> double angle(const Vector<F, U>& r, const Vector<F, V>& s) {
-  const auto r_hat = direction(r);
-  const auto s_hat = direction(s);
-  return degrees(std::atan2(norm(cross(r_hat, s_hat)).value(), dot(r_hat, s_hat).value()));
-}
-
 // All questions to the graph at one epoch.
 template <class Graph>
 Look look(const Graph& graph, const Epoch& epoch, const Vector<Body, si::angular_velocity>& gyro_body) {
@@ -161,15 +150,15 @@ Look look(const Graph& graph, const Epoch& epoch, const Vector<Body, si::angular
   const Geodetic place = wgs84::geodetic(*ground);
 
   return {epoch,
-          angle(unit_x(in<Body>), v_body.vector()),
-          degrees(attitude.third().value()),
-          degrees(attitude.second().value()),
-          degrees(attitude.first().value()),
+          angle_between(unit_x(in<Body>), v_body).in(si::degree),
+          attitude.third().in(si::degree),
+          attitude.second().in(si::degree),
+          attitude.first().in(si::degree),
           w_gb_body.vector(),
           gyro_body,
-          degrees(place.latitude.value()),
-          degrees(place.longitude.value()),
-          angle(wgs84::up(*ground), -axis_itrf)};
+          place.latitude.in(si::degree),
+          place.longitude.in(si::degree),
+          angle_between(wgs84::up(*ground), -axis_itrf).in(si::degree)};
 }
 
 double micro(const Quantity<si::angular_velocity>& rate) {
@@ -177,16 +166,19 @@ double micro(const Quantity<si::angular_velocity>& rate) {
 }
 
 constexpr const char* heading =
-    R"(v: velocity relative to the Earth. Body from orbit: R1(roll) R2(pitch) R3(yaw); the orbit frame has z to the Earth's
-centre, y along -(r x v), v inertial. Rate: of the body relative to Gcrf, in body axes; off gyro: |rate - gyro|, urad/s.
-Boresight: where the antenna's axis meets WGS-84, geodetic latitude (north) and longitude (east).
+    R"(off v: body x from the velocity relative to the Earth. Roll, pitch, yaw: body from orbit, R1(roll) R2(pitch) R3(yaw);
+the orbit frame has z to the Earth's centre, y along -(r x v), v inertial. wx, wy, wz: rate of the body relative to Gcrf
+in body axes, from the graph; gyro: |w - w of the gyros|. Latitude, geodetic, and longitude: where the antenna's axis
+meets WGS-84, north and east.
 
-             x from     body from orbit, deg         rate from graph, urad/s    off   boresight, deg
-UTC           v, mdeg    roll    pitch     yaw       x        y        z      gyro    lat       lon
 )";
 
 void print(const std::vector<Look>& looks) {
   std::printf("%s", heading);
+  constexpr const char* columns = "%-12s  %6s  %8s %7s %7s  %7s  %7s  %7s  %6s  %8s %9s\n";
+  std::printf(columns, "UTC", "off v", "roll", "pitch", "yaw", "wx", "wy", "wz", "gyro", "latitude",
+              "longitude");
+  std::printf(columns, "", "mdeg", "deg", "deg", "deg", "urad/s", "urad/s", "urad/s", "urad/s", "deg", "deg");
   for (const Look& look : looks) {
     std::printf("%s  %6.2f  %8.4f %7.4f %7.4f  %7.2f  %7.2f  %7.2f  %6.2f  %8.4f %9.4f\n",
                 look.epoch.utc(3).substr(11).c_str(), 1e3 * look.off_velocity, look.roll, look.pitch,
@@ -196,23 +188,23 @@ void print(const std::vector<Look>& looks) {
 }
 
 void summarise(const std::vector<Look>& looks, double off_unit) {
-  const auto line = [&](const char* text, int decimals, const char* unit, auto figure) {
+  const auto line = [&](const char* text, int decimals, const char* unit, const char* expected, auto figure) {
     std::vector<double> figures;
     for (const Look& look : looks) figures.push_back(figure(look));
     const auto [low, high] = std::minmax_element(figures.begin(), figures.end());
-    std::printf("%-49s %8.*f to %.*f %s\n", text, decimals, *low, decimals, *high, unit);
+    std::printf("%-47s %6.*f to %6.*f %-7s %s\n", text, decimals, *low, decimals, *high, unit, expected);
   };
-  std::printf("\n");
-  line("Body x from the velocity relative to the Earth", 2, "mdeg",
+  std::printf("\n%-71s expected\n", "");
+  line("Body x from the velocity relative to the Earth", 2, "mdeg", "about 1: steered to zero Doppler",
        [](const Look& l) { return 1e3 * l.off_velocity; });
-  line("Roll from nadir", 2, "deg", [](const Look& l) { return l.roll; });
-  line("Incidence of the antenna's axis on WGS-84", 2, "deg", [](const Look& l) { return l.incidence; });
-
-  double square = 0.0;
-  for (const Look& look : looks) square += std::pow(micro(norm(look.rate_body - look.gyro_body)), 2);
-  std::printf("%-49s %8.2f urad/s, root mean square\n", "Rate of the quaternions less that of the gyros",
-              std::sqrt(square / static_cast<double>(looks.size())));
-  std::printf("%-49s %8.2f e-7\n", "Norm of the printed quaternions, off 1 by at most", 1e7 * off_unit);
+  line("Roll from nadir", 2, "deg", "about -30: the radar looks to the right",
+       [](const Look& l) { return l.roll; });
+  line("Incidence of the antenna's axis on WGS-84", 2, "deg", "33.7: such a roll, 700 km above the Earth",
+       [](const Look& l) { return l.incidence; });
+  line("Rate of the quaternions less that of the gyros", 2, "urad/s", "about 2: the noise of the gyros",
+       [](const Look& l) { return micro(norm(l.rate_body - l.gyro_body)); });
+  std::printf("%-47s %16.2f e-7    below 1: seven decimals are printed\n",
+              "Norm of the quaternions, off 1 by at most", 1e7 * off_unit);
 }
 
 void write(const std::vector<Look>& looks, const std::filesystem::path& file) {
@@ -229,7 +221,7 @@ void write(const std::vector<Look>& looks, const std::filesystem::path& file) {
     out << ',' << look.latitude << ',' << look.longitude << ',' << look.incidence << '\n';
   }
   if (!out.flush()) throw std::runtime_error(file.string() + ": cannot be written");
-  std::printf("%zu rows written to %s\n", looks.size(), file.c_str());
+  std::printf("\n%zu rows written to %s\n", looks.size(), file.c_str());
 }
 
 void run(const std::filesystem::path& data, const std::filesystem::path& table) {
@@ -258,7 +250,12 @@ void run(const std::filesystem::path& data, const std::filesystem::path& table) 
               looks.front().epoch.utc(0).substr(0, 10).c_str(), looks.size());
   print(looks);
   summarise(looks, telemetry.off_unit);
-  if (!table.empty()) write(looks, table);
+  if (table.empty()) {
+    std::printf(
+        "\nAll figures as a table: sentinel1_pass <data directory> <table.csv>, or ./dev demo <table.csv>\n");
+  } else {
+    write(looks, table);
+  }
 }
 
 }  // namespace

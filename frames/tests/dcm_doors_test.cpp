@@ -36,6 +36,18 @@ TEST(DcmDoors, TheErrorNamesTheDoorTheFramesAndTheNumber) {
   EXPECT_TRUE(contains(text, "Gcrf>): entry (2, 3) is nan")) << text;
 }
 
+TEST(DcmDoors, TakeABlockOfALargerMatrix) {
+  Eigen::MatrixXd adjoint = Eigen::MatrixXd::Identity(6, 6);
+  const Eigen::Index three = 3, four = 4;
+  EXPECT_EQ(dcm(to<Body>, from<Gcrf>, adjoint.block(three, three, three, three)).matrix(),
+            Eigen::Matrix3d::Identity());
+  const std::string size = "the matrix has 3 x 4 entries, not 3 x 3";
+  const auto block = adjoint.block(0, 0, three, four);
+  EXPECT_TRUE(contains(message<BadInput>([&] { dcm(to<Body>, from<Gcrf>, block); }), size));
+  EXPECT_TRUE(contains(message<BadInput>([&] { nearest_dcm(to<Body>, from<Gcrf>, block); }), size));
+  EXPECT_TRUE(contains(message<BadInput>([&] { trust_dcm(to<Body>, from<Gcrf>, block); }), size));
+}
+
 TEST(DcmDoors, InfinityIsBadInput) {
   Eigen::Matrix3d matrix = Eigen::Matrix3d::Identity();
   matrix(2, 0) = -infinity;

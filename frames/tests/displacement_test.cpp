@@ -31,6 +31,18 @@ RC_GTEST_PROP(Displacement, Law1SumsChain, ()) {
   RC_ASSERT(nowhere.coordinates() == Eigen::Vector3d::Zero());
 }
 
+// The common point goes: r_ps^c - r_pq^c = r_qs^c, r_ps^c - r_qs^c = r_pq^c.
+RC_GTEST_PROP(Displacement, DifferencesCancelAsSumsDo, ()) {
+  const auto r_pq = any_displacement<Body, CentreOfMass, Camera>();
+  const auto r_ps = any_displacement<Body, Thruster<1>, Camera>();
+  const Displacement<CentreOfMass, Thruster<1>, In<Camera>> r_qs = r_ps - r_pq;
+  RC_ASSERT(r_qs.coordinates() == (-r_pq + r_ps).coordinates());
+  const Displacement<Body, CentreOfMass, In<Camera>> again = r_ps - r_qs;
+  RC_ASSERT(again.coordinates() == (r_ps + -r_qs).coordinates());
+  const Vector<Camera, si::length> error = error_between(again, r_pq);
+  RC_ASSERT(error.coordinates() == again.coordinates() - r_pq.coordinates());
+}
+
 // 2. r_qp^c = -r_pq^c.
 RC_GTEST_PROP(Displacement, Law2ReversalChangesTheSign, ()) {
   const auto r_pq = any_displacement<Body, CentreOfMass, Camera>();

@@ -50,6 +50,45 @@ RC_GTEST_PROP(Vector, RotationsKeepDotAndCross, ()) {
   RC_ASSERT(std::abs((norm(R * r) - norm(r)).value()) <= of_long);
 }
 
+// From (1, e) to (1, 0), which are numbers: the angle is e - e^3/3 + ...
+TEST(Vector, AngleBetweenIsAccurateNearZeroAndNearAHalfTurn) {
+  for (const double e : {0.0, 1e-300, 1e-20, 1e-12, 1e-9, 1e-6}) {
+    const auto r = vector<si::length>(in<Body>, Eigen::Vector3d(2.0, 0.0, 0.0));
+    const auto s = vector<si::velocity>(in<Body>, Eigen::Vector3d(3.0, 3.0 * e, 0.0));
+    const double angle = e - e * e * e / 3;
+    EXPECT_NEAR(angle_between(r, s).value(), angle, 4 * epsilon * angle) << e;
+    EXPECT_NEAR(angle_between(r, -s).value(), std::numbers::pi - angle, 4 * epsilon) << e;
+  }
+  EXPECT_NEAR(angle_between(unit_x(in<Body>), unit_y(in<Body>)).value(), std::numbers::pi / 2, 2 * epsilon);
+}
+
+RC_GTEST_PROP(Vector, AngleBetweenFollowsTheLengthsAndTheFrame, ()) {
+  const auto r = any<Gcrf, si::length>();
+  const auto s = any<Gcrf, si::force>();
+  RC_PRE(norm(r).value() > 0.01 && norm(s).value() > 0.01);
+  const auto angle = angle_between(r, s);
+  const auto R = trust_dcm(to<Body>, from<Gcrf>, *rotation_matrix());
+  RC_ASSERT(std::abs((dot(r, s) / (norm(r) * norm(s))).value() - std::cos(angle.value())) <= tolerance);
+  RC_ASSERT(std::abs((angle_between(s, 1e200 * r) - angle).value()) <= 1e3 * tolerance);
+  RC_ASSERT(std::abs((angle_between(R * r, R * s) - angle).value()) <= 1e3 * tolerance);
+  RC_ASSERT(squared_norm(r).value() == dot(r, r).value());
+}
+
+TEST(Vector, NoAngleToTheZeroVector) {
+  EXPECT_TRUE(contains(message<BadInput>([] { angle_between(unit_x(in<Body>), zero<si::length>(in<Body>)); }),
+                       "a zero vector has no direction"));
+}
+
+TEST(Vector, TakesAPartOfALongerColumn) {
+  Eigen::VectorXd state(6);
+  state << 1, 2, 3, 4, 5, 6;
+  const Eigen::Index three = 3;
+  EXPECT_EQ(vector<si::velocity>(in<Body>, state.segment(three, three)).coordinates(),
+            Eigen::Vector3d(4, 5, 6));
+  EXPECT_TRUE(contains(message<BadInput>([&] { vector<si::velocity>(in<Body>, state.segment(2, 4)); }),
+                       "vector(in<" + frame_name<Body>() + ">): the matrix has 4 x 1 entries, not 3 x 1"));
+}
+
 TEST(Vector, NormOfEverySize) {
   for (const double size : {5e-324, 1e-200, 1e-160, 1.0, 1e160, 1e200, 1e307}) {
     const auto r = vector<si::length>(in<Body>, Eigen::Vector3d(0.0, 3.0 * size, -4.0 * size));

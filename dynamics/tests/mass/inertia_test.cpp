@@ -66,6 +66,28 @@ TEST(Inertia, the_doors_differ_by_the_sign_of_the_off_diagonal_numbers) {
   EXPECT_EQ(products(3.0, 4.0, 5.0, -0.1, -0.2, 0.3).matrix(), entries);
 }
 
+TEST(Inertia, takes_named_numbers_in_any_order_and_matrices) {
+  const auto unit = si::kilogram_square_metre;
+  const auto x = 0.1 * unit, y = 0.2 * unit, z = -0.3 * unit, J = 4.0 * unit;
+  const Matrix3d expected = tensor(4.0, 4.0, 4.0, 0.1, 0.2, -0.3).matrix();
+  EXPECT_EQ(inertia_from_tensor(in<Body>, J, J, J, yz(z), xy(x), xz(y)).matrix(), expected);
+  EXPECT_EQ(inertia_from_moments_and_products(in<Body>, J, J, J, xy(-x), yz(-z), zx(-y)).matrix(), expected);
+  EXPECT_EQ(inertia_from_tensor(in<Body>, expected).matrix(), expected);
+  EXPECT_EQ(inertia_from_tensor(of<Wheel>, about<Body>, in<Body>, expected).matrix(), expected);
+  EXPECT_EQ(inertia_from_principal_moments(in<Body>, 3.0 * unit, J, 5.0 * unit).matrix(),
+            tensor(3.0, 4.0, 5.0).matrix());
+  Matrix3d skewed = expected;
+  skewed(0, 2) = 0.3;
+  expect_bad_input([&] { inertia_from_tensor(in<Body>, skewed); },
+                   "entries (1, 3) and (3, 1) of the tensor differ by 0.0999");
+  skewed(0, 2) = std::nan("");
+  expect_bad_input([&] { inertia_from_tensor(in<Body>, skewed); }, "of the tensor");
+  expect_bad_input([&] { inertia_from_tensor(in<Body>, Eigen::MatrixXd::Identity(3, 2)); },
+                   "inertia_from_tensor(in<" + frame_name<Body>() + ">): the matrix has 3 x 2 entries");
+  expect_bad_input([&] { inertia_from_principal_moments(in<Body>, 1.0 * unit, 2.0 * unit, 4.0 * unit); },
+                   "exceeds the sum of the others by 1");
+}
+
 TEST(Inertia, is_the_sum_over_the_masses) {
   std::mt19937_64 random(1);
   for (int i = 0; i < 100; ++i) {

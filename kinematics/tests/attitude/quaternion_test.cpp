@@ -32,6 +32,22 @@ RC_GTEST_PROP(Quaternion, Law1MapsCoordinatesAsItsDcm, ()) {
   RC_ASSERT(distance(r_b.coordinates(), product.vec()) <= rounding);
 }
 
+TEST(Quaternion, OfEigenComesInAndGoesOut) {
+  const Eigen::Quaterniond q = Eigen::Quaterniond(0.5, -0.1, 0.7, 0.3).normalized();
+  const auto q_b_from_a = quaternion(to<Body>, from<Gcrf>, q);
+  EXPECT_EQ(q_b_from_a.eigen().coeffs(), q.coeffs());
+  EXPECT_EQ(q_b_from_a.scalar_first()[0], q.w());
+  const Eigen::Quaternionf half(0, 0, 2, 0);
+  const auto nearest = nearest_quaternion(to<Body>, from<Gcrf>, half);
+  EXPECT_EQ(nearest.quaternion.eigen().coeffs(), Eigen::Vector4f(0, 1, 0, 0));
+  EXPECT_EQ(nearest.distance, 1.0f);
+  EXPECT_TRUE(contains(message<BadInput>([&] { quaternion(to<Body>, from<Gcrf>, half); }),
+                       "the norm differs from 1 by 1, tolerance "));
+  EXPECT_TRUE(
+      contains(message<BadInput>([&] { quaternion(to<Body>, from<Gcrf>, Eigen::Quaterniond(nan, 0, 0, 1)); }),
+               "quaternion(to<"));
+}
+
 // 2. q_a^c = q_b^c q_a^b.
 RC_GTEST_PROP(Quaternion, Law2InnerFramesCancel, ()) {
   const auto q_c_from_b = any_quaternion<Camera, Body>();

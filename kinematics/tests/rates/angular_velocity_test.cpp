@@ -34,6 +34,47 @@ RC_GTEST_PROP(AngularVelocity, Law1SumsChain, ()) {
   RC_ASSERT(none.coordinates() == Eigen::Vector3d::Zero());
 }
 
+// w_ib^c - w_il^c = w_lb^c, compared with the derivative of R_b^l = R_i^l R_b^i; w_ib^c - w_lb^c = w_il^c.
+RC_GTEST_PROP(AngularVelocity, DifferencesCancelTheCommonFrame, ()) {
+  const Dual2 t = instant(*coordinate());
+  const auto R_il = turning<Gcrf, Camera>(0.7, t);
+  const auto R_ib = turning<Gcrf, Body>(-1.3, t);
+  const Motion<Gcrf, Camera> il(R_il);
+  const Motion<Gcrf, Body> ib(R_ib);
+  const Motion<Camera, Body> lb(inverse(R_il) * R_ib);
+  const auto w_il_i = il.rotation() * il.w_ab_b();
+  const auto w_ib_i = ib.rotation() * ib.w_ab_b();
+  const AngularVelocity<Camera, Body, In<Gcrf>> w_lb_i = w_ib_i - w_il_i;
+  RC_ASSERT(distance((inverse(il.rotation()) * w_lb_i).coordinates(), lb.w_a()) <= motion_tolerance);
+  const AngularVelocity<Gcrf, Camera, In<Gcrf>> again = w_ib_i - w_lb_i;
+  RC_ASSERT(distance(again.coordinates(), w_il_i.coordinates()) <= motion_tolerance);
+  const Vector<Gcrf, si::angular_velocity> error = error_between(again, w_il_i);
+  RC_ASSERT(error.coordinates() == again.coordinates() - w_il_i.coordinates());
+}
+
+template <class Left, class Right>
+concept Subtracts = requires(const Left& left, const Right& right) {
+  left - right;
+};
+using BodyInGcrf = AngularVelocity<Gcrf, Body, In<Gcrf>>;
+static_assert(!Subtracts<BodyInGcrf, BodyInGcrf>);
+static_assert(!Subtracts<BodyInGcrf, AngularVelocity<Body, Camera, In<Gcrf>>>);
+static_assert(!Subtracts<BodyInGcrf, AngularVelocity<Gcrf, Camera, In<Body>>>);
+static_assert(
+    !Subtracts<AngularAcceleration<Gcrf, Body, In<Gcrf>>, AngularAcceleration<Gcrf, Camera, In<Gcrf>>>);
+
+TEST(AngularVelocity, TimesATypedGainIsATorque) {
+  const auto w_b = angular_velocity(of<Body>, relative_to<Gcrf>,
+                                    vector<si::angular_velocity>(in<Body>, Eigen::Vector3d(1, -2, 3)));
+  const auto k = 0.5 * (si::newton_metre / (si::radian / si::second));
+  const Vector<Body, si::torque> damping = -k * w_b;
+  EXPECT_EQ(damping.coordinates(), Eigen::Vector3d(-0.5, 1.0, -1.5));
+  const Vector<Body, si::torque> same = -(0.5 * (si::newton_metre * si::second)) * w_b;
+  EXPECT_EQ(same.coordinates(), damping.coordinates());
+  const Vector<Body, si::angular_momentum> H = 2.0 * si::kilogram_square_metre * w_b;
+  EXPECT_EQ(H.coordinates(), Eigen::Vector3d(2, -4, 6));
+}
+
 // 2. w_ba^c = -w_ab^c.
 RC_GTEST_PROP(AngularVelocity, Law2ReversalChangesTheSign, ()) {
   const auto w_ab = any_rate<Gcrf, Body, Camera>();

@@ -31,6 +31,15 @@ RC_GTEST_PROP(Twist, ChainsAtOnePoint, ()) {
   RC_ASSERT(ba.coordinates() == -ab.coordinates());
 }
 
+RC_GTEST_PROP(Twist, DifferencesAtOnePointCancelTheCommonFrame, ()) {
+  const auto ab = any_twist<Gcrf, Body, Tip, Camera>();
+  const auto ad = any_twist<Gcrf, Wheel<1>, Tip, Camera>();
+  const Twist<Body, Wheel<1>, At<Tip>, In<Camera>> bd = ad - ab;
+  RC_ASSERT(bd.coordinates() == (-ab + ad).coordinates());
+  const Twist<Gcrf, Body, At<Tip>, In<Camera>> again = ad - bd;
+  RC_ASSERT(again.coordinates() == (ad + -bd).coordinates());
+}
+
 // If the chain holds at one point, it holds at every point.
 RC_GTEST_PROP(Twist, ShiftCommutesWithTheChain, ()) {
   const auto ab = any_twist<Gcrf, Body, Tip, Camera>();

@@ -2,6 +2,7 @@
 
 #include <random>
 #include <vectrix/kinematics/steps/exponential_step.hpp>
+#include <vectrix/kinematics/steps/group_runge_kutta.hpp>
 #include <vectrix/kinematics/steps/gyro.hpp>
 
 #include "testing/attitudes.hpp"
@@ -52,6 +53,27 @@ TYPED_TEST(LongRuns, OfRandomCountsStayOnTheGroup) {
   std::mt19937_64 random(7);
   std::uniform_real_distribution<TypeParam> number(TypeParam(-0.5), TypeParam(0.5));
   this->advance_by([&] { return detail::Column<TypeParam>(number(random), number(random), number(random)); });
+}
+
+TYPED_TEST(LongRuns, OfStepsStayOnTheGroup) {
+  using S = TypeParam;
+  const auto seconds = [](double t) { return Quantity<si::time, S>::from_value(static_cast<S>(t)); };
+  const auto w =
+      angular_velocity(of<Body>, relative_to<Gcrf>,
+                       vector<si::angular_velocity>(in<Body>, detail::Column<S>(S(1), S(0), S(0))));
+  const auto rate = [&](const auto&, const auto&) { return w; };
+  const auto expect_on_group = [&](const auto& start, const auto& step) {
+    auto attitude = start;
+    for (int i = 0; i < steps / 4; ++i) attitude = step(attitude);
+    EXPECT_LE(off_the_group(attitude), this->bound);
+  };
+  const Dcm<Gcrf, Body, S> R = aligned<S>(to<Gcrf>, from<Body>);
+  const auto t = seconds(0), dt = seconds(0.01);
+  expect_on_group(R, [&](const auto& R_i_from_b) { return exponential_step(R_i_from_b, w, dt); });
+  expect_on_group(quaternion(R), [&](const auto& q_i_from_b) { return exponential_step(q_i_from_b, w, dt); });
+  expect_on_group(R, [&](const auto& R_i_from_b) { return munthe_kaas_step<4>(rate, R_i_from_b, t, dt); });
+  expect_on_group(R, [&](const auto& R_i_from_b) { return munthe_kaas_step<5>(rate, R_i_from_b, t, dt); });
+  expect_on_group(R, [&](const auto& R_i_from_b) { return commutator_free_step(rate, R_i_from_b, t, dt); });
 }
 
 TYPED_TEST(LongRuns, OfAGyroStayOnTheGroup) {

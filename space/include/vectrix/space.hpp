@@ -3,5 +3,8 @@
 #include <vectrix/kinematics.hpp>
 #include <vectrix/space/earth/earth_orientation.hpp>
 #include <vectrix/space/earth/ellipsoid.hpp>
+#include <vectrix/space/fields/gravity_field.hpp>
+#include <vectrix/space/fields/gravity_gradient.hpp>
+#include <vectrix/space/fields/magnetic_field.hpp>
 #include <vectrix/space/files/csv_table.hpp>
 #include <vectrix/space/time/epoch.hpp>

@@ -35,12 +35,12 @@ struct Offsets {
 
 // The dPsi, dEps of a pole that IAU 2006/2000A gives exactly: the error of IAU 1976/1980, -105 and -9 in
 // 2022. To first order in the offsets, and in the precession since 2000: within some percent of themselves.
-Offsets offsets_from_iau_1980(int mjd) {
+Offsets offsets_from_iau_1980(int day) {
   constexpr double mjd_zero = 2400000.5, milliarcseconds = 180.0 / std::numbers::pi * 3600e3;
   double x = 0.0, y = 0.0, pole_1980[3][3];
-  eraXy06(mjd_zero, mjd, &x, &y);
-  eraPnm80(mjd_zero, mjd, pole_1980);
-  return {(x - pole_1980[2][0]) / std::sin(eraObl80(mjd_zero, mjd)) * milliarcseconds,
+  eraXy06(mjd_zero, day, &x, &y);
+  eraPnm80(mjd_zero, day, pole_1980);
+  return {(x - pole_1980[2][0]) / std::sin(eraObl80(mjd_zero, day)) * milliarcseconds,
           (y - pole_1980[2][1]) * milliarcseconds};
 }
 

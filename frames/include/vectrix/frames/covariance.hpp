@@ -125,7 +125,7 @@ template <VectorUnit U, Frame F, class Derived>
   requires detail::Matrix3x3<Derived>
 auto covariance(In<F>, const Eigen::MatrixBase<Derived>& matrix) {
   using S = typename Derived::Scalar;
-  detail::require_size(matrix, 3, 3);
+  detail::require_size(matrix, 3, 3, [] { return "covariance(in<" + frame_name<F>() + ">): "; });
   const detail::Square<S> entries = matrix;
   detail::require_covariance<F, S>(entries);
   return Covariance<F, U, S>{detail::trusted, entries};
@@ -135,7 +135,7 @@ auto covariance(In<F>, const Eigen::MatrixBase<Derived>& matrix) {
 template <VectorUnit U, Frame F, class Derived>
   requires detail::Matrix3x3<Derived>
 auto trust_covariance(In<F>, const Eigen::MatrixBase<Derived>& matrix) {
-  detail::require_size(matrix, 3, 3);
+  detail::require_size(matrix, 3, 3, [] { return "trust_covariance(in<" + frame_name<F>() + ">): "; });
   return Covariance<F, U, typename Derived::Scalar>{detail::trusted, matrix};
 }
 

@@ -64,7 +64,7 @@ template <class B, class A, class S> Dcm<B, A, S> checked_dcm(const Square<S>& e
 /// orthonormality_tolerance, or when the determinant is not positive.
 template <Frame B, Frame A, detail::Matrix3x3 Matrix>
 detail::OfTwo<B, A, Dcm<B, A, typename Matrix::Scalar>> dcm(To<B>, From<A>, const Matrix& matrix) {
-  detail::require_size(matrix, 3, 3);
+  detail::require_size(matrix, 3, 3, [] { return detail::dcm_door<B, A>("dcm"); });
   return detail::checked_dcm<B, A, typename Matrix::Scalar>(matrix, "dcm");
 }
 template <class ToFrame, class FromFrame, class Given>
@@ -119,7 +119,7 @@ template <Frame B, Frame A, detail::Matrix3x3 Matrix>
   requires(!detail::Differentiated<typename Matrix::Scalar>)
 detail::OfTwo<B, A, NearestDcm<B, A, typename Matrix::Scalar>> nearest_dcm(To<B>, From<A>,
                                                                            const Matrix& matrix) {
-  detail::require_size(matrix, 3, 3);
+  detail::require_size(matrix, 3, 3, [] { return detail::dcm_door<B, A>("nearest_dcm"); });
   return detail::nearest<B, A, typename Matrix::Scalar>(matrix);
 }
 template <class ToFrame, class FromFrame, class Given>
@@ -129,7 +129,7 @@ auto nearest_dcm(  // to<B>, from<A>: two frames; a 3x3 matrix, without derivati
 /// The trusted door: checks no number. The caller guarantees a rotation matrix that takes a to b.
 template <Frame B, Frame A, detail::Matrix3x3 Matrix>
 detail::OfTwo<B, A, Dcm<B, A, typename Matrix::Scalar>> trust_dcm(To<B>, From<A>, const Matrix& matrix) {
-  detail::require_size(matrix, 3, 3);
+  detail::require_size(matrix, 3, 3, [] { return detail::dcm_door<B, A>("trust_dcm"); });
   return Dcm<B, A, typename Matrix::Scalar>{detail::trusted, matrix};
 }
 /// The same for the result of make(), an Eigen::Matrix<S, 3, 3>. It is built in the Dcm, not copied.

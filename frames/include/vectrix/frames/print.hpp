@@ -29,6 +29,8 @@ template <> inline constexpr const char* unit_symbol<si::energy> = "J";
 template <> inline constexpr const char* unit_symbol<si::power> = "W";
 template <> inline constexpr const char* unit_symbol<si::moment_of_inertia> = "kg m^2";
 template <> inline constexpr const char* unit_symbol<si::area> = "m^2";
+template <> inline constexpr const char* unit_symbol<si::magnetic_flux_density> = "T";
+template <> inline constexpr const char* unit_symbol<si::magnetic_dipole_moment> = "A m^2";
 template <> inline constexpr const char* unit_symbol<si::gravitational_parameter> = "m^3/s^2";
 template <> inline constexpr const char* unit_symbol<si::kilometre_unit> = "km";
 template <> inline constexpr const char* unit_symbol<si::millisecond_unit> = "ms";
@@ -38,6 +40,7 @@ template <> inline constexpr const char* unit_symbol<si::degree_unit> = "deg";
 template <> inline constexpr const char* unit_symbol<si::arcsecond_unit> = "arcsec";
 template <> inline constexpr const char* unit_symbol<si::revolution_per_minute_unit> = "rpm";
 template <> inline constexpr const char* unit_symbol<si::degree_per_second_unit> = "deg/s";
+template <> inline constexpr const char* unit_symbol<si::nanotesla_unit> = "nT";
 
 /// A number as the stream writes it; for a batch, the text of its lanes.
 template <class S> decltype(auto) printable(const S& number) {

@@ -78,6 +78,9 @@ struct moment_of_inertia : unit<2, 1, 0, -2> {};
 struct angular_momentum : unit<2, 1, -1, -1> {};
 struct torque : unit<2, 1, -2, -1> {};
 struct area : unit<2, 0, 0> {};
+struct magnetic_flux_density : unit<0, 1, -2, 0, -1> {};
+/// Of a coil or a magnetorquer, A m^2: its torque in the field B is cross(m_b, B_b).
+struct magnetic_dipole_moment : unit<2, 0, 0, 0, 1> {};
 /// mu = G M of a central body, m^3/s^2.
 struct gravitational_parameter : unit<3, 0, -2> {};
 
@@ -91,6 +94,7 @@ struct arcsecond_unit : detail::UnitTag {};
 struct revolution_unit : detail::UnitTag {};
 struct revolution_per_minute_unit : detail::UnitTag {};
 struct degree_per_second_unit : detail::UnitTag {};
+struct nanotesla_unit : detail::UnitTag {};
 
 /// A product or a quotient that is neither coherent nor has a name: per<degree_unit, hour_unit>.
 template <Unit U, Unit V> struct times : detail::UnitTag {};
@@ -141,6 +145,9 @@ template <>
 struct BoostUnit<si::revolution_per_minute_unit> : BoostUnit<si::per<si::revolution_unit, si::minute_unit>> {
 };
 template <> struct BoostUnit<si::degree_per_second_unit> : BoostUnit<si::per<si::degree_unit, si::time>> {};
+template <> struct BoostUnit<si::nanotesla_unit> {
+  using type = Scaled<BoostUnitOf<si::magnetic_flux_density>, 10, -9>;
+};
 
 // And back. A table is a class whose bases are its rows: the compiler finds the row of a key, and takes the
 // key itself where there is none.
@@ -154,11 +161,12 @@ using CoherentTags =
     CoherentTable<si::dimensionless, si::angle, si::time, si::frequency, si::mass, si::length, si::velocity,
                   si::acceleration, si::momentum, si::force, si::energy, si::power, si::angular_velocity,
                   si::angular_acceleration, si::moment_of_inertia, si::angular_momentum, si::torque, si::area,
-                  si::gravitational_parameter>;
+                  si::magnetic_flux_density, si::magnetic_dipole_moment, si::gravitational_parameter>;
 template <class... Tags> struct ScaledTable : Row<BoostUnitOf<Tags>, Tags>... {};
-using ScaledTags = ScaledTable<si::kilometre_unit, si::millisecond_unit, si::minute_unit, si::hour_unit,
-                               si::degree_unit, si::arcsecond_unit, si::revolution_unit,
-                               si::revolution_per_minute_unit, si::degree_per_second_unit>;
+using ScaledTags =
+    ScaledTable<si::kilometre_unit, si::millisecond_unit, si::minute_unit, si::hour_unit, si::degree_unit,
+                si::arcsecond_unit, si::revolution_unit, si::revolution_per_minute_unit,
+                si::degree_per_second_unit, si::nanotesla_unit>;
 
 template <class Key, class Table> using EntryOf = decltype(entry<Key>(static_cast<const Table*>(nullptr)));
 
@@ -217,7 +225,8 @@ template <class Tag, class... Tags> inline constexpr bool one_of = (std::same_as
 template <class U>
 inline constexpr bool names_a_vector =
     one_of<U, si::dimensionless, si::angle, si::length, si::velocity, si::acceleration, si::momentum,
-           si::force, si::angular_velocity, si::angular_acceleration, si::angular_momentum, si::torque>;
+           si::force, si::angular_velocity, si::angular_acceleration, si::angular_momentum, si::torque,
+           si::magnetic_flux_density, si::magnetic_dipole_moment>;
 
 // The radian counts as 1: try U, U/rad, U rad, U/rad^2 and take the first that is a named vector quantity.
 template <class U> constexpr auto without_radian() {

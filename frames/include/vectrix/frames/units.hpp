@@ -16,6 +16,8 @@ inline constexpr UnitConstant<power> watt;
 inline constexpr UnitConstant<torque> newton_metre;
 inline constexpr UnitConstant<angular_momentum> newton_metre_second;
 inline constexpr UnitConstant<moment_of_inertia> kilogram_square_metre;
+inline constexpr UnitConstant<magnetic_flux_density> tesla;
+inline constexpr UnitConstant<magnetic_dipole_moment> ampere_square_metre;
 
 inline constexpr UnitConstant<kilometre_unit> kilometre;
 inline constexpr UnitConstant<millisecond_unit> millisecond;
@@ -25,6 +27,7 @@ inline constexpr UnitConstant<degree_unit> degree;
 inline constexpr UnitConstant<arcsecond_unit> arcsecond;
 inline constexpr UnitConstant<revolution_per_minute_unit> revolution_per_minute;
 inline constexpr UnitConstant<degree_per_second_unit> degree_per_second;
+inline constexpr UnitConstant<nanotesla_unit> nanotesla;
 
 }  // namespace si
 

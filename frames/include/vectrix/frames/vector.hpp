@@ -21,11 +21,12 @@ template <class S> using Column = Eigen::Matrix<S, 3, 1>;
 /// Whether a size is right, or known at run time only.
 template <int wanted, int size> inline constexpr bool may_be = size == wanted || size == Eigen::Dynamic;
 
-/// Throws BadInput if the size, where it is known at run time only, is another.
-template <class M> void require_size(const M& numbers, Eigen::Index rows, Eigen::Index columns) {
+/// Throws BadInput if the size, where it is known at run time only, is another; door() begins the message.
+template <class M, class Door>
+void require_size(const M& numbers, Eigen::Index rows, Eigen::Index columns, const Door& door) {
   if constexpr (M::SizeAtCompileTime == Eigen::Dynamic) {
     if (numbers.rows() != rows || numbers.cols() != columns) {
-      throw BadInput("the matrix has " + text(numbers.rows()) + " x " + text(numbers.cols()) +
+      throw BadInput(door() + "the matrix has " + text(numbers.rows()) + " x " + text(numbers.cols()) +
                      " entries, not " + text(rows) + " x " + text(columns));
     }
   }
@@ -130,7 +131,7 @@ auto vector(  // one SI vector unit for all: convert<U>()
 template <VectorUnit U, Frame F, class Derived>
   requires detail::ThreeNumbers<Derived>
 auto vector(In<F>, const Eigen::MatrixBase<Derived>& coordinates) {
-  detail::require_size(coordinates, 3, 1);
+  detail::require_size(coordinates, 3, 1, [] { return "vector(in<" + frame_name<F>() + ">): "; });
   return detail::checked_vector<F, U, typename Derived::Scalar>(coordinates);
 }
 
@@ -242,7 +243,7 @@ namespace detail {
 template <class F, class U, class V, class S>
 Quantity<si::angle, S> angle_of(const Vector<F, U, S>& r, const Vector<F, V, S>& s) {
   const Column<S> u = direction(r).coordinates(), v = direction(s).coordinates();
-  return Quantity<si::angle, S>::from_value(S(2) * arc_tangent<S>((u - v).norm(), (u + v).norm()));
+  return Quantity<si::angle, S>::from_value(S(2) * arc_tangent<S>(scaled_norm(u - v), scaled_norm(u + v)));
 }
 
 }  // namespace detail

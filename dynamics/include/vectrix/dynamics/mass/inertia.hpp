@@ -243,7 +243,8 @@ template <Frame B, Point P, Frame C, detail::Matrix3x3 Matrix>
 Inertia<B, P, In<C>, typename Matrix::Scalar> inertia_from_tensor(Of<B>, About<P>, In<C>,
                                                                   const Matrix& tensor) {
   using J = Inertia<B, P, In<C>, typename Matrix::Scalar>;
-  detail::require_size(tensor, 3, 3);
+  detail::require_size(tensor, 3, 3,
+                       [] { return "inertia_from_tensor(" + detail::InertiaName<J>::text() + "): "; });
   detail::require_symmetric<J, typename Matrix::Scalar>("inertia_from_tensor", tensor);
   return detail::checked_inertia<J, typename Matrix::Scalar>("inertia_from_tensor", tensor);
 }

@@ -13,7 +13,8 @@ namespace vectrix {
 ///     1.  r^b = q_a^b r^a (q_a^b)*          q_b_from_a * r_a
 ///     2.  q_a^c = q_b^c q_a^b               q_c_from_b * q_b_from_a
 ///     3.  q and -q are the same rotation
-/// Made from numbers only by doors whose name says where the scalar is.
+/// Made from numbers only by doors whose name says where the scalar is. The norm of a product of n factors is
+/// 1 to n roundings; advance() keeps it.
 template <Frame ToFrame, Frame FromFrame, class S = double> class Quaternion {
  public:
   using to = ToFrame;

@@ -1,0 +1,142 @@
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <vectrix/frames/errors.hpp>
+
+#include "../files/text_file.hpp"
+#include "gravity_model.hpp"
+
+namespace vectrix::detail {
+namespace {
+
+std::vector<std::string> words_of(const std::string& line) {
+  std::istringstream in(line);
+  std::vector<std::string> words;
+  for (std::string word; in >> word;) words.push_back(word);
+  return words;
+}
+
+class Reader {
+ public:
+  Reader(const std::filesystem::path& file, int degree)
+      : file_(file), degree_(degree), found_(std::max(degree, 0)) {}
+
+  GravityModel read() {
+    if (degree_ < 0) fail("the degree asked for is " + text(degree_));
+    const auto content = read_lines(file_);
+    if (!content) fail("cannot be read");
+    bool in_head = true;
+    for (const std::string& line : content->lines) {
+      ++line_;
+      const std::vector<std::string> words = words_of(line);
+      if (words.empty()) continue;
+      if (!in_head) {
+        coefficient(words);
+      } else if (words.front() == "end_of_head") {
+        in_head = false;
+        require_complete_head();
+      } else if (words.size() > 1) {
+        keyword(words);
+      }
+    }
+    if (in_head) fail("there is no end_of_head");
+    if (!content->whole) fail("the file stops within this line; it was truncated");
+    require_all_coefficients();
+    return {*mu_, *radius_, found_};
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& reason) const {
+    throw BadInput("Gravity field " + file_.string() + (line_ > 0 ? ", line " + text(line_) : "") + ": " +
+                   reason);
+  }
+
+  // Fortran writes the exponent as d or D.
+  [[nodiscard]] double number(std::string word) const {
+    std::replace_if(
+        word.begin(), word.end(), [](char c) { return c == 'd' || c == 'D'; }, 'e');
+    const auto value = parse_number(word);
+    if (!value || !std::isfinite(*value)) fail("'" + word + "' is not a finite number");
+    return *value;
+  }
+  [[nodiscard]] int whole(const std::string& word) const {
+    const double value = number(word);
+    if (!(value == std::floor(value) && std::abs(value) < 1e5)) fail("'" + word + "' is no degree or order");
+    return static_cast<int>(value);
+  }
+
+  // The head is free text in which some lines begin with a keyword.
+  void keyword(const std::vector<std::string>& words) {
+    const std::string &name = words[0], &value = words[1];
+    if (name == "product_type" && value != "gravity_field") fail("the product is a " + value);
+    if (name == "norm" && value != "fully_normalized") fail("the coefficients are " + value);
+    if (name == "earth_gravity_constant" || name == "gravity_constant") mu_ = positive(value);
+    if (name == "radius") radius_ = positive(value);
+    if (name == "max_degree") {
+      max_degree_ = whole(value);
+      if (*max_degree_ < degree_) {
+        fail("the model ends at degree " + text(*max_degree_) + ", " + text(degree_) + " is asked for");
+      }
+    }
+  }
+  [[nodiscard]] double positive(const std::string& word) const {
+    const double value = number(word);
+    if (!(value > 0.0)) fail(text(value) + " is not positive");
+    return value;
+  }
+  void require_complete_head() const {
+    if (!mu_) fail("the head has no earth_gravity_constant");
+    if (!radius_) fail("the head has no radius");
+    if (!max_degree_) fail("the head has no max_degree");
+  }
+
+  void coefficient(const std::vector<std::string>& words) {
+    if (words[0] != "gfc") {
+      fail("'" + words[0] + "' is not supported, only gfc: coefficients that do not depend on time");
+    }
+    if (words.size() < 5) fail("degree, order, C and S are expected");
+    const int n = whole(words[1]), m = whole(words[2]);
+    if (n < 0 || m < 0 || m > n) fail("there is no order " + text(m) + " of degree " + text(n));
+    if (n > *max_degree_) fail("the degree " + text(n) + " exceeds max_degree");
+    const double C = number(words[3]), S = number(words[4]);
+    if (m == 0 && S != 0.0) fail("S of order 0 is " + text(S));
+    if (n == 0 && !(C > 0.999 && C < 1.001)) fail("C of degree 0 is " + text(C) + ", not 1");
+    if (n > degree_) return;
+    if (!given_.insert({n, m}).second) fail("degree " + text(n) + " and order " + text(m) + " stand twice");
+    found_.add(n, m, {C, S});
+  }
+
+  // The terms of degree 0 and 1 may be left out: they are 1, and 0 about the centre of mass.
+  void require_all_coefficients() {
+    line_ = 0;
+    if (!given_.contains({0, 0})) found_.add(0, 0, {1.0, 0.0});
+    for (int n = 2; n <= degree_; ++n) {
+      for (int m = 0; m <= n; ++m) {
+        if (!given_.contains({n, m})) {
+          fail("the coefficients of degree " + text(n) + " and order " + text(m) + " are missing");
+        }
+      }
+    }
+  }
+
+  const std::filesystem::path& file_;
+  int degree_;
+  std::size_t line_ = 0;
+  std::optional<double> mu_, radius_;
+  std::optional<int> max_degree_;
+  std::set<std::pair<int, int>> given_;
+  Harmonics found_;
+};
+
+}  // namespace
+
+GravityModel read_icgem(const std::filesystem::path& file, int degree) {
+  return Reader(file, degree).read();
+}
+
+}  // namespace vectrix::detail
