@@ -5,13 +5,14 @@ set(DOXYGEN_PROJECT_NAME Vectrix)
 set(DOXYGEN_USE_MDFILE_AS_MAINPAGE ${PROJECT_SOURCE_DIR}/README.md)
 set(DOXYGEN_STRIP_FROM_PATH ${PROJECT_SOURCE_DIR})
 set(DOXYGEN_IMAGE_PATH ${PROJECT_SOURCE_DIR}/docs)
-# Doxygen 1.9.4 cannot resolve ../pictures/<file> or <page>.md#<section>: give it pictures/<file> and <page>.md.
-set(DOXYGEN_FILTER_PATTERNS "*.md=sed -e s,[.][.]/pictures/,pictures/, -e s,[.]md#[-a-z0-9]*,.md,g")
+# Doxygen 1.9.4 cannot resolve ../pictures/<file>, docs/pictures/<file> or <page>.md#<section>: give it pictures/<file> and
+# <page>.md.
+set(DOXYGEN_FILTER_PATTERNS "*.md=sed -e s,[.][.]/pictures/,pictures/, -e s,docs/pictures/,pictures/, -e s,[.]md#[-a-z0-9]*,.md,g")
 set(DOXYGEN_EXTRACT_ALL YES)
 set(DOXYGEN_QUIET YES)
 set(DOXYGEN_HAVE_DOT NO)
 list(TRANSFORM VECTRIX_LAYERS APPEND /include OUTPUT_VARIABLE headers)
-doxygen_add_docs(docs ${headers} docs README.md WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
+doxygen_add_docs(docs ${headers} docs README.md CHANGELOG.md WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
 
 # docs/pictures.
 if(TARGET draw_pictures)

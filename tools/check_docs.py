@@ -2,8 +2,8 @@
 """What the pages show is read by a test: check_docs.py [page ...], by default README.md and docs/**/*.md
 
 Every fenced block is of a kind in doc_blocks.py, a program has main() and is followed by what it prints, lines of a program
-are in it in this order, every test that a page names as `<file> <suite>.<name>` is in that file, and every picture of the
-pages' folders is on one of them.
+are in it in this order, every test that a page names as `<file> <suite>.<name>` is in that file, every picture of the pages'
+folders is on one of them, and docs/reference/units.md names every unit.
 """
 
 import re
@@ -111,12 +111,22 @@ def unseen_pictures(pages: list[Path]) -> list[str]:
     return [f"no page shows {shown_path(picture)}" for picture in pictures if picture.resolve() not in shown]
 
 
+def missing_units(page: str) -> list[str]:
+    """The units and their constants that the headers define and the text does not name."""
+    headers = ROOT / "frames" / "include" / "vectrix" / "frames"
+    units = re.findall(r"struct (\w+) : (?:unit<|detail::UnitTag)", (headers / "unit.hpp").read_text())
+    constants = re.findall(r"UnitConstant<\w+> (\w+);", (headers / "units.hpp").read_text())
+    return [name for name in units + constants if not re.search(rf"\bsi::{name}\b", page)]
+
+
 def main() -> int:
     given = [Path(page) for page in sys.argv[1:]]
     pages = given or all_pages()
     violations = [violation for page in pages for violation in wrong_blocks(page) + missing_tests(page)]
     if not given:
         violations += unseen_pictures(pages)
+        units = ROOT / "docs" / "reference" / "units.md"
+        violations += [f"{shown_path(units)} does not name si::{unit}" for unit in missing_units(units.read_text())]
     for violation in violations:
         print(violation)
     print(f"{len(violations)} violations on {len(pages)} pages")

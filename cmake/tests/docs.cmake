@@ -21,6 +21,8 @@ function(doc_program page number layer headers)
       set_property(GLOBAL PROPERTY doc_headers_of_${layer} ${program})
     endif()
   endif()
+  # Like a reader, it runs where examples/data is.
+  file(CREATE_LINK ${PROJECT_SOURCE_DIR}/examples ${folder}/${page}/examples SYMBOLIC)
   add_test(NAME docs.${page}.${number} WORKING_DIRECTORY ${folder}/${page}
            COMMAND compare_output ${folder}/${page}/${number}.txt $<TARGET_FILE:${program}>)
 endfunction()

@@ -11,7 +11,7 @@ TOOLS = Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(TOOLS))
 
 import doc_programs  # noqa: E402
-from check_docs import is_compiled, wrong_quotation  # noqa: E402
+from check_docs import is_compiled, missing_units, wrong_quotation  # noqa: E402
 from doc_blocks import BadPage, Block, page_name, read_blocks  # noqa: E402
 
 SAMPLE = TOOLS / "tests" / "samples" / "docs.md"
@@ -47,6 +47,13 @@ class Lies(unittest.TestCase):
         self.assertTrue(is_compiled("frames/tests/graph/path_test.cpp"))
         for file in ("program.cpp", "examples/tests/compare.cpp", "tools/tests/samples/good.cpp", "docs/howto.md"):
             self.assertFalse(is_compiled(file))
+
+    def test_misses_units(self) -> None:
+        missing = missing_units("si::length and si::metre")
+        for unit in ("torque", "degree_unit", "per", "newton_metre"):
+            self.assertIn(unit, missing)
+        for unit in ("length", "metre", "UnitTag"):
+            self.assertNotIn(unit, missing)
 
 
 class Programs(unittest.TestCase):
