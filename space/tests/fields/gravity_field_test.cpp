@@ -61,7 +61,8 @@ struct Model {
 
   /// The definition: associated Legendre functions from the powers of the polynomial's derivative.
   [[nodiscard]] Wide potential(const WidePoint& p) const {
-    const Wide r = sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]), s = p[2] / r, c = sqrt(1 - s * s);
+    const Wide r = sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]), s = p[2] / r;
+    const Wide c = sqrt(p[0] * p[0] + p[1] * p[1]) / r;
     const Wide longitude = atan2(p[1], p[0]);
     Wide sum = 0;
     std::size_t i = 0;
