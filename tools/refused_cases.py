@@ -83,6 +83,10 @@ def read_case(path: Path, name: str, first: int, lines: list[str]) -> Case:
     expects = comments_of(body, "expect")
     if len(mistakes) != 1 or not expects:
         raise BadProgram(f"{where} needs one line '// mistake: ...' and lines '// expect: ...'")
+    for before, line in zip(body, body[1:]):
+        wrapped = before.startswith(("// mistake: ", "// expect: ")) and line.startswith("// ")
+        if (wrapped or "expect:" in line) and not line.startswith("// expect: "):
+            raise BadProgram(f"{where}: a comment goes on in a second line: {line}")
     code = [line for line in body if not line.startswith(("// mistake: ", "// expect: "))]
     marks = [line for line in code if line.startswith(("#if", "#el", "#end"))]
     if marks != ["#ifdef REPAIRED", "#else", "#endif"]:

@@ -66,7 +66,8 @@ Rows basilisk_rows(const std::string& data) {
     const auto state = propagate(scenario, tight(number("t_s"), {})).at(number("t_s") * si::second);
     const Eigen::Vector3d sigma(number("sigma1"), number("sigma2"), number("sigma3"));
     rows.push_back({"Basilisk", name, "modified Rodrigues parameters", mrp_tolerance, "",
-                    "nine printed digits", (mrp(state.q_i_from_b) - sigma).cwiseAbs().maxCoeff()});
+                    "nine printed digits",
+                    (mrp(state.q_i_from_b) - sigma).cwiseAbs().maxCoeff<Eigen::PropagateNaN>()});
     if (state.orbit) {
       const Eigen::Vector3d r(number("x_m"), number("y_m"), number("z_m"));
       rows.push_back({"Basilisk", name, "position, relative", relative_position_tolerance, "",

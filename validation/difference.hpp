@@ -1,7 +1,7 @@
 #pragma once
 
-#include <algorithm>
 #include <vectrix/dynamics.hpp>
+#include <vectrix/frames/scalar/larger.hpp>
 
 namespace vectrix::validation {
 
@@ -19,14 +19,14 @@ struct Difference {
   void attitude(const Dcm<Inertial, Body>& R_i_from_b, const Eigen::Matrix3d& reference) {
     const Dcm<Body, Body> between =
         inverse(R_i_from_b) * nearest_dcm(to<Inertial>, from<Body>, reference).dcm;
-    attitude_rad = std::max(attitude_rad, log(between).angle().value());
+    attitude_rad = detail::larger(attitude_rad, log(between).angle().value());
   }
   void rate(const AngularVelocity<Inertial, Body, In<Body>>& w_ib_b, const Eigen::Vector3d& reference) {
-    rate_rad_s = std::max(rate_rad_s, (w_ib_b.coordinates() - reference).norm());
+    rate_rad_s = detail::larger(rate_rad_s, (w_ib_b.coordinates() - reference).norm());
   }
   void position(const PointMotion<Inertial, CentreOfMassOf<Body>, Inertial>& orbit,
                 const Eigen::Vector3d& reference) {
-    position_m = std::max(position_m, (orbit.position.coordinates() - reference).norm());
+    position_m = detail::larger(position_m, (orbit.position.coordinates() - reference).norm());
   }
 };
 

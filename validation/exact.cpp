@@ -41,15 +41,25 @@ void compare_row(Difference& difference, const CsvTable& exact, std::size_t row,
   difference.rate(state.w_ib_b, {number("wx"), number("wy"), number("wz")});
 }
 
+template <class Motion>
+void compare_rows(Difference& difference, const CsvTable& exact, const std::string& name,
+                  const Motion& motion) {
+  std::size_t compared = 0;
+  for (std::size_t row = 0; row < exact.rows(); ++row) {
+    if (exact.text(row, "case") != name) continue;
+    compare_row(difference, exact, row, motion);
+    ++compared;
+  }
+  if (compared == 0) throw std::runtime_error("no reference for " + name);
+}
+
 void compare(Rows& rows, const std::string& name, const Scenario<Inertial, Body>& scenario, double end,
              const CsvTable& exact, AttitudeState attitude) {
   auto how = tight(end, {});
   how.attitude = attitude;
   const auto trajectory = propagate(scenario, how);
   Difference difference;
-  for (std::size_t row = 0; row < exact.rows(); ++row) {
-    if (exact.text(row, "case") == name) compare_row(difference, exact, row, trajectory);
-  }
+  compare_rows(difference, exact, name, trajectory);
   const std::string label =
       name + (attitude == AttitudeState::quaternion ? ", quaternion" : ", nine-element DCM");
   const double speed = scenario.initial.w_ib_b.coordinates().norm();
@@ -74,9 +84,7 @@ void compare_closed_form(Rows& rows, const std::string& name, const Scenario<Ine
                          const CsvTable& exact) {
   const auto motion = torque_free(scenario.inertia, scenario.initial);
   Difference difference;
-  for (std::size_t row = 0; row < exact.rows(); ++row) {
-    if (exact.text(row, "case") == name) compare_row(difference, exact, row, motion);
-  }
+  compare_rows(difference, exact, name, motion);
   const double speed = scenario.initial.w_ib_b.coordinates().norm();
   rows.push_back({"Exact", name + ", closed form", "attitude", closed_form_tolerance, "rad",
                   closed_form_reason, difference.attitude_rad});

@@ -55,7 +55,7 @@ int run(const Arguments& arguments) {
   std::size_t failed = 0;
   for (const Row& row : rows) failed += row.passed() ? 0U : 1U;
   std::cout << "\n" << rows.size() - failed << " rows agree, " << failed << " do not.\n";
-  return failed == 0 ? 0 : 1;
+  return failed == 0 && !rows.empty() ? 0 : 1;
 }
 
 }  // namespace

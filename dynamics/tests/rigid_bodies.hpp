@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 #include <vectrix/dynamics/scenario/propagate.hpp>
+#include <vectrix/frames/scalar/larger.hpp>
 
 /// Frames, short forms of the doors and exact motions, shared by the tests of rigid bodies.
 namespace vectrix::test {
@@ -58,8 +59,8 @@ inline double angle_between(const Eigen::Quaterniond& p, const Eigen::Quaternion
 
 /// The larger of the errors of attitude (rad) and rate (rad/s).
 inline double error(const BodyState& found, const BodyState& exact) {
-  return std::max(angle_between(found.q_i_from_b.eigen(), exact.q_i_from_b.eigen()),
-                  (found.w_ib_b.coordinates() - exact.w_ib_b.coordinates()).norm());
+  return detail::larger(angle_between(found.q_i_from_b.eigen(), exact.q_i_from_b.eigen()),
+                        (found.w_ib_b.coordinates() - exact.w_ib_b.coordinates()).norm());
 }
 
 /// A torque-free body with J = diag(a, a, c): h is fixed in space, and the body turns about it at |h| / a and

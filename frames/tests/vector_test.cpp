@@ -194,6 +194,8 @@ static_assert(!VectorUnit<si::kilometre_unit> && !VectorUnit<si::degree_unit>);
 template <class Left, class Right>
 concept Adds = requires(const Left& left, const Right& right) {
   left + right;
+}
+|| requires(const Left& left, const Right& right) {
   left - right;
 };
 template <class Left, class Right>

@@ -112,6 +112,10 @@ class Programs(unittest.TestCase):
         self.rejects("// Title\n" + GOOD_CASE.replace("// expect: char", "// expect: "), "needs one line '// mistake")
         self.rejects("// Title\n" + GOOD_CASE.replace("// mistake: a name for a number\n", ""), "needs one line '// mistake")
 
+    def test_reads_each_comment_from_one_line(self) -> None:
+        self.rejects("// Title\n" + GOOD_CASE.replace("// expect: char\n", "// expect: char\n// int\n"), "in a second line")
+        self.rejects("// Title\n" + GOOD_CASE.replace("// expect: char\n", "// expect: char\n// of expect: int\n"), "in a second line")
+
     def test_needs_a_repair(self) -> None:
         self.rejects("// Title\n" + GOOD_CASE.replace("#ifdef REPAIRED", "#ifndef REPAIRED"), "needs one '#ifdef REPAIRED'")
 

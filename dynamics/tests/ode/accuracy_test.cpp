@@ -129,7 +129,7 @@ TEST_P(OdeAccuracy, dense_output_is_as_good_as_the_nodes) {
       const double left = solution.node(i).t, right = solution.node(i + 1).t;
       for (const double part : {0.1, 0.5, 0.8}) {
         const double time = left + part * (right - left);
-        between = std::max(between, distance(solution.at(time), oscillator_state(time)));
+        between = vectrix::detail::larger(between, distance(solution.at(time), oscillator_state(time)));
       }
     }
     EXPECT_LT(between, 1.1 * node_error(solution, oscillator_state)) << "tolerance " << t;

@@ -31,7 +31,7 @@ TEST_P(LateStart, loses_no_digits_between_the_nodes) {
     const Solution solution = solve(problem);
     double largest = 0.0;
     for (double s = 0.0; s <= 64.0; s += 0.125)
-      largest = std::max(largest, distance(solution.at(start + s), oscillator_state(s)));
+      largest = vectrix::detail::larger(largest, distance(solution.at(start + s), oscillator_state(s)));
     EXPECT_LE(largest, accumulated(GetParam())) << start;
   }
 }

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <vectrix/dynamics/ode/solve.hpp>
+#include <vectrix/frames/scalar/larger.hpp>
 
 /// Problems with closed-form solutions, shared by the tests of the integration layer.
 namespace vectrix::ode::test {
@@ -58,16 +59,19 @@ inline std::vector<double> oscillator_state(double t) {
 }
 
 inline double distance(State a, State b) {
+  EXPECT_EQ(a.size(), b.size());
   double largest = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, std::abs(a[i] - b[i]));
+  for (std::size_t i = 0; i < a.size(); ++i)
+    largest = vectrix::detail::larger(largest, std::abs(a[i] - b[i]));
   return largest;
 }
 
 /// Largest error of a solution at its nodes.
 template <class Exact> double node_error(const Solution& solution, const Exact& exact) {
+  EXPECT_GT(solution.node_count(), 1U);
   double largest = 0.0;
   for (std::size_t i = 0; i < solution.node_count(); ++i) {
-    largest = std::max(largest, distance(solution.node(i).y, exact(solution.node(i).t)));
+    largest = vectrix::detail::larger(largest, distance(solution.node(i).y, exact(solution.node(i).t)));
   }
   return largest;
 }

@@ -46,10 +46,10 @@ TEST(Trajectory, is_as_accurate_between_the_nodes_as_at_them) {
   for (std::size_t i = 0; i + 1 < trajectory.node_count(); ++i) {
     const double left = trajectory.node(i).time.value();
     const double right = trajectory.node(i + 1).time.value();
-    at_nodes = std::max(at_nodes, error(trajectory.node(i + 1), body.exact(right)));
+    at_nodes = detail::larger(at_nodes, error(trajectory.node(i + 1), body.exact(right)));
     for (const double part : {0.1, 0.5, 0.77}) {
       const double t = left + part * (right - left);
-      between = std::max(between, error(trajectory.at(seconds(t)), body.exact(t)));
+      between = detail::larger(between, error(trajectory.at(seconds(t)), body.exact(t)));
     }
   }
   EXPECT_LT(at_nodes, accuracy);
@@ -334,6 +334,36 @@ TEST(ConservationReport, finds_a_change) {
   EXPECT_NEAR(conservation(claimed, trajectory).rotational_energy.value(), largest / start,
               0.01 * largest / start);
   EXPECT_GT(conservation(claimed, trajectory).angular_momentum.value(), 0.01);
+}
+
+// With another mu than the flown one v^2/2 - mu/r changes as 1/r does.
+TEST(ConservationReport, finds_a_change_of_the_orbital_energy) {
+  BodyScenario claimed = in_orbit();
+  const auto trajectory = propagate(in_orbit(), until(600.0));
+  const double mu = claimed.mu->value();
+  claimed.mu = 2.0 * *claimed.mu;
+  const auto radius = [&](std::size_t i) { return norm(trajectory.node(i).orbit->position).value(); };
+  const double v = norm(trajectory.node(0).orbit->velocity).value();
+  double largest = 0.0;
+  for (std::size_t i = 1; i < trajectory.node_count(); ++i)
+    largest = std::max(largest, mu * std::abs(1.0 / radius(i) - 1.0 / radius(0)));
+  const double expected = largest / std::abs(v * v / 2.0 - 2.0 * mu / radius(0));
+  EXPECT_GT(expected, 0.05);
+  EXPECT_NEAR(conservation(claimed, trajectory).orbital_energy.value(), expected, accuracy);
+}
+
+TEST(ConservationReport, says_what_a_loose_tolerance_costs_an_orbit) {
+  const auto report = [](double tolerance) {
+    BodyScenario slow = in_orbit();
+    slow.initial.w_ib_b = rate_body(1e-3 * body.w0);
+    BodyPropagation how = until(20000.0);
+    how.tolerances = {tolerance, tolerance, tolerance * (si::radian / si::second),
+                      tolerance * 1e7 * si::metre, tolerance * 1e4 * (si::metre / si::second)};
+    return conservation(slow, propagate(slow, how));
+  };
+  const Conservation tight = report(1e-12), loose = report(1e-3);
+  EXPECT_GT(loose.orbital_energy.value(), 1e6 * tight.orbital_energy.value());
+  EXPECT_GT(loose.orbital_angular_momentum.value(), 1e6 * tight.orbital_angular_momentum.value());
 }
 
 TEST(ConservationReport, leaves_out_what_is_not_conserved_or_not_there) {

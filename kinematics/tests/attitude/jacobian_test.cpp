@@ -115,12 +115,14 @@ TEST(Jacobian, OfScrewsIsThePowerSeriesOfTheBracket) {
         EXPECT_EQ((left.topRightCorner<3, 3>()), Eigen::Matrix3d::Zero());
         EXPECT_EQ((left.bottomRightCorner<3, 3>()), (left.topLeftCorner<3, 3>()));
         const double rho = xi.tail<3>().norm();
-        const double error =
-            static_cast<double>((extended(left) - exact).bottomLeftCorner<3, 3>().cwiseAbs().maxCoeff());
+        const double error = static_cast<double>(
+            (extended(left) - exact).bottomLeftCorner<3, 3>().cwiseAbs().maxCoeff<Eigen::PropagateNaN>());
         EXPECT_LE(error, few * epsilon * rho) << xi.transpose();
         const auto other = power_series<6>(bracket(extended(Six(-xi))), 1);
-        const double other_error = static_cast<double>(
-            (extended(right_jacobian(screw_of(xi))) - other).bottomLeftCorner<3, 3>().cwiseAbs().maxCoeff());
+        const double other_error = static_cast<double>((extended(right_jacobian(screw_of(xi))) - other)
+                                                           .bottomLeftCorner<3, 3>()
+                                                           .cwiseAbs()
+                                                           .maxCoeff<Eigen::PropagateNaN>());
         EXPECT_LE(other_error, few * epsilon * rho) << xi.transpose();
       }
     }
@@ -144,8 +146,10 @@ TEST(Jacobian, OfScrewsKeepsItsDigitsOverManyTurns) {
   for (const double angle : {6.0, 20.0, 85.0, 1000.0}) {
     for (const Six& xi : screws_of(angle, 1.0)) {
       const auto exact = doubled_power_series(bracket(extended(xi)), 10);
-      const double error = static_cast<double>(
-          (extended(left_jacobian(screw_of(xi))) - exact).bottomLeftCorner<3, 3>().cwiseAbs().maxCoeff());
+      const double error = static_cast<double>((extended(left_jacobian(screw_of(xi))) - exact)
+                                                   .bottomLeftCorner<3, 3>()
+                                                   .cwiseAbs()
+                                                   .maxCoeff<Eigen::PropagateNaN>());
       EXPECT_LE(error, few * epsilon * xi.tail<3>().norm()) << xi.transpose();
     }
   }
@@ -199,7 +203,7 @@ RC_GTEST_PROP(Bracket, IsCarriedByTheAdjointAndIsALieBracket, ()) {
       displacement(of<Body>, relative_to<Camera>, vector<si::length>(in<Camera>, *triple()))};
   RC_ASSERT(distance(ad(X * V), adjoint(X) * ad(V) * adjoint(inverse(X))) <= tolerance);
   RC_ASSERT(distance(ad(V) * W.coordinates(), -ad(W) * V.coordinates()) <= tolerance);
-  RC_ASSERT((ad(V) * V.coordinates()).cwiseAbs().maxCoeff() <= tolerance);
+  RC_ASSERT((ad(V) * V.coordinates()).cwiseAbs().maxCoeff<Eigen::PropagateNaN>() <= tolerance);
   const Six VW = ad(V) * W.coordinates();
   const auto bracket_VW = ad(twist_with<Gcrf, Wheel<1>, Body, Body>(VW));
   RC_ASSERT(distance(bracket_VW, ad(V) * ad(W) - ad(W) * ad(V)) <= tolerance);

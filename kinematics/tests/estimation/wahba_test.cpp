@@ -175,7 +175,7 @@ RC_GTEST_PROP(Wahba, AChangeOfEitherFrameTurnsTheAnswer, ()) {
   RC_ASSERT(std::abs(turned.loss - plain.loss) <= solved * (1 + plain.loss));
 }
 
-// No rotation nearby has a smaller loss, even with large errors.
+// No rotation has a smaller loss, even with large errors: the gradient vanishes, and all around it is larger.
 RC_GTEST_PROP(Wahba, TheLossIsLeast, ()) {
   const auto known = two_directions(), seen_in_b = two_directions();
   const std::vector list{weighted_observation(measured(seen_in_b.first), reference(known.first), 1.0),
@@ -186,6 +186,15 @@ RC_GTEST_PROP(Wahba, TheLossIsLeast, ()) {
   };
   const AttitudeFit<Body, Gcrf> found = wahba(to<Body>, from<Gcrf>, list);
   RC_ASSERT(std::abs(found.loss - loss(found.rotation.matrix())) <= rounding);
+  const Matrix3d R = found.rotation.matrix();
+  const Vector3d gradient = (R * known.first.normalized()).cross(seen_in_b.first.normalized()) +
+                            3 * (R * known.second.normalized()).cross(seen_in_b.second.normalized());
+  RC_ASSERT(gradient.norm() <= solved);
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const double turn : {-1e-3, 1e-3}) {
+      RC_ASSERT(loss(Eigen::AngleAxisd(turn, Vector3d::Unit(axis)).matrix() * R) >= found.loss - rounding);
+    }
+  }
   const Matrix3d other = *rotation_matrix();
   RC_ASSERT(found.loss <= loss(other) + rounding);
 }
@@ -351,6 +360,19 @@ template <class S> void expect_accurate_in_narrow_fields(const std::vector<doubl
 TEST(Wahba, NarrowFieldsAreFittedToTheirRounding) {
   expect_accurate_in_narrow_fields<double>({1e-1, 1e-2, 1e-3, 1e-5, 1e-6, 1e-7});
   expect_accurate_in_narrow_fields<float>({1e-1, 1e-2, 1e-3, 1e-4});
+}
+
+// The strong one is met, and the weak one decides the turn about it.
+TEST(Wahba, WeightsOfVeryDifferentSizeAreBothUsed) {
+  const auto R = body_from_gcrf(Eigen::Quaterniond(0.5, 0.1, -0.7, 0.4).normalized());
+  for (const double sigma : {1e-4, 1e-6, 1e-8}) {
+    const auto found = wahba(to<Body>, from<Gcrf>,
+                             std::vector{seen(R, Vector3d::UnitX(), sigma), seen(R, Vector3d::UnitY(), 1.0)});
+    EXPECT_LE(distance(found.rotation.matrix(), R.matrix()), 64 * rounding) << sigma;
+    const Vector3d first = (R * reference(Vector3d::UnitX())).coordinates();
+    EXPECT_NEAR(variance_along(found.covariance, vector<si::dimensionless>(in<Body>, first)).value(), 1.0,
+                64 * rounding);
+  }
 }
 
 TEST(Observation, WhatIsNoneIsRefused) {

@@ -90,6 +90,17 @@ TEST(MotionLaws, TellWhichIsBroken) {
                          return trust_dcm(to<Gcrf>, from<Body>, Eigen::Matrix3d::Identity() * 1.001);
                        }),
                        "is none: R^T R differs from I by 0.002"));
+  EXPECT_TRUE(contains(said_of_turning(rate, [](double t) -> Vector3d { return 1.001 * acceleration(t); }),
+                       "the angular acceleration of "));
+  EXPECT_TRUE(contains(said([](Quantity<si::time> t) { return moving(t.value(), 1, 1.001); }),
+                       "the acceleration of "));
+  for (int entry = 0; entry < 9; ++entry) {
+    Eigen::Matrix3d bad = Eigen::Matrix3d::Identity();
+    bad(entry) = std::nan("");
+    EXPECT_TRUE(
+        contains(said([&](Quantity<si::time>) { return trust_dcm(to<Gcrf>, from<Body>, bad); }), "nan"))
+        << entry;
+  }
   EXPECT_EQ(message<BadInput>([&] {
               require_motion_laws([](Quantity<si::time>) { return attitude(0); }, now, seconds(0));
             }),

@@ -52,22 +52,29 @@ vectrix::AcceleratingTransform<A, B> motion(const vectrix::Transform<A, B, Dual2
           track.acceleration()};
 }
 
+/// Not a number if one of them is none.
+inline double largest_of(std::initializer_list<double> numbers) {
+  double largest = 0.0;
+  for (const double number : numbers) largest = vectrix::detail::larger(largest, number);
+  return largest;
+}
+
 /// The largest difference of two motions in any of their numbers.
 template <class A, class B>
 double distance(const vectrix::AcceleratingTransform<A, B>& left,
                 const vectrix::AcceleratingTransform<A, B>& right) {
   const auto& l = left.turning;
   const auto& r = right.turning;
-  return std::max({distance(l.rotation.matrix(), r.rotation.matrix()),
-                   distance(l.angular_velocity.coordinates(), r.angular_velocity.coordinates()),
-                   distance(l.angular_acceleration.coordinates(), r.angular_acceleration.coordinates()),
-                   distance(left.translation.coordinates(), right.translation.coordinates()),
-                   distance(left.velocity.coordinates(), right.velocity.coordinates()),
-                   distance(left.acceleration.coordinates(), right.acceleration.coordinates())});
+  return largest_of({distance(l.rotation.matrix(), r.rotation.matrix()),
+                     distance(l.angular_velocity.coordinates(), r.angular_velocity.coordinates()),
+                     distance(l.angular_acceleration.coordinates(), r.angular_acceleration.coordinates()),
+                     distance(left.translation.coordinates(), right.translation.coordinates()),
+                     distance(left.velocity.coordinates(), right.velocity.coordinates()),
+                     distance(left.acceleration.coordinates(), right.acceleration.coordinates())});
 }
 template <class A, class B>
 double distance(const vectrix::MovingTransform<A, B>& left, const vectrix::MovingTransform<A, B>& right) {
-  return std::max(
+  return largest_of(
       {distance(left.turning.rotation.matrix(), right.turning.rotation.matrix()),
        distance(left.turning.angular_velocity.coordinates(), right.turning.angular_velocity.coordinates()),
        distance(left.translation.coordinates(), right.translation.coordinates()),

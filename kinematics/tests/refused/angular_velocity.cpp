@@ -141,9 +141,9 @@ auto rate() {
 }  // namespace omega_default
 
 namespace omega_difference_of_estimates {
-// mistake: the error of an estimate, which is no rate of one frame relative to another, as a difference of
-// rates expect: Left = (vectrix::)?AngularVelocity<Gcrf, Body, (vectrix::)?In<Body> expect: Reason =
-// .*one_pair_twice
+// mistake: the error of an estimate, which is no rate of one frame relative to another, as a difference
+// expect: Left = (vectrix::)?AngularVelocity<Gcrf, Body, (vectrix::)?In<Body>
+// expect: Reason = .*one_pair_twice
 auto error(const AngularVelocity<Gcrf, Body, In<Body>>& w_gyro,
            const AngularVelocity<Gcrf, Body, In<Body>>& w_truth) {
 #ifdef REPAIRED

@@ -172,8 +172,8 @@ auto motion(const Quantity<si::time>& t) {
 
 namespace graph_edge_asks_for_rate_of_static_edge {
 // mistake: an edge that follows from a rate which an edge before it does not know
-// expect: Fault = (vectrix::)?EdgeAsksFor<(vectrix::)?Link<Body, Camera>,
-// (vectrix::)?RateOn<(vectrix::)?Link<Gcrf, Body
+// expect: Fault = (vectrix::)?EdgeAsksFor<(vectrix::)?Link<Body, Camera>
+// expect: (vectrix::)?RateOn<(vectrix::)?Link<Gcrf, Body
 Dcm<Body, Camera> camera(const AngularVelocity<Gcrf, Body, In<Body>>& w_ib_b) {
   return turned_z(to<Body>, from<Camera>, norm(w_ib_b) * (1.0 * si::second));
 }

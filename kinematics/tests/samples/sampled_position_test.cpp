@@ -24,8 +24,8 @@ Motion sample(const Eigen::Vector3d& r, const Eigen::Vector3d& v) {
                       vector<si::velocity>(in<Itrf>, v));
 }
 double error(const Motion& found, const Motion& exact) {
-  return std::max((found.position.coordinates() - exact.position.coordinates()).norm(),
-                  (found.velocity.coordinates() - exact.velocity.coordinates()).norm());
+  return detail::larger((found.position.coordinates() - exact.position.coordinates()).norm(),
+                        (found.velocity.coordinates() - exact.velocity.coordinates()).norm());
 }
 
 // r(t) = (t^3, 1 - t^2, t), which a cubic must reproduce.

@@ -241,6 +241,9 @@ concept Adds = requires(const Left& left, const Right& right) {
 template <class X, class V>
 concept Moves = requires(const X& transform, const V& motion, Quantity<si::time> t) {
   moved(transform, motion, t);
+};
+template <class V>
+concept Holds = requires(const V& motion, Quantity<si::time> t) {
   held(motion, t);
 };
 template <class T>

@@ -38,6 +38,7 @@ template <> inline constexpr const char* unit_symbol<si::minute_unit> = "min";
 template <> inline constexpr const char* unit_symbol<si::hour_unit> = "h";
 template <> inline constexpr const char* unit_symbol<si::degree_unit> = "deg";
 template <> inline constexpr const char* unit_symbol<si::arcsecond_unit> = "arcsec";
+template <> inline constexpr const char* unit_symbol<si::revolution_unit> = "rev";
 template <> inline constexpr const char* unit_symbol<si::revolution_per_minute_unit> = "rpm";
 template <> inline constexpr const char* unit_symbol<si::degree_per_second_unit> = "deg/s";
 template <> inline constexpr const char* unit_symbol<si::nanotesla_unit> = "nT";

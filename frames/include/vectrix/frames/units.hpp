@@ -25,6 +25,7 @@ inline constexpr UnitConstant<minute_unit> minute;
 inline constexpr UnitConstant<hour_unit> hour;
 inline constexpr UnitConstant<degree_unit> degree;
 inline constexpr UnitConstant<arcsecond_unit> arcsecond;
+inline constexpr UnitConstant<revolution_unit> revolution;
 inline constexpr UnitConstant<revolution_per_minute_unit> revolution_per_minute;
 inline constexpr UnitConstant<degree_per_second_unit> degree_per_second;
 inline constexpr UnitConstant<nanotesla_unit> nanotesla;

@@ -60,8 +60,8 @@ Conservation conservation(const Scenario<I, B>& scenario, const Trajectory<I, B>
     };
     double largest = 0.0;
     for (std::size_t i = 1; i < trajectory.node_count(); ++i) {
-      largest =
-          std::max(largest, size(std::remove_cvref_t<decltype(start)>(quantity(trajectory.node(i)) - start)));
+      largest = detail::larger(
+          largest, size(std::remove_cvref_t<decltype(start)>(quantity(trajectory.node(i)) - start)));
     }
     return detail::relative_change(largest, size(start));
   };

@@ -71,7 +71,7 @@ template <InertialFrame I, Frame B> class StateLayout {
   double drift(std::span<const double> y) const {
     if (attitude_ == AttitudeState::quaternion) return std::abs(raw_quaternion(y).norm() - 1.0);
     const Square<double> R = raw_matrix(y);
-    return (R.transpose() * R - Square<double>::Identity()).cwiseAbs().maxCoeff();
+    return (R.transpose() * R - Square<double>::Identity()).cwiseAbs().maxCoeff<Eigen::PropagateNaN>();
   }
 
   /// ydot by the typed laws: kinematics of the chosen attitude, Euler's equation, point-mass gravity.

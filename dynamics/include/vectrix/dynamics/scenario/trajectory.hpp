@@ -5,6 +5,7 @@
 #include <vector>
 #include <vectrix/dynamics/ode/solution.hpp>
 #include <vectrix/dynamics/scenario/state_layout.hpp>
+#include <vectrix/frames/scalar/larger.hpp>
 #include <vectrix/kinematics/rates/moving_dcm.hpp>
 
 namespace vectrix {
@@ -74,7 +75,7 @@ template <InertialFrame I, Frame B> class Trajectory {
   double orthonormality_drift() const {
     double largest = 0.0;
     for (std::size_t i = 0; i < solution_.node_count(); ++i) {
-      largest = std::max(largest, layout_.drift(solution_.node(i).y));
+      largest = detail::larger(largest, layout_.drift(solution_.node(i).y));
     }
     return largest;
   }

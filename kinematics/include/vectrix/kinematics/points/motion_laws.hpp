@@ -62,7 +62,7 @@ void require_motion_laws(const Function& f, const I& t, const Quantity<si::time>
   const Value now = at(0.0);
   const auto rotation = [&](double s) -> Matrix3d { return rotation_of(at(s)).matrix(); };
   const Matrix3d R = rotation(0.0);
-  const double apart = (R.transpose() * R - Matrix3d::Identity()).cwiseAbs().maxCoeff();
+  const double apart = (R.transpose() * R - Matrix3d::Identity()).cwiseAbs().maxCoeff<Eigen::PropagateNaN>();
   if (!(apart <= tolerance)) {
     throw BadInput("the rotation of " + frame_name<B>() + " relative to " + frame_name<A>() + " at " +
                    detail::instant_text(t) + " is none: R^T R differs from I by " + detail::text(apart));

@@ -145,8 +145,8 @@ template <Frame A, Frame B, Instant I = Quantity<si::time>> class RotationSpline
       S largest = S(0);
       for (std::size_t i = n + 1; i-- > 0;) {
         if (i < n) solved[i] -= pivot[i] * after[i] * solved[i + 1];
-        change = std::max(change, S((solved[i] - rates[i]).norm()));
-        largest = std::max(largest, S(solved[i].norm()));
+        change = detail::larger(change, S((solved[i] - rates[i]).norm()));
+        largest = detail::larger(largest, S(solved[i].norm()));
       }
       rates = solved;
       if (change <= enough * largest) return rates;
