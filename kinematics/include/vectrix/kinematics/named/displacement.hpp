@@ -26,6 +26,7 @@ inline NamedDisplacement displacement(Of<NamedFrame> q, RelativeTo<NamedFrame> p
   detail::require_two_points(q.frame, p.frame);
   return {detail::trusted, q.frame, p.frame, r_pq_c};
 }
+
 /// Claims that the vector is the velocity (acceleration) of q relative to p, observed from a.
 inline NamedVelocity velocity(Of<NamedFrame> q, RelativeTo<NamedFrame> p, ObservedFrom<NamedFrame> a,
                               const NamedVector<si::velocity>& v_pq_a_c) {
@@ -37,5 +38,4 @@ inline NamedAcceleration acceleration(Of<NamedFrame> q, RelativeTo<NamedFrame> p
   detail::require_two_points(q.frame, p.frame);
   return {detail::trusted, q.frame, p.frame, a.frame, a_pq_a_c};
 }
-
 }  // namespace vectrix

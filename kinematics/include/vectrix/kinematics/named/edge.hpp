@@ -17,7 +17,8 @@ struct EdgeMotion {
 };
 
 /// The same, and the motion of b's origin: r_ab^a, v_ab|a^a and a_ab|a^a.
-struct PlacedMotion : EdgeMotion {
+struct PlacedMotion {
+  EdgeMotion turning;
   Column<double> r, v, a;
 };
 
@@ -49,8 +50,8 @@ class EdgeFunction {
 
 }  // namespace detail
 
-/// An edge before it is added to a NamedGraph: static_edge(R_a_from_b), rigid_edge(R_a_from_b), both also of a
-/// NamedTransform, edge(To(a), From(b), f), sampled_edge(samples, longest_gap). It has a level, as in a
+/// An edge before it is added to a NamedGraph: static_edge(R_a_from_b), rigid_edge(R_a_from_b), both also of
+/// a NamedTransform, edge(To(a), From(b), f), sampled_edge(samples, longest_gap). It has a level, as in a
 /// FrameGraph; no edge is raised to a higher level with zeros by default.
 class NamedEdge {
  public:
@@ -80,8 +81,8 @@ class ConstantFunction final : public EdgeFunction {
       : EdgeFunction(level, placed), motion_(motion) {}
 
   const PlacedMotion* constant() const override { return &motion_; }
-  Square<double> rotation(double) const override { return motion_.R; }
-  EdgeMotion motion(double) const override { return motion_; }
+  Square<double> rotation(double) const override { return motion_.turning.R; }
+  EdgeMotion motion(double) const override { return motion_.turning; }
   PlacedMotion placed_motion(double) const override { return motion_; }
 
  private:

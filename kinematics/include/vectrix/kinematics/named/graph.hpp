@@ -51,9 +51,9 @@ void require_answer(const NamedGraphCore& core, const FrameRecord& b, const Fram
   });
 }
 
-/// An edge of a FrameGraph that a NamedGraph can keep.
+/// Whether a NamedGraph can evaluate an edge of a FrameGraph.
 template <class Edge>
-concept KeepsAlone =
+inline constexpr bool stands_alone =
     Edge::template takes<Quantity<si::time>> && !asks<Edge> && std::same_as<ScalarOf<Edge>, double>;
 
 }  // namespace detail
@@ -93,23 +93,21 @@ class NamedGraph {
 
   /// Adds an edge of a FrameGraph, static_edge(R_a_from_b), rigid_edge(X_a_from_b) or edge(f), between the
   /// frames to which its types are bound.
-  template <class Edge>
-    requires detail::KeepsAlone<Edge>
-  void add_edge(Edge edge) {
+  template <class Edge> std::enable_if_t<detail::stands_alone<Edge>> add_edge(Edge edge) {
     using namespace detail;
     using V = typename Edge::value_type;
     const NamedFrame a = frame<FirstOf<Edge>>();
     const NamedFrame b = frame<SecondOf<Edge>>();
     if constexpr (is_constant<Edge>) {
-      core_->add_edge({trusted, a, b,
-                       std::make_unique<ConstantFunction>(level_of<V>, is_placed<V>,
-                                                          placed_motion_of(edge.value()))});
+      core_->add_edge(
+          {trusted, a, b,
+           std::make_unique<ConstantFunction>(level_of<V>, is_placed<V>, placed_motion_of(edge.value()))});
     } else {
       core_->add_edge({trusted, a, b, std::make_unique<FunctionOfTime<Edge, V>>(a, b, std::move(edge))});
     }
   }
   template <class Edge, class V = typename Edge::value_type>
-    requires(!detail::KeepsAlone<Edge>)
+    requires(!detail::stands_alone<Edge>)
   auto add_edge(  // a value, or a function of the time alone: no answers of other edges; in double
       const Edge&) -> Refused = delete;
 

@@ -52,7 +52,7 @@ class NamedGraphCore {
     const FrameRecord& a = of_this_graph(edge.to());
     const FrameRecord& b = of_this_graph(edge.from());
     if (const PlacedMotion* fixed = edge.function().constant()) {
-      if (!fixed->R.allFinite()) throw BadInput(action + ": the rotation is not finite");
+      if (!fixed->turning.R.allFinite()) throw BadInput(action + ": the rotation is not finite");
       if (edge.placed() && !fixed->r.allFinite()) throw BadInput(action + ": the position is not finite");
     }
     const std::lock_guard lock(mutex_);

@@ -26,7 +26,8 @@ struct NamedPath {
         legs.push_back({&function, step.against, function.in_quaternions(), Square<double>::Identity()});
         continue;
       }
-      const Square<double> turned = step.against ? Square<double>(fixed->R.transpose()) : fixed->R;
+      const Square<double> turned =
+          step.against ? Square<double>(fixed->turning.R.transpose()) : fixed->turning.R;
       if (legs.empty() || legs.back().function != nullptr) {
         legs.push_back({nullptr, false, false, turned});
       } else {

@@ -9,17 +9,17 @@ template <char letter> struct Some : moving_frame {};
 
 /// The motion of b relative to a as a typed value of the level.
 template <Level level, Frame A, Frame B> auto typed_motion(const PlacedMotion& ab) {
-  const Dcm<A, B> R_a_from_b{trusted, ab.R};
+  const Dcm<A, B> R_a_from_b{trusted, ab.turning.R};
   const Displacement<A, B, In<A>> r_ab_a{trusted, ab.r};
   if constexpr (level == Level::rotation) {
     return Transform<A, B>{R_a_from_b, r_ab_a};
   } else {
-    const AngularVelocity<A, B, In<B>> w_ab_b{trusted, ab.w};
+    const AngularVelocity<A, B, In<B>> w_ab_b{trusted, ab.turning.w};
     const Velocity<A, B, ObservedFrom<A>, In<A>> v_ab_a_a{trusted, ab.v};
     if constexpr (level == Level::rate) {
       return MovingTransform<A, B>{{R_a_from_b, w_ab_b}, r_ab_a, v_ab_a_a};
     } else {
-      const AngularAcceleration<A, B, In<B>> alpha_ab_b{trusted, ab.alpha};
+      const AngularAcceleration<A, B, In<B>> alpha_ab_b{trusted, ab.turning.alpha};
       const Acceleration<A, B, ObservedFrom<A>, In<A>> a_ab_a_a{trusted, ab.a};
       return AcceleratingTransform<A, B>{{R_a_from_b, w_ab_b, alpha_ab_b}, r_ab_a, v_ab_a_a, a_ab_a_a};
     }

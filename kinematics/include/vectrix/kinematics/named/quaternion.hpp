@@ -31,8 +31,7 @@ struct NearestNamedQuaternion {
 
 namespace detail {
 
-template <class Typed>
-NamedQuaternion named_quaternion(NamedFrame b, NamedFrame a, const Typed& typed) {
+template <class Typed> NamedQuaternion named_quaternion(NamedFrame b, NamedFrame a, const Typed& typed) {
   return through_door(b, a, [&] {
     return NamedQuaternion{trusted, b, a, typed(vectrix::to<FirstNamed>, vectrix::from<SecondNamed>).eigen()};
   });
@@ -51,24 +50,28 @@ NearestNamedQuaternion nearest_named_quaternion(NamedFrame b, NamedFrame a, cons
 }  // namespace detail
 
 /// The checked doors. Throw BadInput when a number is not finite or | |q| - 1 | exceeds unit_norm_tolerance.
-inline NamedQuaternion quaternion_scalar_first(To<NamedFrame> b, From<NamedFrame> a, double w, double x, double y, double z) {
+inline NamedQuaternion quaternion_scalar_first(To<NamedFrame> b, From<NamedFrame> a, double w, double x,
+                                               double y, double z) {
   return detail::named_quaternion(b.frame, a.frame, [&](auto to_b, auto from_a) {
     return quaternion_scalar_first(to_b, from_a, w, x, y, z);
   });
 }
-inline NamedQuaternion quaternion_scalar_last(To<NamedFrame> b, From<NamedFrame> a, double x, double y, double z, double w) {
+inline NamedQuaternion quaternion_scalar_last(To<NamedFrame> b, From<NamedFrame> a, double x, double y,
+                                              double z, double w) {
   return detail::named_quaternion(b.frame, a.frame, [&](auto to_b, auto from_a) {
     return quaternion_scalar_last(to_b, from_a, x, y, z, w);
   });
 }
 
 /// The projected doors: q / |q|, and | |q| - 1 |. Throw BadInput when q is zero or not finite.
-inline NearestNamedQuaternion nearest_quaternion_scalar_first(To<NamedFrame> b, From<NamedFrame> a, double w, double x, double y, double z) {
+inline NearestNamedQuaternion nearest_quaternion_scalar_first(To<NamedFrame> b, From<NamedFrame> a, double w,
+                                                              double x, double y, double z) {
   return detail::nearest_named_quaternion(b.frame, a.frame, [&](auto to_b, auto from_a) {
     return nearest_quaternion_scalar_first(to_b, from_a, w, x, y, z);
   });
 }
-inline NearestNamedQuaternion nearest_quaternion_scalar_last(To<NamedFrame> b, From<NamedFrame> a, double x, double y, double z, double w) {
+inline NearestNamedQuaternion nearest_quaternion_scalar_last(To<NamedFrame> b, From<NamedFrame> a, double x,
+                                                             double y, double z, double w) {
   return detail::nearest_named_quaternion(b.frame, a.frame, [&](auto to_b, auto from_a) {
     return nearest_quaternion_scalar_last(to_b, from_a, x, y, z, w);
   });

@@ -111,9 +111,8 @@ template <class X> ChainedPair<X> require_chain(const X& one, const X& other) {
 }
 
 template <class X> void require_in(const NamedDcm& R_d_from_c, const X& ab_c) {
-  require_same(R_d_from_c.from(), ab_c.in(), [&] {
-    return "product of " + described(R_d_from_c) + " and " + described(ab_c);
-  });
+  require_same(R_d_from_c.from(), ab_c.in(),
+               [&] { return "product of " + described(R_d_from_c) + " and " + described(ab_c); });
 }
 
 }  // namespace detail

@@ -59,8 +59,8 @@ class NamedSnapshot {
     return angular_acceleration(b, a, c, fresh());
   }
 
-  /// X_a^b between any two joined frames. Throws BadInput as rotation() does, and also when an edge from a to b
-  /// has no position.
+  /// X_a^b between any two joined frames. Throws BadInput as rotation() does, and also when an edge from a to
+  /// b has no position.
   template <detail::AnyFrame B, detail::AnyFrame A> auto transform(To<B> b, From<A> a) const& {
     return transform(b, a, kept());
   }
@@ -68,8 +68,8 @@ class NamedSnapshot {
     return transform(b, a, fresh());
   }
 
-  /// r_pq^c, of q's origin relative to p's, expressed in c. Throws BadInput as rotation() does, and also when q
-  /// is p, or an edge from p to q has no position.
+  /// r_pq^c, of q's origin relative to p's, expressed in c. Throws BadInput as rotation() does, and also when
+  /// q is p, or an edge from p to q has no position.
   template <detail::AnyFrame Q, detail::AnyFrame P, detail::AnyFrame C>
   auto position(Of<Q> q, RelativeTo<P> p, In<C> c) const& {
     return position(q, p, c, kept());
@@ -153,7 +153,8 @@ class NamedSnapshot {
     }
   }
 
-  template <class B, class A, class Motions> auto transform(To<B> b, From<A> a, const Motions& motions) const {
+  template <class B, class A, class Motions>
+  auto transform(To<B> b, From<A> a, const Motions& motions) const {
     using namespace detail;
     const FrameRecord& to_b = record_in(*core_, b);
     const FrameRecord& from_a = record_in(*core_, a);
@@ -163,7 +164,7 @@ class NamedSnapshot {
       return typed_motion<Level::rotation, B, A>(ba);
     } else {
       const NamedFrame named_b{to_b}, named_a{from_a};
-      return NamedTransform{NamedDcm{trusted, named_b, named_a, ba.R},
+      return NamedTransform{NamedDcm{trusted, named_b, named_a, ba.turning.R},
                             NamedDisplacement{trusted, named_a, named_b, {trusted, named_b, ba.r}}};
     }
   }
@@ -180,8 +181,8 @@ class NamedSnapshot {
     if constexpr (Frame<Q> && Frame<P> && Frame<C>) {
       return displacement(q, p, Vector<C, si::length>{trusted, r});
     } else {
-      return NamedDisplacement{trusted, NamedFrame{of_q}, NamedFrame{relative_to_p},
-                               {trusted, NamedFrame{in_c}, r}};
+      return NamedDisplacement{
+          trusted, NamedFrame{of_q}, NamedFrame{relative_to_p}, {trusted, NamedFrame{in_c}, r}};
     }
   }
 
@@ -199,7 +200,10 @@ class NamedSnapshot {
     if constexpr (Frame<Q> && Frame<P> && Frame<A> && Frame<C>) {
       return Vector<C, U>{trusted, answer};
     } else {
-      return NamedObservedVector<U>{trusted, NamedFrame{of_q}, NamedFrame{relative_to_p}, NamedFrame{from_a},
+      return NamedObservedVector<U>{trusted,
+                                    NamedFrame{of_q},
+                                    NamedFrame{relative_to_p},
+                                    NamedFrame{from_a},
                                     {trusted, NamedFrame{in_c}, answer}};
     }
   }

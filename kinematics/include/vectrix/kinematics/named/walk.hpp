@@ -20,13 +20,21 @@ struct KeptMotions {
   static constexpr bool fresh = false;
   double t;
   std::map<const EdgeFunction*, PlacedMotion>& kept;
-  const Square<double>& rotation(const EdgeFunction& function) const { return placed_motion(function).R; }
-  const EdgeMotion& motion(const EdgeFunction& function) const { return placed_motion(function); }
+  const Square<double>& rotation(const EdgeFunction& function) const { return motion(function).R; }
+  const EdgeMotion& motion(const EdgeFunction& function) const { return placed_motion(function).turning; }
   const PlacedMotion& placed_motion(const EdgeFunction& function) const {
     auto place = kept.find(&function);
-    if (place == kept.end()) place = kept.emplace(&function, function.placed_motion(t)).first;
+    if (place == kept.end()) place = kept.emplace(&function, Evaluation{function, t}).first;
     return place->second;
   }
+
+ private:
+  // Becomes the value where the map keeps it.
+  struct Evaluation {
+    const EdgeFunction& function;
+    double t;
+    operator PlacedMotion() const { return function.placed_motion(t); }
+  };
 };
 
 /// A product of rotations, from the left. Consecutive quaternions are multiplied as quaternions.
@@ -119,10 +127,12 @@ inline std::size_t shared_steps(std::span<const PathStep> one, std::span<const P
 /// A vector in the frame at the begin of the steps, re-expressed in the frame at their end. `turned` if the
 /// steps belong to the reversed path.
 template <class Motions, class Iterator>
-void carry(Column<double>& vector, Iterator step, Iterator end, bool turned, const Motions& motions) {
+[[gnu::always_inline]] inline void carry(Column<double>& vector, Iterator step, Iterator end, bool turned,
+                                         const Motions& motions) {
   for (; step != end; ++step) {
     const Square<double>& R = motions.rotation(step->edge->function());
-    vector = (step->against == turned ? Column<double>(R.transpose() * vector) : Column<double>(R * vector)).eval();
+    vector = (step->against == turned ? Column<double>(R.transpose() * vector) : Column<double>(R * vector))
+                 .eval();
   }
 }
 
