@@ -278,6 +278,33 @@ RC_GTEST_PROP(NamedTransform, FollowsTheLawsOfTransform, ()) {
       contains(refusal([&] { X_b_from_a* x.r(x.d, x.c, x.a, x.v2); }), R"("a" and "c" are two frames)"));
 }
 
+RC_GTEST_PROP(NamedTransform, DoorsAreThoseOfTransform, ()) {
+  const Values x;
+  const auto b = To(x.b);
+  const auto a = From(x.a);
+  Eigen::Matrix4d m = Eigen::Matrix4d::Identity();
+  m.topLeftCorner<3, 3>() = x.R1;
+  m.topRightCorner<3, 1>() = x.v1;
+  RC_ASSERT(homogeneous_matrix(transform(b, a, m)) == m);
+  RC_ASSERT(homogeneous_matrix(trust_transform(b, a, 2 * m)).topRows(3) == 2 * m.topRows(3));
+  const NamedTransform X = transform(b, a, m);
+  RC_ASSERT(X.rotation().to() == x.b && X.rotation().from() == x.a);
+  RC_ASSERT(X.translation().of() == x.a && X.translation().relative_to() == x.b);
+  RC_ASSERT(X.translation().in() == x.b && X.translation().coordinates() == x.v1);
+  Eigen::Matrix4d rough = m;
+  rough.topLeftCorner<3, 3>() += 1e-3 * x.R2;
+  RC_ASSERT(contains(refusal([&] { transform(b, a, rough); }), R"((to<"b">, from<"a">): M^T M differs)"));
+  const NearestNamedTransform nearest = nearest_transform(b, a, rough);
+  const auto expected = nearest_transform(to<Body>, from<Gcrf>, rough);
+  RC_ASSERT(homogeneous_matrix(nearest.transform) == homogeneous_matrix(expected.transform));
+  RC_ASSERT(nearest.distance == expected.distance);
+  m(3, 0) = 1.0;
+  RC_ASSERT(refusal([&] { transform(b, a, m); }) ==
+            R"(transform(to<"b">, from<"a">): entry (4, 1) is 1 instead of 0)");
+  RC_ASSERT(refusal([&] { trust_transform(b, From(x.b), m); }) ==
+            R"(to "b", from "b": a door takes two frames, and these are one)");
+}
+
 RC_GTEST_PROP(NamedTransform, JoinsWhatBelongsTogether, ()) {
   const Values x;
   const NamedDcm R = dcm(To(x.a), From(x.b), x.R1);

@@ -3,6 +3,7 @@
 #include <vectrix/frames/graph/frame_graph.hpp>
 #include <vectrix/kinematics/named/sampled_edge.hpp>
 #include <vectrix/kinematics/named/snapshot.hpp>
+#include <vectrix/kinematics/named/transform_doors.hpp>
 #include <vectrix/kinematics/points/rigid_edge.hpp>
 
 namespace vectrix {

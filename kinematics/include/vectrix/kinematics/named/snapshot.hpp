@@ -163,9 +163,8 @@ class NamedSnapshot {
     if constexpr (Frame<B> && Frame<A>) {
       return typed_motion<Level::rotation, B, A>(ba);
     } else {
-      const NamedFrame named_b{to_b}, named_a{from_a};
-      return NamedTransform{NamedDcm{trusted, named_b, named_a, ba.turning.R},
-                            NamedDisplacement{trusted, named_a, named_b, {trusted, named_b, ba.r}}};
+      const NamedDcm R{trusted, NamedFrame{to_b}, NamedFrame{from_a}, ba.turning.R};
+      return NamedTransform{trusted, R, ba.r};
     }
   }
 

@@ -31,6 +31,10 @@ class NamedTransform {
       : rotation_(R_b_from_a), translation_(r_ba_b) {
     detail::require_place("NamedTransform", R_b_from_a, r_ba_b);
   }
+  template <class Derived>
+  NamedTransform(detail::Trusted key, const NamedDcm& R_b_from_a, const Eigen::MatrixBase<Derived>& r_ba_b)
+      : rotation_(R_b_from_a),
+        translation_(key, R_b_from_a.from(), R_b_from_a.to(), {key, R_b_from_a.to(), r_ba_b}) {}
 
   const NamedDcm& rotation() const& { return rotation_; }
   NamedDcm rotation() && { return rotation_; }
