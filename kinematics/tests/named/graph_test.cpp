@@ -1,10 +1,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include <random>
-#include <vectrix/kinematics/named/graph.hpp>
-
-#include "testing/motions.hpp"
+#include "random_tree.hpp"
 
 using namespace vectrix;
 using namespace vectrix_test;
@@ -19,63 +16,7 @@ constexpr double long_rounding = 128 * epsilon;
 /// The same with derivatives: each step multiplies them by factors up to 10 and 100.
 constexpr double long_motion_tolerance = 100 * motion_tolerance;
 
-/// A random tree of frames at one instant, and the reference: the motion of each frame seen from frame 0, by
-/// products of differentiable matrices.
-struct RandomTree {
-  using Matrix = Eigen::Matrix<Dual2, 3, 3>;
-
-  NamedGraph graph;
-  std::vector<NamedFrame> frames;
-  std::vector<Matrix> R_0_from;
-
-  /// `add(a, b, motion of b seen from a)` adds the edge. Edges come in random order and random direction.
-  template <class Add> explicit RandomTree(const Add& add) {
-    std::mt19937_64 generator(*rc::gen::arbitrary<std::uint64_t>());
-    const auto below = [&](std::size_t n) {
-      return std::uniform_int_distribution<std::size_t>(0, n - 1)(generator);
-    };
-    const std::size_t count = 2 + below(10);
-    const Dual2 t = instant(std::uniform_real_distribution(-1.0, 1.0)(generator));
-    struct Link {
-      std::size_t a, b;
-      Matrix R_a_from_b;
-    };
-    std::vector<Link> links;
-    R_0_from.push_back(constant(1.0) * Matrix::Identity());
-    for (std::size_t i = 0; i < count; ++i) {
-      frames.push_back(graph.add_frame("frame " + std::to_string(i), FrameMotion::moving));
-      if (i == 0) continue;
-      const std::size_t parent = below(i);
-      const Matrix R = turning<Gcrf, Body>(std::uniform_real_distribution(-2.0, 2.0)(generator), t).matrix();
-      R_0_from.push_back(R_0_from[parent] * R);
-      if (below(2) == 0) {
-        links.push_back({parent, i, R});
-      } else {
-        links.push_back({i, parent, R.transpose()});
-      }
-    }
-    std::shuffle(links.begin(), links.end(), generator);
-    for (const Link& link : links)
-      add(graph, frames[link.a], frames[link.b],
-          Motion<Gcrf, Body>(Dcm<Gcrf, Body, Dual2>(detail::trusted, link.R_a_from_b)));
-  }
-
-  /// Motion of frame j seen from frame i.
-  Motion<Gcrf, Body> motion(std::size_t i, std::size_t j) const {
-    return Motion<Gcrf, Body>(
-        Dcm<Gcrf, Body, Dual2>(detail::trusted, Matrix(R_0_from[i].transpose() * R_0_from[j])));
-  }
-
-  Eigen::Matrix3d rotation(std::size_t i, std::size_t j) const {
-    const auto value = [](const Dual2& x) { return vectrix_test::value(x); };
-    return R_0_from[i].unaryExpr(value).transpose() * R_0_from[j].unaryExpr(value);
-  }
-
-  template <class Check> void for_all(const Check& check) const {
-    for (std::size_t i = 0; i < frames.size(); ++i)
-      for (std::size_t j = 0; j < frames.size(); ++j) check(i, j);
-  }
-};
+constexpr std::size_t most_frames = 11;
 
 NamedAcceleratingDcm accelerating(NamedFrame a, NamedFrame b, const Motion<Gcrf, Body>& m) {
   return accelerating_dcm(
@@ -83,16 +24,18 @@ NamedAcceleratingDcm accelerating(NamedFrame a, NamedFrame b, const Motion<Gcrf,
       angular_velocity(Of(b), RelativeTo(a), vector<si::angular_velocity>(In(a), m.w_a())),
       angular_acceleration(Of(b), RelativeTo(a), vector<si::angular_acceleration>(In(a), m.alpha_a())));
 }
-constexpr auto add_accelerating = [](NamedGraph& graph, NamedFrame a, NamedFrame b, const auto& m) {
+constexpr auto add_accelerating = [](NamedGraph& graph, NamedFrame a, NamedFrame b,
+                                     const RandomTree::Placed& X) {
+  const Motion m(X.rotation);
   graph.add_edge(edge(To(a), From(b), [=](Quantity<si::time>) { return accelerating(a, b, m); }));
 };
-constexpr auto add_static = [](NamedGraph& graph, NamedFrame a, NamedFrame b, const auto& m) {
-  graph.add_edge(static_edge(dcm(To(a), From(b), m.R)));
+constexpr auto add_static = [](NamedGraph& graph, NamedFrame a, NamedFrame b, const RandomTree::Placed& X) {
+  graph.add_edge(static_edge(dcm(To(a), From(b), Motion(X.rotation).R)));
 };
 
 RC_GTEST_PROP(NamedGraph, RotationsAreTheProductsOfThePath, ()) {
-  const RandomTree fixed(add_static);
-  const RandomTree moving(add_accelerating);
+  const RandomTree fixed(most_frames, add_static);
+  const RandomTree moving(most_frames, add_accelerating);
   for (const RandomTree* tree : {&fixed, &moving}) {
     tree->for_all([&](std::size_t i, std::size_t j) {
       const NamedFrame a = tree->frames[i], b = tree->frames[j];
@@ -104,7 +47,7 @@ RC_GTEST_PROP(NamedGraph, RotationsAreTheProductsOfThePath, ()) {
 }
 
 RC_GTEST_PROP(NamedGraph, RatesAndAccelerationsAreThoseOfTheDifferentiatedPath, ()) {
-  const RandomTree tree(add_accelerating);
+  const RandomTree tree(most_frames, add_accelerating);
   const NamedSnapshot snapshot = tree.graph.at(now);
   tree.for_all([&](std::size_t i, std::size_t j) {
     if (i == j) return;
@@ -129,7 +72,7 @@ RC_GTEST_PROP(NamedGraph, RatesAndAccelerationsAreThoseOfTheDifferentiatedPath, 
 
 // Handles, names and a mixture give the same query.
 RC_GTEST_PROP(NamedGraph, NamesAskWhatHandlesAsk, ()) {
-  const RandomTree tree(add_accelerating);
+  const RandomTree tree(most_frames, add_accelerating);
   const NamedSnapshot snapshot = tree.graph.at(now);
   const NamedFrame a = tree.frames.front(), b = tree.frames.back();
   RC_ASSERT(snapshot.rotation(To(b.name()), From("frame 0")).matrix() ==

@@ -31,6 +31,18 @@ struct Values {
                                  const Eigen::Vector3d& v) const {
     return angular_acceleration(Of(of), RelativeTo(relative_to), vector<si::angular_acceleration>(In(in), v));
   }
+  NamedDisplacement r(NamedFrame of, NamedFrame relative_to, NamedFrame in, const Eigen::Vector3d& r) const {
+    return displacement(Of(of), RelativeTo(relative_to), vector<si::length>(In(in), r));
+  }
+  NamedVelocity v(NamedFrame of, NamedFrame relative_to, NamedFrame observer, NamedFrame in,
+                  const Eigen::Vector3d& v) const {
+    return velocity(Of(of), RelativeTo(relative_to), ObservedFrom(observer), vector<si::velocity>(In(in), v));
+  }
+  NamedAcceleration a_of(NamedFrame of, NamedFrame relative_to, NamedFrame observer, NamedFrame in,
+                         const Eigen::Vector3d& v) const {
+    return acceleration(Of(of), RelativeTo(relative_to), ObservedFrom(observer),
+                        vector<si::acceleration>(In(in), v));
+  }
 };
 
 template <class Action> std::string refusal(const Action& action) {
@@ -98,6 +110,35 @@ RC_GTEST_PROP(NamedDcm, DoorsAreThoseOfDcm, ()) {
             R"(vector(in<"a">): the coordinates (0, nan, 1) are not finite)");
 }
 
+// What the checked door refuses, the projected one takes, and says how far it moved the numbers.
+RC_GTEST_PROP(NamedQuaternion, TheProjectedDoorsAreThoseOfQuaternion, ()) {
+  const Values x;
+  const auto b = To(x.b);
+  const auto a = From(x.a);
+  const Eigen::Vector4d q = Eigen::Quaterniond(x.R1).coeffs() * (1.5 + *coordinate());
+  RC_PRE(std::abs(q.norm() - 1.0) > 1e-3);
+  RC_ASSERT(contains(refusal([&] { quaternion_scalar_first(b, a, q[3], q[0], q[1], q[2]); }),
+                     "; nearest_quaternion_scalar_first() projects"));
+  RC_ASSERT(contains(refusal([&] { quaternion_scalar_last(b, a, q[0], q[1], q[2], q[3]); }),
+                     "; nearest_quaternion_scalar_last() projects"));
+  const auto expected = nearest_quaternion_scalar_first(to<Body>, from<Gcrf>, q[3], q[0], q[1], q[2]);
+  for (const NearestNamedQuaternion& nearest :
+       {nearest_quaternion_scalar_first(b, a, q[3], q[0], q[1], q[2]),
+        nearest_quaternion_scalar_last(b, a, q[0], q[1], q[2], q[3])}) {
+    RC_ASSERT(nearest.quaternion.to() == x.b && nearest.quaternion.from() == x.a);
+    RC_ASSERT(nearest.quaternion.eigen().coeffs() == expected.quaternion.eigen().coeffs());
+    RC_ASSERT(nearest.distance == expected.distance && nearest.distance > 1e-4);
+  }
+  RC_ASSERT(
+      refusal([&] { nearest_quaternion_scalar_first(b, a, 0.0, 0.0, 0.0, 0.0); }) ==
+      R"(nearest_quaternion_scalar_first(to<"b">, from<"a">): the norm is 0; a zero quaternion turns nothing)");
+  RC_ASSERT(
+      refusal([&] { nearest_quaternion_scalar_last(b, a, 0.0, std::nan(""), 0.0, 1.0); }) ==
+      R"(nearest_quaternion_scalar_last(to<"b">, from<"a">): the numbers, scalar first, (1, 0, nan, 0) are not finite)");
+  RC_ASSERT(refusal([&] { nearest_quaternion_scalar_first(b, From(x.b), 1.0, 0.0, 0.0, 0.0); }) ==
+            R"(to "b", from "b": a door takes two frames, and these are one)");
+}
+
 RC_GTEST_PROP(NamedDcm, TheDoorsTakeTwoFrames, ()) {
   const Values x;
   const std::string one = R"(to "a", from "a": a door takes two frames, and these are one)";
@@ -117,7 +158,13 @@ template <class Rate>
 concept ChainsInPlace = requires(Rate& rate) {
   rate += rate;
 };
-static_assert(!ChainsInPlace<NamedAngularVelocity>);
+static_assert(!ChainsInPlace<NamedAngularVelocity> && !ChainsInPlace<NamedVelocity>);
+template <class X>
+concept Adds = requires(const X& x) {
+  x + x;
+};
+static_assert(Adds<NamedAngularVelocity> && Adds<NamedDisplacement> && Adds<NamedVelocity>);
+static_assert(!Adds<NamedAngularAcceleration>);  // chain() has the rates
 // An edge refers to its graph, so the graph must have a name.
 template <class Graph>
 concept GivesAnEdge = requires(Graph&& graph) {
@@ -169,6 +216,136 @@ RC_GTEST_PROP(NamedRate, PairsThatDoNotChainAreRefused, ()) {
   RC_ASSERT(refused(alpha_ab_c, alpha_bd_c, w_ab_c, x.w(x.a, x.b, x.c, x.v2)));
 }
 
+RC_GTEST_PROP(NamedDisplacement, FollowsTheLawsOfDisplacement, ()) {
+  const Values x;
+  const auto r_ab_c = x.r(x.b, x.a, x.c, x.v1), r_bd_c = x.r(x.d, x.b, x.c, x.v2);
+  const auto v_ab_c = x.v(x.b, x.a, x.d, x.c, x.v1), v_bd_c = x.v(x.d, x.b, x.d, x.c, x.v2);
+  for (const auto& r_ad_c : {r_ab_c + r_bd_c, r_bd_c + r_ab_c}) {
+    RC_ASSERT(r_ad_c.of() == x.d && r_ad_c.relative_to() == x.a && r_ad_c.in() == x.c);
+    RC_ASSERT(r_ad_c.coordinates() == x.v1 + x.v2);
+  }
+  for (const auto& v_ad_c : {v_ab_c + v_bd_c, v_bd_c + v_ab_c}) {
+    RC_ASSERT(v_ad_c.of() == x.d && v_ad_c.relative_to() == x.a && v_ad_c.in() == x.c);
+    RC_ASSERT(v_ad_c.observed_from() == x.d && v_ad_c.coordinates() == x.v1 + x.v2);
+  }
+  RC_ASSERT((-r_ab_c).of() == x.a && (-r_ab_c).relative_to() == x.b && (-r_ab_c).coordinates() == -x.v1);
+  RC_ASSERT((-v_ab_c).of() == x.a && (-v_ab_c).relative_to() == x.b && (-v_ab_c).coordinates() == -x.v1);
+  RC_ASSERT((-v_ab_c).observed_from() == x.d);
+  const NamedDcm R_d_from_c = dcm(To(x.d), From(x.c), x.R1);
+  const auto v_ab_d = R_d_from_c * v_ab_c;
+  RC_ASSERT(v_ab_d.in() == x.d && v_ab_d.observed_from() == x.d && v_ab_d.of() == x.b);
+  RC_ASSERT(distance(v_ab_d.coordinates(), x.R1 * x.v1) <= rounding);
+  RC_ASSERT(
+      refusal([&] { v_ab_c + x.v(x.d, x.b, x.a, x.c, x.v2); }) ==
+      R"(sum of v of "b" relative to "a" observed from "d" in "c" and v of "d" relative to "b" observed from "a" in "c": "d" and "a" are two frames)");
+  RC_ASSERT(
+      refusal([&] { r_ab_c + x.r(x.d, x.c, x.c, x.v2); }) ==
+      R"(sum of r of "b" relative to "a" in "c" and r of "d" relative to "c" in "c": "b" and "c" are two frames)");
+  RC_ASSERT(
+      refusal([&] { R_d_from_c* x.v(x.b, x.a, x.c, x.a, x.v1); }) ==
+      R"(product of R to "d" from "c" and v of "b" relative to "a" observed from "c" in "a": "c" and "a" are two frames)");
+  const std::string one = R"(of "a" relative to "a": a door takes two points, and these are one)";
+  RC_ASSERT(refusal([&] { x.r(x.a, x.a, x.c, x.v1); }) == one);
+  RC_ASSERT(refusal([&] { x.v(x.a, x.a, x.d, x.c, x.v1); }) == one);
+  RC_ASSERT(refusal([&] { x.a_of(x.a, x.a, x.d, x.c, x.v1); }) == one);
+}
+
+RC_GTEST_PROP(NamedTransform, FollowsTheLawsOfTransform, ()) {
+  const Values x;
+  const NamedTransform X_b_from_a{dcm(To(x.b), From(x.a), x.R1), x.r(x.a, x.b, x.b, x.v1)};
+  const NamedTransform X_c_from_b{dcm(To(x.c), From(x.b), x.R2), x.r(x.b, x.c, x.c, x.v2)};
+  const Transform<Body, Gcrf> X1{
+      dcm(to<Body>, from<Gcrf>, x.R1),
+      displacement(of<Gcrf>, relative_to<Body>, vector<si::length>(in<Body>, x.v1))};
+  const Transform<Camera, Body> X2{
+      dcm(to<Camera>, from<Body>, x.R2),
+      displacement(of<Body>, relative_to<Camera>, vector<si::length>(in<Camera>, x.v2))};
+  const auto same = [](const NamedTransform& X, NamedFrame b, NamedFrame a, const auto& typed) {
+    RC_ASSERT(X.rotation().to() == b && X.rotation().from() == a);
+    RC_ASSERT(X.translation().of() == a && X.translation().relative_to() == b && X.translation().in() == b);
+    RC_ASSERT(distance(X.rotation().matrix(), typed.rotation.matrix()) <= rounding);
+    RC_ASSERT(distance(X.translation().coordinates(), typed.translation.coordinates()) <= rounding);
+  };
+  same(X_c_from_b * X_b_from_a, x.c, x.a, X2 * X1);
+  same(inverse(X_b_from_a), x.a, x.b, inverse(X1));
+  const auto r_aq_a = x.r(x.d, x.a, x.a, x.v2);
+  const NamedDisplacement r_bq_b = X_b_from_a * r_aq_a;
+  RC_ASSERT(r_bq_b.of() == x.d && r_bq_b.relative_to() == x.b && r_bq_b.in() == x.b);
+  RC_ASSERT(distance(r_bq_b.coordinates(), x.R1 * x.v2 + x.v1) <= rounding);
+  RC_ASSERT(refusal([&] { X_b_from_a* X_c_from_b; }) ==
+            R"(product of R to "b" from "a" and R to "c" from "b": "a" and "c" are two frames)");
+  RC_ASSERT(
+      contains(refusal([&] { X_b_from_a* x.r(x.d, x.c, x.a, x.v2); }), R"("a" and "c" are two frames)"));
+}
+
+RC_GTEST_PROP(NamedTransform, DoorsAreThoseOfTransform, ()) {
+  const Values x;
+  const auto b = To(x.b);
+  const auto a = From(x.a);
+  Eigen::Matrix4d m = Eigen::Matrix4d::Identity();
+  m.topLeftCorner<3, 3>() = x.R1;
+  m.topRightCorner<3, 1>() = x.v1;
+  RC_ASSERT(homogeneous_matrix(transform(b, a, m)) == m);
+  RC_ASSERT(homogeneous_matrix(trust_transform(b, a, 2 * m)).topRows(3) == 2 * m.topRows(3));
+  const NamedTransform X = transform(b, a, m);
+  RC_ASSERT(X.rotation().to() == x.b && X.rotation().from() == x.a);
+  RC_ASSERT(X.translation().of() == x.a && X.translation().relative_to() == x.b);
+  RC_ASSERT(X.translation().in() == x.b && X.translation().coordinates() == x.v1);
+  Eigen::Matrix4d rough = m;
+  rough.topLeftCorner<3, 3>() += 1e-3 * x.R2;
+  RC_ASSERT(contains(refusal([&] { transform(b, a, rough); }), R"((to<"b">, from<"a">): M^T M differs)"));
+  const NearestNamedTransform nearest = nearest_transform(b, a, rough);
+  const auto expected = nearest_transform(to<Body>, from<Gcrf>, rough);
+  RC_ASSERT(homogeneous_matrix(nearest.transform) == homogeneous_matrix(expected.transform));
+  RC_ASSERT(nearest.distance == expected.distance);
+  m(3, 0) = 1.0;
+  RC_ASSERT(refusal([&] { transform(b, a, m); }) ==
+            R"(transform(to<"b">, from<"a">): entry (4, 1) is 1 instead of 0)");
+  RC_ASSERT(refusal([&] { trust_transform(b, From(x.b), m); }) ==
+            R"(to "b", from "b": a door takes two frames, and these are one)");
+}
+
+RC_GTEST_PROP(NamedTransform, JoinsWhatBelongsTogether, ()) {
+  const Values x;
+  const NamedDcm R = dcm(To(x.a), From(x.b), x.R1);
+  const auto moving = moving_dcm(R, x.w(x.b, x.a, x.b, x.v1));
+  const auto whole = accelerating_dcm(R, x.w(x.b, x.a, x.b, x.v1), x.alpha(x.b, x.a, x.b, x.v2));
+  const auto r = x.r(x.b, x.a, x.a, x.v1);
+  const auto v = x.v(x.b, x.a, x.a, x.a, x.v1);
+  const auto a = x.a_of(x.b, x.a, x.a, x.a, x.v1);
+  RC_ASSERT((NamedAcceleratingTransform{whole, r, v, a}.acceleration().coordinates() == x.v1));
+  RC_ASSERT((NamedMovingTransform{moving, r, v}.velocity().coordinates() == x.v1));
+  RC_ASSERT(
+      refusal([&] {
+        NamedTransform{R, -r};
+      }) ==
+      R"(NamedTransform{R to "a" from "b", r of "a" relative to "b" in "a"}: "b" and "a" are two frames)");
+  RC_ASSERT(
+      refusal([&] {
+        NamedTransform{R, x.r(x.b, x.a, x.b, x.v1)};
+      }) ==
+      R"(NamedTransform{R to "a" from "b", r of "b" relative to "a" in "b"}: "a" and "b" are two frames)");
+  RC_ASSERT(
+      refusal([&] {
+        NamedMovingTransform{moving, r, x.v(x.b, x.a, x.b, x.a, x.v1)};
+      }) ==
+      R"(NamedMovingTransform{R to "a" from "b", v of "b" relative to "a" observed from "b" in "a"}: "a" and "b" are two frames)");
+  RC_ASSERT(
+      refusal([&] {
+        NamedAcceleratingTransform{whole, r, v, x.a_of(x.b, x.c, x.a, x.a, x.v1)};
+      }) ==
+      R"(NamedAcceleratingTransform{R to "a" from "b", a of "b" relative to "c" observed from "a" in "a"}: "a" and "c" are two frames)");
+  RC_ASSERT(contains(refusal([&] { NamedMovingTransform{moving, -r, v}; }), R"("b" and "a" are two frames)"));
+  RC_ASSERT(contains(refusal([&] {
+                       NamedAcceleratingTransform{whole, -r, v, a};
+                     }),
+                     R"("b" and "a" are two)"));
+  RC_ASSERT(contains(refusal([&] {
+                       NamedAcceleratingTransform{whole, r, -v, a};
+                     }),
+                     R"("b" and "a" are two)"));
+}
+
 RC_GTEST_PROP(NamedMovingDcm, JoinsWhatBelongsTogether, ()) {
   const Values x;
   const NamedDcm R = dcm(To(x.a), From(x.b), x.R1);
@@ -210,6 +387,19 @@ TEST(NamedValues, PrintWithTheirFrames) {
   EXPECT_EQ(printed(accelerating_dcm(R_a_from_b, w_ab_b, alpha_ab_b)),
             R"([0 1 0; -1 0 0; 0 0 1] to "a" from "b"; (1, 0, -2) rad/s of "b" relative to "a" in "b"; )"
             R"((1, 0, -2) rad/s^2 of "b" relative to "a" in "b")");
+  const auto r_ab_a = displacement(Of(b), RelativeTo(a), vector<si::length>(In(a), v));
+  const auto v_ab_a = velocity(Of(b), RelativeTo(a), ObservedFrom(a), vector<si::velocity>(In(a), v));
+  const auto a_ab_a = acceleration(Of(b), RelativeTo(a), ObservedFrom(a), vector<si::acceleration>(In(a), v));
+  EXPECT_EQ(printed(NamedTransform{R_a_from_b, r_ab_a}),
+            R"([0 1 0; -1 0 0; 0 0 1] to "a" from "b"; (1, 0, -2) m of "b" relative to "a" in "a")");
+  const std::string moving = printed(moving_dcm(R_a_from_b, w_ab_b)) +
+                             R"(; (1, 0, -2) m of "b" relative to "a" in "a"; )"
+                             R"((1, 0, -2) m/s of "b" relative to "a" observed from "a" in "a")";
+  EXPECT_EQ(printed(NamedMovingTransform{moving_dcm(R_a_from_b, w_ab_b), r_ab_a, v_ab_a}), moving);
+  const auto whole = accelerating_dcm(R_a_from_b, w_ab_b, alpha_ab_b);
+  EXPECT_EQ(printed(NamedAcceleratingTransform{whole, r_ab_a, v_ab_a, a_ab_a}),
+            printed(whole) + moving.substr(moving.find("; (1, 0, -2) m of")) +
+                R"(; (1, 0, -2) m/s^2 of "b" relative to "a" observed from "a" in "a")");
   EXPECT_EQ(printed(moving_dcm(R_a_from_b, w_ab_b)),
             R"([0 1 0; -1 0 0; 0 0 1] to "a" from "b"; (1, 0, -2) rad/s of "b" relative to "a" in "b")");
 }
@@ -227,6 +417,7 @@ concept IsADoor = requires(Frame b, const Eigen::Matrix3d& m) {
 static_assert(Multiplies<NamedDcm, NamedDcm> && Multiplies<Dcm<Body, Gcrf>, Dcm<Gcrf, Itrf>>);
 static_assert(!Multiplies<NamedDcm, Dcm<Gcrf, Itrf>> && !Multiplies<Dcm<Body, Gcrf>, NamedDcm>);
 static_assert(!Multiplies<NamedDcm, Vector<Gcrf, si::length>>);
+static_assert(!Multiplies<NamedTransform, Displacement<Gcrf, Body, In<Gcrf>>>);
 static_assert(IsADoor<NamedFrame> && !IsADoor<std::string_view>);
 
 }  // namespace

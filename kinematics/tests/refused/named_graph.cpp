@@ -5,15 +5,33 @@ using namespace vectrix;
 
 struct Gcrf : inertial_frame {};
 struct Body : moving_frame {};
+struct Camera : moving_frame {};
 
-namespace named_graph_edge_with_place {
-// mistake: the place of an edge given to a graph that would forget it
-// expect: Transform<Gcrf, Body
-void build(NamedGraph& graph, const Transform<Gcrf, Body>& X_gcrf_from_body) {
+namespace named_graph_edge_that_asks {
+// mistake: an edge that asks for the answer of another edge, given to a graph that passes on the time alone
+// expect: Dcm<Body, Camera
+Dcm<Body, Camera> towards_the_sun(const Dcm<Gcrf, Body>& R_gcrf_from_body);
+Dcm<Body, Camera> swinging(Quantity<si::time> t);
+
+void build(NamedGraph& graph) {
 #ifdef REPAIRED
-  graph.add_edge(static_edge(X_gcrf_from_body.rotation));
+  graph.add_edge(edge(swinging));
 #else
-  graph.add_edge(static_edge(X_gcrf_from_body));
+  graph.add_edge(edge(towards_the_sun));
 #endif
 }
-}  // namespace named_graph_edge_with_place
+}  // namespace named_graph_edge_that_asks
+
+namespace named_velocity_in_metres {
+// mistake: a velocity between frames of a file, made of a position
+// expect: NamedVector<(vectrix::)?si::length>
+NamedVelocity velocity_of(NamedFrame camera, NamedFrame body, const NamedVector<si::length>& r_body,
+                          const NamedVector<si::velocity>& v_body) {
+  (void)r_body, (void)v_body;
+#ifdef REPAIRED
+  return velocity(Of(camera), RelativeTo(body), ObservedFrom(body), v_body);
+#else
+  return velocity(Of(camera), RelativeTo(body), ObservedFrom(body), r_body);
+#endif
+}
+}  // namespace named_velocity_in_metres

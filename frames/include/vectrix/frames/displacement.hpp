@@ -38,10 +38,9 @@ detail::OfTwo<P, Q, Displacement<P, Q, In<C>, S>> displacement(Of<Q>, RelativeTo
                                                                const Vector<C, si::length, S>& r_pq_c) {
   return Displacement<P, Q, In<C>, S>{detail::trusted, r_pq_c};
 }
-template <class Q, class P, class C, class UnitGiven, class S>
-  requires(!std::same_as<UnitGiven, si::length> || std::same_as<P, Q>)
+template <class Q, class P, class Given>
 auto displacement(  // of<Q>, relative_to<P>: two points; in metres
-    Of<Q>, RelativeTo<P>, const Vector<C, UnitGiven, S>&) -> Refused = delete;
+    Of<Q>, RelativeTo<P>, const Given&) -> Refused = delete;
 
 /// Claims that q is at p.
 template <Point Q, Point P, Frame C, class S = double>

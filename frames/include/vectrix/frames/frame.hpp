@@ -55,7 +55,7 @@ template <class F> struct From {};
 template <class F> struct In {};
 template <class F> struct Of {};
 template <class F> struct RelativeTo {};
-template <Frame A> struct ObservedFrom {};
+template <class F> struct ObservedFrom {};
 
 namespace detail {
 

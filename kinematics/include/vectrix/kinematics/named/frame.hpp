@@ -73,16 +73,19 @@ template <detail::RunTimeFrame F> struct From<F> : detail::Word<F> { using detai
 template <detail::RunTimeFrame F> struct In<F> : detail::Word<F> { using detail::Word<F>::Word; };
 template <detail::RunTimeFrame F> struct Of<F> : detail::Word<F> { using detail::Word<F>::Word; };
 template <detail::RunTimeFrame F> struct RelativeTo<F> : detail::Word<F> { using detail::Word<F>::Word; };
+template <detail::RunTimeFrame F> struct ObservedFrom<F> : detail::Word<F> { using detail::Word<F>::Word; };
 
 To(NamedFrame)->To<NamedFrame>;
 From(NamedFrame)->From<NamedFrame>;
 In(NamedFrame)->In<NamedFrame>;
 Of(NamedFrame)->Of<NamedFrame>;
 RelativeTo(NamedFrame)->RelativeTo<NamedFrame>;
+ObservedFrom(NamedFrame)->ObservedFrom<NamedFrame>;
 To(std::string_view)->To<std::string_view>;
 From(std::string_view)->From<std::string_view>;
 In(std::string_view)->In<std::string_view>;
 Of(std::string_view)->Of<std::string_view>;
 RelativeTo(std::string_view)->RelativeTo<std::string_view>;
+ObservedFrom(std::string_view)->ObservedFrom<std::string_view>;
 
 }  // namespace vectrix

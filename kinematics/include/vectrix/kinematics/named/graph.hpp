@@ -3,6 +3,7 @@
 #include <vectrix/frames/graph/frame_graph.hpp>
 #include <vectrix/kinematics/named/sampled_edge.hpp>
 #include <vectrix/kinematics/named/snapshot.hpp>
+#include <vectrix/kinematics/named/transform_doors.hpp>
 #include <vectrix/kinematics/points/rigid_edge.hpp>
 
 namespace vectrix {
@@ -13,12 +14,17 @@ template <class V> struct AnswerOfGraph {
   const NamedGraphCore* core;
 
   V operator()(Quantity<si::time> t) const {
-    constexpr auto a = to<typename LevelOf<V>::first>;
-    constexpr auto b = from<typename LevelOf<V>::second>;
-    if constexpr (LevelOf<V>::level == Level::rotation) {
-      return NamedSnapshot{*core, t.value()}.rotation(a, b);
+    using A = typename LevelOf<V>::first;
+    using B = typename LevelOf<V>::second;
+    if constexpr (LevelOf<V>::placed) {
+      const FrameRecord &a = core->record<A>(), &b = core->record<B>();
+      const FreshMotions motions{finite_time(t.value())};
+      return typed_motion<LevelOf<V>::level, A, B>(
+          motion_between<LevelOf<V>::level>({"typed_edge", b, a, &a}, *core, a, b, motions));
+    } else if constexpr (LevelOf<V>::level == Level::rotation) {
+      return NamedSnapshot{*core, t.value()}.rotation(to<A>, from<B>);
     } else {
-      return with_motion(NamedSnapshot{*core, t.value()}, a, b);
+      return with_motion(NamedSnapshot{*core, t.value()}, to<A>, from<B>);
     }
   }
 
@@ -35,21 +41,21 @@ template <class V> struct AnswerOfGraph {
   }
 };
 
-/// Throws BadInput unless the graph has a path from a to b of at least that level.
-inline void require_answer(const NamedGraphCore& core, const FrameRecord& b, const FrameRecord& a,
-                           Level level) {
-  const NamedQuery query{"typed_edge", b, a, a, level};
+/// Throws BadInput unless the graph has a path from a to b that can answer with a V.
+template <class V>
+void require_answer(const NamedGraphCore& core, const FrameRecord& b, const FrameRecord& a) {
+  const NamedQuery query{"typed_edge", b, a, &a};
   core.with_path(a, b, [&](const NamedPath* path) {
     if (path == nullptr) query.no_path(a, b);
-    query.require_level(*path);
+    query.require_level(path->steps, LevelOf<V>::level);
+    if constexpr (LevelOf<V>::placed) query.require_places(path->steps);
   });
 }
 
-/// The result of adding a typed edge. The edge must be a function of time. It must have no position, because
-/// a NamedGraph does not keep positions.
+/// Whether a NamedGraph can evaluate an edge of a FrameGraph.
 template <class Edge>
-using KeptWhole =
-    std::enable_if_t<!LevelOf<typename Edge::value_type>::placed && Edge::template takes<Quantity<si::time>>>;
+inline constexpr bool stands_alone =
+    Edge::template takes<Quantity<si::time>> && !asks<Edge> && std::same_as<ScalarOf<Edge>, double>;
 
 }  // namespace detail
 
@@ -86,24 +92,24 @@ class NamedGraph {
   /// a path, or the fixed rotation is not finite.
   void add_edge(NamedEdge edge) { core_->add_edge(std::move(edge)); }
 
-  /// Adds an edge of a FrameGraph, static_edge(R_a_from_b), rigid_edge(R_a_from_b) or edge(f), between the
+  /// Adds an edge of a FrameGraph, static_edge(R_a_from_b), rigid_edge(X_a_from_b) or edge(f), between the
   /// frames to which its types are bound.
-  template <class Edge> detail::KeptWhole<Edge> add_edge(Edge edge) {
+  template <class Edge> std::enable_if_t<detail::stands_alone<Edge>> add_edge(Edge edge) {
+    using namespace detail;
     using V = typename Edge::value_type;
-    const NamedFrame a = frame<detail::FirstOf<Edge>>();
-    const NamedFrame b = frame<detail::SecondOf<Edge>>();
-    if constexpr (detail::is_constant<Edge>) {
+    const NamedFrame a = frame<FirstOf<Edge>>();
+    const NamedFrame b = frame<SecondOf<Edge>>();
+    if constexpr (is_constant<Edge>) {
       core_->add_edge(
-          {detail::trusted, a, b,
-           std::make_unique<detail::ConstantFunction>(detail::level_of<V>, detail::motion_of(edge.value()))});
+          {trusted, a, b,
+           std::make_unique<ConstantFunction>(level_of<V>, is_placed<V>, placed_motion_of(edge.value()))});
     } else {
-      core_->add_edge(
-          {detail::trusted, a, b, std::make_unique<detail::FunctionOfTime<Edge, V>>(a, b, std::move(edge))});
+      core_->add_edge({trusted, a, b, std::make_unique<FunctionOfTime<Edge, V>>(a, b, std::move(edge))});
     }
   }
-  template <class Edge>
-    requires(LevelOf<typename Edge::value_type>::placed)
-  auto add_edge(  // this graph keeps no places: add the rotation of a transform alone
+  template <class Edge, class V = typename Edge::value_type>
+    requires(!detail::stands_alone<Edge>)
+  auto add_edge(  // a value, or a function of the time alone: no answers of other edges; in double
       const Edge&) -> Refused = delete;
 
   /// The graph at one instant. Throws BadInput when the time is not finite.
@@ -114,15 +120,13 @@ class NamedGraph {
   /// The frame of that name, or bound to that type. Throws BadInput with the nearest name if there is none.
   NamedFrame frame(std::string_view name) const { return NamedFrame{core_->record(name)}; }
   template <Frame F> NamedFrame frame() const { return NamedFrame{core_->record<F>()}; }
-  /// An answer of this graph as an edge of a FrameGraph; V, a Dcm<A, B>, MovingDcm or AcceleratingDcm, gives
-  /// its frames and level. Throws BadInput in this call when the graph cannot answer. The edge must not
-  /// outlive the graph.
-  template <EdgeValue V>
-    requires(!LevelOf<V>::placed)
-  auto typed_edge() const& {
+  /// An answer of this graph as an edge of a FrameGraph; V, a Dcm<A, B>, MovingDcm or AcceleratingDcm, or one
+  /// with a position, gives its frames and level. Throws BadInput in this call when the graph cannot answer.
+  /// The edge must not outlive the graph.
+  template <EdgeValue V> auto typed_edge() const& {
     using A = typename LevelOf<V>::first;
     using B = typename LevelOf<V>::second;
-    detail::require_answer(*core_, core_->record<B>(), core_->record<A>(), LevelOf<V>::level);
+    detail::require_answer<V>(*core_, core_->record<B>(), core_->record<A>());
     return edge(detail::AnswerOfGraph<V>{core_.get()});
   }
   template <EdgeValue V>
@@ -142,6 +146,21 @@ class NamedGraph {
   template <class A, class B, class C>
   NamedAngularAcceleration named(const AngularAcceleration<A, B, In<C>>& alpha_ab_c) const {
     return {detail::trusted, frame<B>(), frame<A>(), named(alpha_ab_c.vector())};
+  }
+  template <Frame P, Frame Q, class C>
+  NamedDisplacement named(const Displacement<P, Q, In<C>>& r_pq_c) const {
+    return {detail::trusted, frame<Q>(), frame<P>(), named(r_pq_c.vector())};
+  }
+  template <Frame P, Frame Q, class A, class C>
+  NamedVelocity named(const Velocity<P, Q, ObservedFrom<A>, In<C>>& v_pq_a_c) const {
+    return {detail::trusted, frame<Q>(), frame<P>(), frame<A>(), named(v_pq_a_c.vector())};
+  }
+  template <Frame P, Frame Q, class A, class C>
+  NamedAcceleration named(const Acceleration<P, Q, ObservedFrom<A>, In<C>>& a_pq_a_c) const {
+    return {detail::trusted, frame<Q>(), frame<P>(), frame<A>(), named(a_pq_a_c.vector())};
+  }
+  template <class B, class A> NamedTransform named(const Transform<B, A>& X_b_from_a) const {
+    return {named(X_b_from_a.rotation), named(X_b_from_a.translation)};
   }
 
   /// Converts a named value to a typed one. Throws BadInput when its frames are not bound to these types.
@@ -166,6 +185,33 @@ class NamedGraph {
     require_bound<B>(alpha_ab_c.of());
     require_bound<A>(alpha_ab_c.relative_to());
     return AngularAcceleration<A, B, In<C>>{detail::trusted, typed(in<C>, alpha_ab_c.vector())};
+  }
+
+  template <Frame Q, Frame P, Frame C>
+  Displacement<P, Q, In<C>> typed(Of<Q>, RelativeTo<P>, In<C>, const NamedDisplacement& r_pq_c) const {
+    require_bound<Q>(r_pq_c.of());
+    require_bound<P>(r_pq_c.relative_to());
+    return Displacement<P, Q, In<C>>{detail::trusted, typed(in<C>, r_pq_c.vector())};
+  }
+  template <Frame Q, Frame P, Frame A, Frame C>
+  Velocity<P, Q, ObservedFrom<A>, In<C>> typed(Of<Q>, RelativeTo<P>, ObservedFrom<A>, In<C>,
+                                               const NamedVelocity& v_pq_a_c) const {
+    require_bound<Q>(v_pq_a_c.of());
+    require_bound<P>(v_pq_a_c.relative_to());
+    require_bound<A>(v_pq_a_c.observed_from());
+    return Velocity<P, Q, ObservedFrom<A>, In<C>>{detail::trusted, typed(in<C>, v_pq_a_c.vector())};
+  }
+  template <Frame Q, Frame P, Frame A, Frame C>
+  Acceleration<P, Q, ObservedFrom<A>, In<C>> typed(Of<Q>, RelativeTo<P>, ObservedFrom<A>, In<C>,
+                                                   const NamedAcceleration& a_pq_a_c) const {
+    require_bound<Q>(a_pq_a_c.of());
+    require_bound<P>(a_pq_a_c.relative_to());
+    require_bound<A>(a_pq_a_c.observed_from());
+    return Acceleration<P, Q, ObservedFrom<A>, In<C>>{detail::trusted, typed(in<C>, a_pq_a_c.vector())};
+  }
+  template <Frame B, Frame A> Transform<B, A> typed(To<B>, From<A>, const NamedTransform& X_b_from_a) const {
+    return {typed(to<B>, from<A>, X_b_from_a.rotation()),
+            typed(of<A>, relative_to<B>, in<B>, X_b_from_a.translation())};
   }
 
   /// All frames, in the order in which they were added.

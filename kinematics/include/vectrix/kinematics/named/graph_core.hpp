@@ -51,8 +51,10 @@ class NamedGraphCore {
         "add_edge(to " + in_quotes(edge.to()) + ", from " + in_quotes(edge.from()) + ")";
     const FrameRecord& a = of_this_graph(edge.to());
     const FrameRecord& b = of_this_graph(edge.from());
-    if (const Square<double>* R = edge.function().constant(); R != nullptr && !R->allFinite())
-      throw BadInput(action + ": the rotation is not finite");
+    if (const PlacedMotion* fixed = edge.function().constant()) {
+      if (!fixed->turning.R.allFinite()) throw BadInput(action + ": the rotation is not finite");
+      if (edge.placed() && !fixed->r.allFinite()) throw BadInput(action + ": the position is not finite");
+    }
     const std::lock_guard lock(mutex_);
     if (&a == &b) throw BadInput(action + ": an edge joins two frames");
     if (trees_.find(a, b)) throw BadInput(action + ": the graph has an edge between the two already");

@@ -44,7 +44,7 @@ class NamedAcceleratingDcm {
 namespace detail {
 
 template <class U>
-void require_motion(const NamedDcm& R_a_from_b, const NamedRate<U>& rate, const char* door) {
+void require_motion(const NamedDcm& R_a_from_b, const NamedRelativeVector<U>& rate, const char* door) {
   const auto action = [&] {
     return std::string{door} + "(" + described(R_a_from_b) + ", " + described(rate) + ")";
   };

@@ -21,25 +21,19 @@ struct NamedPath {
     legs.reserve(steps.size());
     for (const PathStep& step : steps) {
       const EdgeFunction& function = step.edge->function();
-      const Square<double>* R = function.constant();
-      if (R == nullptr) {
+      const PlacedMotion* fixed = function.constant();
+      if (fixed == nullptr) {
         legs.push_back({&function, step.against, function.in_quaternions(), Square<double>::Identity()});
         continue;
       }
-      const Square<double> turned = step.against ? Square<double>(R->transpose()) : *R;
+      const Square<double> turned =
+          step.against ? Square<double>(fixed->turning.R.transpose()) : fixed->turning.R;
       if (legs.empty() || legs.back().function != nullptr) {
         legs.push_back({nullptr, false, false, turned});
       } else {
         legs.back().fixed *= turned;
       }
     }
-  }
-
-  /// The first edge below `level`; null if there is none.
-  const NamedEdge* edge_below(Level level) const {
-    for (const PathStep& step : steps)
-      if (step.edge->level() < level) return step.edge;
-    return nullptr;
   }
 };
 

@@ -23,21 +23,57 @@ class NamedQuaternion {
   Eigen::Quaterniond value_;
 };
 
+struct NearestNamedQuaternion {
+  NamedQuaternion quaternion;
+  /// | |q| - 1 | before the projection.
+  double distance;
+};
+
+namespace detail {
+
+template <class Typed> NamedQuaternion named_quaternion(NamedFrame b, NamedFrame a, const Typed& typed) {
+  return through_door(b, a, [&] {
+    return NamedQuaternion{trusted, b, a, typed(vectrix::to<FirstNamed>, vectrix::from<SecondNamed>).eigen()};
+  });
+}
+template <class Typed>
+NearestNamedQuaternion nearest_named_quaternion(NamedFrame b, NamedFrame a, const Typed& typed) {
+  double distance = 0.0;
+  const NamedQuaternion nearest = named_quaternion(b, a, [&](auto to_b, auto from_a) {
+    const auto found = typed(to_b, from_a);
+    distance = found.distance;
+    return found.quaternion;
+  });
+  return {nearest, distance};
+}
+
+}  // namespace detail
+
 /// The checked doors. Throw BadInput when a number is not finite or | |q| - 1 | exceeds unit_norm_tolerance.
 inline NamedQuaternion quaternion_scalar_first(To<NamedFrame> b, From<NamedFrame> a, double w, double x,
                                                double y, double z) {
-  return detail::through_door(b.frame, a.frame, [&] {
-    using namespace detail;
-    return NamedQuaternion{trusted, b.frame, a.frame,
-                           quaternion_scalar_first(to<FirstNamed>, from<SecondNamed>, w, x, y, z).eigen()};
+  return detail::named_quaternion(b.frame, a.frame, [&](auto to_b, auto from_a) {
+    return quaternion_scalar_first(to_b, from_a, w, x, y, z);
   });
 }
 inline NamedQuaternion quaternion_scalar_last(To<NamedFrame> b, From<NamedFrame> a, double x, double y,
                                               double z, double w) {
-  return detail::through_door(b.frame, a.frame, [&] {
-    using namespace detail;
-    return NamedQuaternion{trusted, b.frame, a.frame,
-                           quaternion_scalar_last(to<FirstNamed>, from<SecondNamed>, x, y, z, w).eigen()};
+  return detail::named_quaternion(b.frame, a.frame, [&](auto to_b, auto from_a) {
+    return quaternion_scalar_last(to_b, from_a, x, y, z, w);
+  });
+}
+
+/// The projected doors: q / |q|, and | |q| - 1 |. Throw BadInput when q is zero or not finite.
+inline NearestNamedQuaternion nearest_quaternion_scalar_first(To<NamedFrame> b, From<NamedFrame> a, double w,
+                                                              double x, double y, double z) {
+  return detail::nearest_named_quaternion(b.frame, a.frame, [&](auto to_b, auto from_a) {
+    return nearest_quaternion_scalar_first(to_b, from_a, w, x, y, z);
+  });
+}
+inline NearestNamedQuaternion nearest_quaternion_scalar_last(To<NamedFrame> b, From<NamedFrame> a, double x,
+                                                             double y, double z, double w) {
+  return detail::nearest_named_quaternion(b.frame, a.frame, [&](auto to_b, auto from_a) {
+    return nearest_quaternion_scalar_last(to_b, from_a, x, y, z, w);
   });
 }
 

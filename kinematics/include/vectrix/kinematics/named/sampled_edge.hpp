@@ -21,7 +21,7 @@ namespace detail {
 class SampledFunction final : public EdgeFunction {
  public:
   SampledFunction(const std::string& place, const std::vector<NamedSample>& samples, double longest_gap)
-      : EdgeFunction(Level::rate), turns_(place, samples, longest_gap) {}
+      : EdgeFunction(Level::rate, false), turns_(place, samples, longest_gap) {}
 
   Square<double> rotation(double t) const override { return quaternion(t).toRotationMatrix(); }
   bool in_quaternions() const override { return true; }

@@ -1,7 +1,6 @@
 #pragma once
 
-#include <algorithm>
-#include <vectrix/kinematics/named/graph_core.hpp>
+#include <vectrix/kinematics/named/query.hpp>
 
 namespace vectrix {
 namespace detail {
@@ -19,52 +18,6 @@ const FrameRecord& record_in(const NamedGraphCore& core, const Word<F>& word) {
   }
 }
 
-/// A query of a snapshot, for messages.
-struct NamedQuery {
-  const char* what;
-  const FrameRecord &b, &a, &c;
-  Level level;
-
-  [[noreturn, gnu::cold, gnu::noinline]] void refuse(const std::string& why) const {
-    const bool rotation = level == Level::rotation;
-    throw BadInput(std::string{what} + (rotation ? "(to " : "(of ") + in_quotes(b.name) +
-                   (rotation ? ", from " : ", relative to ") + in_quotes(a.name) +
-                   (rotation ? "" : ", in " + in_quotes(c.name)) + "): " + why);
-  }
-  [[noreturn, gnu::cold, gnu::noinline]] void no_path(const FrameRecord& from, const FrameRecord& to) const {
-    refuse("no path, " + in_quotes(from.name) + " and " + in_quotes(to.name) + " are in two trees");
-  }
-  void require_level(const NamedPath& path) const {
-    if (const NamedEdge* edge = path.edge_below(level)) [[unlikely]]
-      refuse(described(*edge) + (level == Level::rate ? " has no rate" : " has no acceleration"));
-  }
-};
-
-template <class Motions>
-Square<double> rotation(const NamedGraphCore& core, const FrameRecord& b, const FrameRecord& a,
-                        const Motions& motions) {
-  return core.with_path(b, a, [&](const NamedPath* path) {
-    if (path == nullptr) [[unlikely]]
-      NamedQuery{"rotation", b, a, a, Level::rotation}.no_path(a, b);
-    return rotation_along(*path, motions);
-  });
-}
-
-template <Level level, class Motions>
-Column<double> rate(const NamedGraphCore& core, const FrameRecord& b, const FrameRecord& a,
-                    const FrameRecord& c, const Motions& motions) {
-  const NamedQuery query{level == Level::rate ? "angular_velocity" : "angular_acceleration", b, a, c, level};
-  if (&a == &b) query.refuse("a frame does not move relative to itself; ask for two frames");
-  return core.with_path(a, b, [&](const NamedPath* to_b) {
-    if (to_b == nullptr) query.no_path(a, b);
-    query.require_level(*to_b);
-    return core.with_path(a, c, [&](const NamedPath* to_c) {
-      if (to_c == nullptr) query.no_path(a, c);
-      return rate_between<level>(*to_b, *to_c, motions);
-    });
-  });
-}
-
 }  // namespace detail
 
 /// A NamedGraph at one instant. A query takes frames by handle, by name, or by the type bound to them; if all
@@ -73,10 +26,7 @@ Column<double> rate(const NamedGraphCore& core, const FrameRecord& b, const Fram
 /// threads must not share a snapshot: take one per thread.
 class NamedSnapshot {
  public:
-  NamedSnapshot(const detail::NamedGraphCore& core, double t) : core_(&core), t_(t) {
-    if (!(t - t == 0.0)) [[unlikely]]
-      throw BadInput("NamedGraph: the time is " + detail::text(t) + " s");
-  }
+  NamedSnapshot(const detail::NamedGraphCore& core, double t) : core_(&core), t_(detail::finite_time(t)) {}
 
   /// R_a^b between any two joined frames. Throws BadInput for an unknown frame, a frame of another graph, or
   /// two frames without a path.
@@ -91,22 +41,65 @@ class NamedSnapshot {
   /// an edge from a to b has no rate.
   template <detail::AnyFrame B, detail::AnyFrame A, detail::AnyFrame C>
   auto angular_velocity(Of<B> b, RelativeTo<A> a, In<C> c) const& {
-    return velocity(b, a, c, kept());
+    return angular_velocity(b, a, c, kept());
   }
   template <detail::AnyFrame B, detail::AnyFrame A, detail::AnyFrame C>
   auto angular_velocity(Of<B> b, RelativeTo<A> a, In<C> c) && {
-    return velocity(b, a, c, fresh());
+    return angular_velocity(b, a, c, fresh());
   }
 
   /// alpha_ab^c, of b relative to a, expressed in c. Throws BadInput as angular_velocity(), for the
   /// acceleration.
   template <detail::AnyFrame B, detail::AnyFrame A, detail::AnyFrame C>
   auto angular_acceleration(Of<B> b, RelativeTo<A> a, In<C> c) const& {
-    return acceleration(b, a, c, kept());
+    return angular_acceleration(b, a, c, kept());
   }
   template <detail::AnyFrame B, detail::AnyFrame A, detail::AnyFrame C>
   auto angular_acceleration(Of<B> b, RelativeTo<A> a, In<C> c) && {
-    return acceleration(b, a, c, fresh());
+    return angular_acceleration(b, a, c, fresh());
+  }
+
+  /// X_a^b between any two joined frames. Throws BadInput as rotation() does, and also when an edge from a to
+  /// b has no position.
+  template <detail::AnyFrame B, detail::AnyFrame A> auto transform(To<B> b, From<A> a) const& {
+    return transform(b, a, kept());
+  }
+  template <detail::AnyFrame B, detail::AnyFrame A> auto transform(To<B> b, From<A> a) && {
+    return transform(b, a, fresh());
+  }
+
+  /// r_pq^c, of q's origin relative to p's, expressed in c. Throws BadInput as rotation() does, and also when
+  /// q is p, or an edge from p to q has no position.
+  template <detail::AnyFrame Q, detail::AnyFrame P, detail::AnyFrame C>
+  auto position(Of<Q> q, RelativeTo<P> p, In<C> c) const& {
+    return position(q, p, c, kept());
+  }
+  template <detail::AnyFrame Q, detail::AnyFrame P, detail::AnyFrame C>
+  auto position(Of<Q> q, RelativeTo<P> p, In<C> c) && {
+    return position(q, p, c, fresh());
+  }
+
+  /// v_pq|a^c, of q's origin relative to p's, observed from a, expressed in c. Throws BadInput as position(),
+  /// and also when an edge between p, q and a has no rate.
+  template <detail::AnyFrame Q, detail::AnyFrame P, detail::AnyFrame A, detail::AnyFrame C>
+  auto velocity(Of<Q> q, RelativeTo<P> p, ObservedFrom<A> a, In<C> c) const {
+    const auto v = observed<Level::rate, si::velocity>("velocity", q, p, a, c);
+    if constexpr (Frame<Q> && Frame<P> && Frame<A> && Frame<C>) {
+      return vectrix::velocity(q, p, a, v);
+    } else {
+      return v;
+    }
+  }
+
+  /// a_pq|a^c: as velocity(), with accelerations instead of rates.
+  template <detail::AnyFrame Q, detail::AnyFrame P, detail::AnyFrame A, detail::AnyFrame C>
+  auto acceleration(Of<Q> q, RelativeTo<P> p, ObservedFrom<A> a, In<C> c) const {
+    const auto a_pq = observed<Level::acceleration, si::acceleration>("acceleration", q, p, a, c);
+    if constexpr (Frame<Q> && Frame<P> && Frame<A> && Frame<C>) {
+      return vectrix::acceleration(q, p, a, a_pq);
+    } else {
+      return a_pq;
+    }
   }
 
  private:
@@ -126,7 +119,7 @@ class NamedSnapshot {
   }
 
   template <class B, class A, class C, class Motions>
-  auto velocity(Of<B> b, RelativeTo<A> a, In<C> c, const Motions& motions) const {
+  auto angular_velocity(Of<B> b, RelativeTo<A> a, In<C> c, const Motions& motions) const {
     const auto w = rate<Level::rate, si::angular_velocity>(b, a, c, motions);
     if constexpr (Frame<B> && Frame<A> && Frame<C>) {
       return vectrix::angular_velocity(of<B>, relative_to<A>, w);
@@ -135,7 +128,7 @@ class NamedSnapshot {
     }
   }
   template <class B, class A, class C, class Motions>
-  auto acceleration(Of<B> b, RelativeTo<A> a, In<C> c, const Motions& motions) const {
+  auto angular_acceleration(Of<B> b, RelativeTo<A> a, In<C> c, const Motions& motions) const {
     const auto alpha = rate<Level::acceleration, si::angular_acceleration>(b, a, c, motions);
     if constexpr (Frame<B> && Frame<A> && Frame<C>) {
       return vectrix::angular_acceleration(of<B>, relative_to<A>, alpha);
@@ -144,7 +137,7 @@ class NamedSnapshot {
     }
   }
 
-  // The answer, a typed vector if all frames are types, else a NamedRate.
+  // The answer, a typed vector if all frames are types, else a named one.
   template <Level level, class U, class B, class A, class C, class Motions>
   auto rate(Of<B> b, RelativeTo<A> a, In<C> c, const Motions& motions) const {
     using namespace detail;
@@ -155,14 +148,68 @@ class NamedSnapshot {
     if constexpr (Frame<B> && Frame<A> && Frame<C>) {
       return Vector<C, U>{trusted, answer};
     } else {
-      return NamedRate<U>{trusted, NamedFrame{of_b}, NamedFrame{relative_to_a},
-                          NamedVector<U>{trusted, NamedFrame{in_c}, answer}};
+      return NamedRelativeVector<U>{trusted, NamedFrame{of_b}, NamedFrame{relative_to_a},
+                                    NamedVector<U>{trusted, NamedFrame{in_c}, answer}};
+    }
+  }
+
+  template <class B, class A, class Motions>
+  auto transform(To<B> b, From<A> a, const Motions& motions) const {
+    using namespace detail;
+    const FrameRecord& to_b = record_in(*core_, b);
+    const FrameRecord& from_a = record_in(*core_, a);
+    const PlacedMotion ba =
+        motion_between<Level::rotation>({"transform", to_b, from_a}, *core_, to_b, from_a, motions);
+    if constexpr (Frame<B> && Frame<A>) {
+      return typed_motion<Level::rotation, B, A>(ba);
+    } else {
+      const NamedDcm R{trusted, NamedFrame{to_b}, NamedFrame{from_a}, ba.turning.R};
+      return NamedTransform{trusted, R, ba.r};
+    }
+  }
+
+  template <class Q, class P, class C, class Motions>
+  auto position(Of<Q> q, RelativeTo<P> p, In<C> c, const Motions& motions) const {
+    using namespace detail;
+    const FrameRecord& of_q = record_in(*core_, q);
+    const FrameRecord& relative_to_p = record_in(*core_, p);
+    const FrameRecord& in_c = record_in(*core_, c);
+    // Every observer sees the same position. From c, each edge is used once.
+    const Column<double> r =
+        place<Level::rotation>({"position", of_q, relative_to_p, &in_c}, *core_, in_c, motions);
+    if constexpr (Frame<Q> && Frame<P> && Frame<C>) {
+      return displacement(q, p, Vector<C, si::length>{trusted, r});
+    } else {
+      return NamedDisplacement{
+          trusted, NamedFrame{of_q}, NamedFrame{relative_to_p}, {trusted, NamedFrame{in_c}, r}};
+    }
+  }
+
+  // The answer, a typed vector if all frames are types, else a named one. It keeps the values, because the
+  // path to c may share edges with the others.
+  template <Level level, class U, class Q, class P, class A, class C>
+  auto observed(const char* what, Of<Q> q, RelativeTo<P> p, ObservedFrom<A> a, In<C> c) const {
+    using namespace detail;
+    const FrameRecord& of_q = record_in(*core_, q);
+    const FrameRecord& relative_to_p = record_in(*core_, p);
+    const FrameRecord& from_a = record_in(*core_, a);
+    const FrameRecord& in_c = record_in(*core_, c);
+    const Column<double> answer =
+        place<level>({what, of_q, relative_to_p, &in_c, &from_a}, *core_, from_a, kept());
+    if constexpr (Frame<Q> && Frame<P> && Frame<A> && Frame<C>) {
+      return Vector<C, U>{trusted, answer};
+    } else {
+      return NamedObservedVector<U>{trusted,
+                                    NamedFrame{of_q},
+                                    NamedFrame{relative_to_p},
+                                    NamedFrame{from_a},
+                                    {trusted, NamedFrame{in_c}, answer}};
     }
   }
 
   const detail::NamedGraphCore* core_;
   double t_;
-  mutable std::map<const detail::EdgeFunction*, detail::EdgeMotion> kept_;
+  mutable std::map<const detail::EdgeFunction*, detail::PlacedMotion> kept_;
 };
 
 }  // namespace vectrix

@@ -12,19 +12,29 @@ struct FreshMotions {
   double t;
   Square<double> rotation(const EdgeFunction& function) const { return function.rotation(t); }
   EdgeMotion motion(const EdgeFunction& function) const { return function.motion(t); }
+  PlacedMotion placed_motion(const EdgeFunction& function) const { return function.placed_motion(t); }
 };
 
 /// The same, but the values are kept between queries.
 struct KeptMotions {
   static constexpr bool fresh = false;
   double t;
-  std::map<const EdgeFunction*, EdgeMotion>& kept;
+  std::map<const EdgeFunction*, PlacedMotion>& kept;
   const Square<double>& rotation(const EdgeFunction& function) const { return motion(function).R; }
-  const EdgeMotion& motion(const EdgeFunction& function) const {
+  const EdgeMotion& motion(const EdgeFunction& function) const { return placed_motion(function).turning; }
+  const PlacedMotion& placed_motion(const EdgeFunction& function) const {
     auto place = kept.find(&function);
-    if (place == kept.end()) place = kept.emplace(&function, function.motion(t)).first;
+    if (place == kept.end()) place = kept.emplace(&function, Evaluation{function, t}).first;
     return place->second;
   }
+
+ private:
+  // Becomes the value where the map keeps it.
+  struct Evaluation {
+    const EdgeFunction& function;
+    double t;
+    operator PlacedMotion() const { return function.placed_motion(t); }
+  };
 };
 
 /// A product of rotations, from the left. Consecutive quaternions are multiplied as quaternions.
@@ -107,15 +117,31 @@ RatePair rate_along(Iterator step, Iterator end, bool turned, const Motions& mot
   return rate;
 }
 
+/// The number of common steps of two paths from one frame.
+inline std::size_t shared_steps(std::span<const PathStep> one, std::span<const PathStep> other) {
+  std::size_t shared = 0;
+  while (shared < one.size() && shared < other.size() && one[shared] == other[shared]) ++shared;
+  return shared;
+}
+
+/// A vector in the frame at the begin of the steps, re-expressed in the frame at their end. `turned` if the
+/// steps belong to the reversed path.
+template <class Motions, class Iterator>
+[[gnu::always_inline]] inline void carry(Column<double>& vector, Iterator step, Iterator end, bool turned,
+                                         const Motions& motions) {
+  for (; step != end; ++step) {
+    const Square<double>& R = motions.rotation(step->edge->function());
+    vector = (step->against == turned ? Column<double>(R.transpose() * vector) : Column<double>(R * vector))
+                 .eval();
+  }
+}
+
 /// w_ab^c or alpha_ab^c. The paths from a to b and from a to c part at m; each edge is used once:
 ///     w_ab^m = w_am^m - w_bm^m,    alpha_ab^m = alpha_am^m - alpha_bm^m - w_am^m x w_bm^m
 template <Level level, class Motions>
 Column<double> rate_between(const NamedPath& to_b, const NamedPath& to_c, const Motions& motions) {
   const std::span b(to_b.steps), c(to_c.steps);
-  std::size_t parting = 0;
-  while (parting < b.size() && parting < c.size() && b[parting] == c[parting]) ++parting;
-
-  const auto shared = static_cast<std::ptrdiff_t>(parting);
+  const auto shared = static_cast<std::ptrdiff_t>(shared_steps(b, c));
   const RatePair am = rate_along<level>(b.begin(), b.begin() + shared, false, motions);
   const RatePair bm = rate_along<level>(b.rbegin(), b.rend() - shared, true, motions);
   Column<double> rate;
@@ -124,10 +150,7 @@ Column<double> rate_between(const NamedPath& to_b, const NamedPath& to_c, const 
   } else {
     rate = am.alpha - bm.alpha - am.w.cross(bm.w);
   }
-  for (const PathStep& step : c.subspan(parting)) {
-    const Square<double>& R = motions.rotation(step.edge->function());
-    rate = (step.against ? Column<double>(R * rate) : Column<double>(R.transpose() * rate)).eval();
-  }
+  carry(rate, c.begin() + shared, c.end(), false, motions);
   return rate;
 }
 

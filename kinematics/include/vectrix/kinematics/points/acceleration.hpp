@@ -41,10 +41,9 @@ detail::OfTwo<P, Q, Acceleration<P, Q, ObservedFrom<A>, In<C>, S>> acceleration(
     Of<Q>, RelativeTo<P>, ObservedFrom<A>, const Vector<C, si::acceleration, S>& a_pq_a_c) {
   return Acceleration<P, Q, ObservedFrom<A>, In<C>, S>{detail::trusted, a_pq_a_c};
 }
-template <class Q, class P, class A, class C, class UnitGiven, class S>
-  requires(!std::same_as<UnitGiven, si::acceleration> || std::same_as<P, Q>)
+template <class Q, class P, class A, class Given>
 auto acceleration(  // of<Q>, relative_to<P>: two points; in m/s^2
-    Of<Q>, RelativeTo<P>, ObservedFrom<A>, const Vector<C, UnitGiven, S>&) -> Refused = delete;
+    Of<Q>, RelativeTo<P>, ObservedFrom<A>, const Given&) -> Refused = delete;
 
 /// Claims that q has no acceleration relative to p, observed from a.
 template <Point Q, Point P, Frame A, Frame C, class S = double>

@@ -56,6 +56,11 @@ const AngularVelocity<A, B, In<B>, S>& angular_velocity_of(const AcceleratingTra
   return value.turning.angular_velocity;
 }
 template <class A, class B, class S>
+const AngularAcceleration<A, B, In<B>, S>& angular_acceleration_of(
+    const AcceleratingTransform<A, B, S>& value) {
+  return value.turning.angular_acceleration;
+}
+template <class A, class B, class S>
 const AcceleratingDcm<A, B, S>& accelerating_part(const AcceleratingTransform<A, B, S>& value) {
   return value.turning;
 }

@@ -39,10 +39,9 @@ detail::OfTwo<P, Q, Velocity<P, Q, ObservedFrom<A>, In<C>, S>> velocity(
     Of<Q>, RelativeTo<P>, ObservedFrom<A>, const Vector<C, si::velocity, S>& v_pq_a_c) {
   return Velocity<P, Q, ObservedFrom<A>, In<C>, S>{detail::trusted, v_pq_a_c};
 }
-template <class Q, class P, class A, class C, class UnitGiven, class S>
-  requires(!std::same_as<UnitGiven, si::velocity> || std::same_as<P, Q>)
+template <class Q, class P, class A, class Given>
 auto velocity(  // of<Q>, relative_to<P>: two points; in m/s
-    Of<Q>, RelativeTo<P>, ObservedFrom<A>, const Vector<C, UnitGiven, S>&) -> Refused = delete;
+    Of<Q>, RelativeTo<P>, ObservedFrom<A>, const Given&) -> Refused = delete;
 
 /// Claims that q is at rest relative to p, observed from a.
 template <Point Q, Point P, Frame A, Frame C, class S = double>
