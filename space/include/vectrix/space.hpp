@@ -4,4 +4,5 @@
 #include <vectrix/space/earth/earth_orientation.hpp>
 #include <vectrix/space/earth/ellipsoid.hpp>
 #include <vectrix/space/files/csv_table.hpp>
+#include <vectrix/space/orbit/orbit_frames.hpp>
 #include <vectrix/space/time/epoch.hpp>

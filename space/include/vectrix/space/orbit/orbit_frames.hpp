@@ -134,77 +134,97 @@ FollowingTriad<S, N - 1> orbit_triad(const Jet<S, N>& r) {
   return {p, normal_of(r)};
 }
 
-template <class B, class A>
-concept OrbitFrameIn = Frame<B> && InertialFrame<A> && !InertialFrame<B>;
+// What is given decides what is known: (r, v) gives R, (r, v, a) also w, (r, v, a, da/dt|_a) also alpha.
+template <class Axes, Frame B, class P, class Q, InertialFrame A, class S>
+Dcm<A, B, S> following(const Displacement<P, Q, In<A>, S>& r_pq_a,
+                       const Velocity<P, Q, ObservedFrom<A>, In<A>, S>& v_pq_a_a) {
+  const Jet<S, 2> path{r_pq_a.coordinates(), v_pq_a_a.coordinates()};
+  require_orbital_plane<Axes, B, P, Q>(path[0], path[1]);
+  return {trusted, reordered_axes<Axes>(orbit_triad<Axes>(path).axes)};
+}
+template <class Axes, Frame B, class P, class Q, InertialFrame A, class S>
+MovingDcm<A, B, S> following(const Displacement<P, Q, In<A>, S>& r_pq_a,
+                             const Velocity<P, Q, ObservedFrom<A>, In<A>, S>& v_pq_a_a,
+                             const Acceleration<P, Q, ObservedFrom<A>, In<A>, S>& a_pq_a_a) {
+  const Jet<S, 3> path{r_pq_a.coordinates(), v_pq_a_a.coordinates(), a_pq_a_a.coordinates()};
+  require_orbital_plane<Axes, B, P, Q>(path[0], path[1]);
+  const auto triad = orbit_triad<Axes>(path);
+  return {Dcm<A, B, S>{trusted, reordered_axes<Axes>(triad.axes)},
+          AngularVelocity<A, B, In<B>, S>{trusted, reordered<Axes>(triad.w)}};
+}
+template <class Axes, Frame B, class P, class Q, InertialFrame A, class S>
+AcceleratingDcm<A, B, S> following(const Displacement<P, Q, In<A>, S>& r_pq_a,
+                                   const Velocity<P, Q, ObservedFrom<A>, In<A>, S>& v_pq_a_a,
+                                   const Acceleration<P, Q, ObservedFrom<A>, In<A>, S>& a_pq_a_a,
+                                   const Derivative<A, A, si::acceleration, S>& jerk_a_a) {
+  const Jet<S, 4> path{r_pq_a.coordinates(), v_pq_a_a.coordinates(), a_pq_a_a.coordinates(),
+                       jerk_a_a.vector().coordinates()};
+  require_orbital_plane<Axes, B, P, Q>(path[0], path[1]);
+  const auto triad = orbit_triad<Axes>(path);
+  return {Dcm<A, B, S>{trusted, reordered_axes<Axes>(triad.axes)},
+          AngularVelocity<A, B, In<B>, S>{trusted, reordered<Axes>(triad.w)},
+          AngularAcceleration<A, B, In<B>, S>{trusted, reordered<Axes>(triad.alpha)}};
+}
+template <class Axes, Frame B, class P, class Q, class A, class S, class... Derivatives>
+auto following(const PointMotion<P, Q, A, S>& motion, const Derivatives&... derivatives)
+    -> decltype(following<Axes, B>(motion.position, motion.velocity, derivatives...)) {
+  return following<Axes, B>(motion.position, motion.velocity, derivatives...);
+}
 
-/// A frame that follows an orbit, as a function of the motion of q relative to p, observed from the inertial
-/// frame a and expressed in it. What is given decides what is known:
-///     (r, v): Dcm<A, B>    (r, v, a): MovingDcm<A, B>    (r, v, a, da/dt|_a): AcceleratingDcm<A, B>
-template <class Axes> struct OrbitFrame {
-  template <class B, class P, class Q, class A, class S>
-    requires OrbitFrameIn<B, A>
-  Dcm<A, B, S> operator()(From<B>, const Displacement<P, Q, In<A>, S>& r_pq_a,
-                          const Velocity<P, Q, ObservedFrom<A>, In<A>, S>& v_pq_a_a) const {
-    const Jet<S, 2> path{r_pq_a.coordinates(), v_pq_a_a.coordinates()};
-    require_orbital_plane<Axes, B, P, Q>(path[0], path[1]);
-    return {trusted, reordered_axes<Axes>(orbit_triad<Axes>(path).axes)};
-  }
-  template <class B, class P, class Q, class A, class S>
-    requires OrbitFrameIn<B, A>
-  MovingDcm<A, B, S> operator()(From<B>, const Displacement<P, Q, In<A>, S>& r_pq_a,
-                                const Velocity<P, Q, ObservedFrom<A>, In<A>, S>& v_pq_a_a,
-                                const Acceleration<P, Q, ObservedFrom<A>, In<A>, S>& a_pq_a_a) const {
-    const Jet<S, 3> path{r_pq_a.coordinates(), v_pq_a_a.coordinates(), a_pq_a_a.coordinates()};
-    require_orbital_plane<Axes, B, P, Q>(path[0], path[1]);
-    const FollowingTriad<S, 2> triad = orbit_triad<Axes>(path);
-    return {Dcm<A, B, S>{trusted, reordered_axes<Axes>(triad.axes)},
-            AngularVelocity<A, B, In<B>, S>{trusted, reordered<Axes>(triad.w)}};
-  }
-  template <class B, class P, class Q, class A, class S>
-    requires OrbitFrameIn<B, A>
-  AcceleratingDcm<A, B, S> operator()(From<B>, const Displacement<P, Q, In<A>, S>& r_pq_a,
-                                      const Velocity<P, Q, ObservedFrom<A>, In<A>, S>& v_pq_a_a,
-                                      const Acceleration<P, Q, ObservedFrom<A>, In<A>, S>& a_pq_a_a,
-                                      const Derivative<A, A, si::acceleration, S>& jerk_a_a) const {
-    const Jet<S, 4> path{r_pq_a.coordinates(), v_pq_a_a.coordinates(), a_pq_a_a.coordinates(),
-                          jerk_a_a.vector().coordinates()};
-    require_orbital_plane<Axes, B, P, Q>(path[0], path[1]);
-    const FollowingTriad<S, 3> triad = orbit_triad<Axes>(path);
-    return {Dcm<A, B, S>{trusted, reordered_axes<Axes>(triad.axes)},
-            AngularVelocity<A, B, In<B>, S>{trusted, reordered<Axes>(triad.w)},
-            AngularAcceleration<A, B, In<B>, S>{trusted, reordered<Axes>(triad.alpha)}};
-  }
-
-  template <class B, class P, class Q, class A, class S, class... Derivatives>
-    requires OrbitFrameIn<B, A>
-  auto operator()(From<B> frame, const PointMotion<P, Q, A, S>& motion,
-                  const Derivatives&... derivatives) const
-      -> decltype((*this)(frame, motion.position, motion.velocity, derivatives...)) {
-    return (*this)(frame, motion.position, motion.velocity, derivatives...);
-  }
-
-  template <class FromFrame, class... Motion>
-  auto operator()(  // from<B>, r_pq_a, v_pq_a_a, then a and da/dt if known: observed from an inertial a
-      FromFrame, const Motion&...) const -> Refused = delete;
-};
+template <class Axes, class B, class... Motion>
+using FollowingOf =
+    std::enable_if_t<!InertialFrame<B>, decltype(following<Axes, B>(std::declval<const Motion&>()...))>;
+template <class Axes, class FromFrame, class... Motion> inline constexpr bool follows = false;
+template <class Axes, class B, class... Motion>
+  requires requires { typename FollowingOf<Axes, B, Motion...>; }
+inline constexpr bool follows<Axes, From<B>, Motion...> = true;
 
 }  // namespace detail
 
-/// Frames of an orbiting point q, from its motion relative to p, with h = r x v:
-///     lvlh   z to nadir, -r; y along -h; x = y x z, forward       local vertical, local horizontal
-///     ric    x radial, r; z along h; y = z x x, forward           also called RSW, RTN or QSW
-///     vnb    x along v; y along h; z = x x y, away from p
-///     ntw    y along v; z along h; x = y x z, away from p
-/// The call decides what is known. alpha needs the jerk of the real motion, G v + da/dt: that of two bodies
-/// alone is wrong by 2e-9 rad/s^2 in a low orbit, because of J2.
+/// The frame of a point q that orbits p, with the motion of q observed from the inertial frame a, in a:
+///     lvlh   z to nadir, -r; y along -(r x v); x = y x z, forward      local vertical, local horizontal
+/// What is given decides what is known:
 ///     lvlh(from<Lvlh>, r_pq_a, v_pq_a_a)                         Dcm<A, Lvlh>
 ///     lvlh(from<Lvlh>, r_pq_a, v_pq_a_a, a_pq_a_a)               MovingDcm<A, Lvlh>
 ///     lvlh(from<Lvlh>, r_pq_a, v_pq_a_a, a_pq_a_a, jerk_a_a)     AcceleratingDcm<A, Lvlh>
-/// A PointMotion stands for r and v, a Derivative<A, A, si::acceleration> for the jerk. a is inertial. Throws
-/// BadInput if distance_from_singularity() is below nearly_rectilinear.
-inline constexpr detail::OrbitFrame<detail::LvlhAxes> lvlh;
-inline constexpr detail::OrbitFrame<detail::RicAxes> ric;
-inline constexpr detail::OrbitFrame<detail::VnbAxes> vnb;
-inline constexpr detail::OrbitFrame<detail::NtwAxes> ntw;
+/// A PointMotion may stand for r and v. The jerk, d/dt|_a a_pq|a as a Derivative<A, A, si::acceleration>, is
+/// that of the real motion: two bodies alone, without J2, make alpha wrong by 2e-9 rad/s^2 in a low orbit.
+/// Throws BadInput if distance_from_singularity() is below nearly_rectilinear.
+template <class B, class... Motion>
+detail::FollowingOf<detail::LvlhAxes, B, Motion...> lvlh(From<B>, const Motion&... motion) {
+  return detail::following<detail::LvlhAxes, B>(motion...);
+}
+/// The same with x radial, r; z along r x v; y = z x x, forward: radial, in-track, cross-track. Also called
+/// RSW, RTN or QSW.
+template <class B, class... Motion>
+detail::FollowingOf<detail::RicAxes, B, Motion...> ric(From<B>, const Motion&... motion) {
+  return detail::following<detail::RicAxes, B>(motion...);
+}
+/// The same with x along v; y along r x v; z = x x y, away from p: velocity, normal, binormal.
+template <class B, class... Motion>
+detail::FollowingOf<detail::VnbAxes, B, Motion...> vnb(From<B>, const Motion&... motion) {
+  return detail::following<detail::VnbAxes, B>(motion...);
+}
+/// The same with y along v; z along r x v; x = y x z, away from p: normal, tangential, cross-track.
+template <class B, class... Motion>
+detail::FollowingOf<detail::NtwAxes, B, Motion...> ntw(From<B>, const Motion&... motion) {
+  return detail::following<detail::NtwAxes, B>(motion...);
+}
+template <class FromFrame, class... Motion>
+  requires(!detail::follows<detail::LvlhAxes, FromFrame, Motion...>)
+auto lvlh(  // from<B>: not inertial; r, v, then a and da/dt: observed from one inertial a, in a
+    FromFrame, const Motion&...) -> Refused = delete;
+template <class FromFrame, class... Motion>
+  requires(!detail::follows<detail::RicAxes, FromFrame, Motion...>)
+auto ric(  // from<B>: not inertial; r, v, then a and da/dt: observed from one inertial a, in a
+    FromFrame, const Motion&...) -> Refused = delete;
+template <class FromFrame, class... Motion>
+  requires(!detail::follows<detail::VnbAxes, FromFrame, Motion...>)
+auto vnb(  // from<B>: not inertial; r, v, then a and da/dt: observed from one inertial a, in a
+    FromFrame, const Motion&...) -> Refused = delete;
+template <class FromFrame, class... Motion>
+  requires(!detail::follows<detail::NtwAxes, FromFrame, Motion...>)
+auto ntw(  // from<B>: not inertial; r, v, then a and da/dt: observed from one inertial a, in a
+    FromFrame, const Motion&...) -> Refused = delete;
 
 }  // namespace vectrix

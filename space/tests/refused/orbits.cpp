@@ -1,0 +1,92 @@
+// Orbits
+#include <vectrix/space.hpp>
+
+using namespace vectrix;
+
+struct Gcrf : inertial_frame {};
+struct Itrf : moving_frame {};
+struct Ship : moving_frame {};
+struct Lvlh : moving_frame {};
+
+namespace orbit_frame_of_velocity_observed_from_the_earth {
+// mistake: an orbit frame of the velocity relative to the rotating Earth: not the plane of the orbit
+// expect: FromFrame = (vectrix::)?From<Lvlh>
+// expect: ObservedFrom<Itrf>
+// expect: observed from one inertial a
+auto axes(const Displacement<Gcrf, Ship, In<Itrf>>& r_itrf,
+          const Velocity<Gcrf, Ship, ObservedFrom<Itrf>, In<Itrf>>& v_itrf,
+          const MovingDcm<Gcrf, Itrf>& earth) {
+#ifdef REPAIRED
+  const auto w_itrf = earth.angular_velocity;
+  const auto v_gcrf = earth.rotation * transport(observed_from<Gcrf>, v_itrf, r_itrf, w_itrf);
+  return lvlh(from<Lvlh>, earth.rotation * r_itrf, v_gcrf);
+#else
+  static_cast<void>(earth);
+  return lvlh(from<Lvlh>, r_itrf, v_itrf);
+#endif
+}
+}  // namespace orbit_frame_of_velocity_observed_from_the_earth
+
+namespace orbit_frame_of_vectors_in_two_frames {
+// mistake: position and velocity of an orbit frame expressed in different frames
+// expect: In<Itrf>
+// expect: In<Gcrf>
+auto axes(const Displacement<Gcrf, Ship, In<Itrf>>& r_itrf,
+          const Velocity<Gcrf, Ship, ObservedFrom<Gcrf>, In<Gcrf>>& v_gcrf,
+          const Dcm<Gcrf, Itrf>& R_gcrf_from_itrf) {
+#ifdef REPAIRED
+  return ric(from<Lvlh>, R_gcrf_from_itrf * r_itrf, v_gcrf);
+#else
+  static_cast<void>(R_gcrf_from_itrf);
+  return ric(from<Lvlh>, r_itrf, v_gcrf);
+#endif
+}
+}  // namespace orbit_frame_of_vectors_in_two_frames
+
+namespace orbit_frame_said_to_be_inertial {
+// mistake: an orbit frame declared inertial: it turns once in each orbit
+// expect: FromFrame = (vectrix::)?From<.*Axes>
+// expect: Gcrf
+#ifdef REPAIRED
+struct Axes : moving_frame {};
+#else
+struct Axes : inertial_frame {};
+#endif
+auto axes(const PointMotion<Gcrf, Ship, Gcrf>& motion) {
+  return vnb(from<Axes>, motion);
+}
+}  // namespace orbit_frame_said_to_be_inertial
+
+namespace orbit_frame_of_a_jerk_observed_from_elsewhere {
+// mistake: the derivative of the acceleration taken by an observer on the rotating Earth
+// expect: Derivative<Itrf, Gcrf
+// expect: observed from one inertial a
+auto motion(const PointMotion<Gcrf, Ship, Gcrf>& orbit,
+            const Acceleration<Gcrf, Ship, ObservedFrom<Gcrf>, In<Gcrf>>& a,
+            const Derivative<Itrf, Gcrf, si::acceleration>& jerk, const MovingDcm<Gcrf, Itrf>& earth) {
+#ifdef REPAIRED
+  const auto w_gcrf = earth.rotation * earth.angular_velocity;
+  return ntw(from<Lvlh>, orbit, a, transport(observed_from<Gcrf>, jerk, a.vector(), w_gcrf));
+#else
+  static_cast<void>(earth);
+  return ntw(from<Lvlh>, orbit, a, jerk);
+#endif
+}
+}  // namespace orbit_frame_of_a_jerk_observed_from_elsewhere
+
+namespace acceleration_across_an_orbit_frame_without_jerk {
+// mistake: the angular acceleration of an orbit frame made without the jerk
+// expect: AccelerationOn<(vectrix::)?Link<Gcrf, Lvlh>
+auto change(const PointMotion<Gcrf, Ship, Gcrf>& orbit,
+            const Acceleration<Gcrf, Ship, ObservedFrom<Gcrf>, In<Gcrf>>& a,
+            const Derivative<Gcrf, Gcrf, si::acceleration>& jerk) {
+#ifdef REPAIRED
+  const auto graph = frame_graph(
+      edge([=](Quantity<si::time>) { return lvlh(from<Lvlh>, orbit, a, jerk); }));
+#else
+  static_cast<void>(jerk);
+  const auto graph = frame_graph(edge([=](Quantity<si::time>) { return lvlh(from<Lvlh>, orbit, a); }));
+#endif
+  return graph.at(0.0 * si::second).angular_acceleration(of<Lvlh>, relative_to<Gcrf>, in<Lvlh>);
+}
+}  // namespace acceleration_across_an_orbit_frame_without_jerk
