@@ -25,7 +25,8 @@ void require_finite(double x, const char* action, const char* what) {
   require(std::isfinite(x), action, what, x, "; it must be finite");
 }
 void require_eccentricity(double e, const char* action) {
-  require(e >= 0.0 && std::isfinite(e), action, "the eccentricity", e, "; it must be finite and not negative");
+  require(e >= 0.0 && std::isfinite(e), action, "the eccentricity", e,
+          "; it must be finite and not negative");
 }
 void require_no_parabola(double e, const char* action) {
   require_eccentricity(e, action);

@@ -64,13 +64,18 @@ UniversalFunctions universal_functions(double beta, double s) {
 // out of the bracket is replaced by a bisection.
 double universal_anomaly(const UniversalOrbit& o, double dt) {
   if (dt == 0.0) return 0.0;
-  // |dt|/r_max <= |s| <= |dt|/r_min. At periapsis r_min = (mu - sqrt(zeta^2 + beta eta^2))/beta = h^2/(mu (1 + e)).
+  // |dt|/r_max <= |s| <= |dt|/r_min, r_min = h^2/(mu (1 + e)). Where r_min is small: an ellipse's E differs
+  // from M by at most e at both ends; else dt > mu s^3/24, which is so if periapsis is in the middle.
   const double e = std::sqrt(std::max(0.0, o.zeta * o.zeta + o.beta * o.eta * o.eta)) / o.mu;
-  const double h2 = o.r * (o.mu + o.zeta) - o.eta * o.eta;
-  const double nearest = std::max(0.0, h2 / (o.mu * (1.0 + e)));
-  constexpr double slack = 1e-6;
-  double low = o.beta > 0.0 ? std::abs(dt) * o.beta / (o.mu * (1.0 + e)) * (1.0 - slack) : 0.0;
-  double high = nearest > 0.0 ? std::abs(dt) / nearest * (1.0 + slack) : std::numeric_limits<double>::max();
+  const double h2 = std::max(0.0, o.r * (o.mu + o.zeta) - o.eta * o.eta);
+  const double size = std::abs(dt);
+  constexpr double slack = 1e-6;  // for the rounding of the bounds
+  double low = 0.0, high = (1.0 + slack) * std::cbrt(24.0 * size / o.mu);
+  if (o.beta > 0.0) {
+    low = (1.0 - slack) * size * o.beta / (o.mu * (1.0 + e));
+    high = (1.0 + slack) * (size * o.beta / o.mu + 2.0 * e / std::sqrt(o.beta));
+  }
+  if (h2 > 0.0) high = std::min(high, (1.0 + slack) * size * o.mu * (1.0 + e) / h2);
   if (dt < 0.0) {
     std::swap(low, high);
     low = -low;

@@ -3,8 +3,8 @@
 namespace vectrix::detail {
 
 /// The universal functions G_n(beta, s) = s^n c_n(beta s^2), c_n Stumpff's functions: for beta > 0
-/// G_0 = cos(E), G_1 = sin(E)/sqrt(beta) with E = sqrt(beta) s, and so on; for beta < 0 hyperbolic; for beta = 0
-/// s^n/n!. Their laws:
+/// G_0 = cos(E), G_1 = sin(E)/sqrt(beta) with E = sqrt(beta) s, and so on; for beta < 0 hyperbolic; for beta
+/// = 0 s^n/n!. Their laws:
 ///     1.  dG_n/ds = G_(n-1)      2.  dG_n/dbeta = (n G_(n+2) - s G_(n+1)) / 2
 /// (Battin, An Introduction to the Mathematics and Methods of Astrodynamics, section 4.5)
 struct UniversalFunctions {

@@ -190,7 +190,8 @@ TEST(KeplerEquation, RefusesWhatHasNoAnomaly) {
   EXPECT_EQ(refusal([] { return eccentric_anomaly(true_of(2.5), 2.0); }),
             "eccentric_anomaly: the true anomaly is 2.5 rad, not inside the asymptotes of the orbit");
   EXPECT_EQ(refusal([] { return time_since_periapsis(true_of(pi + 1.0), mu, q, 1.0); }),
-            "time_since_periapsis: the true anomaly is 4.141592653589793 rad, not inside the asymptotes of the orbit");
+            "time_since_periapsis: the true anomaly is 4.141592653589793 rad, not inside the asymptotes of "
+            "the orbit");
   EXPECT_EQ(refusal([] { return true_anomaly(1.0 * si::second, -1.0 * mu, q, 0.1); }),
             "true_anomaly: mu is -398600441500000 m^3/s^2; it must be finite and positive");
   EXPECT_EQ(refusal([] { return true_anomaly(1.0 * si::second, mu, 0.0 * q, 0.1); }),

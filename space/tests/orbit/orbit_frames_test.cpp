@@ -116,8 +116,7 @@ TEST(OrbitFrames, RateAndAccelerationAreDerivativesOfTheRotation) {
       v(k) = xdot + t * (constant(2) * half + constant(3) * t * sixth);
     }
     for_each_frame([&](const auto& frame) {
-      const vectrix_test::Motion<Gcrf, Orbit> exact(
-          frame(position<Dual2>(r), velocity_of<Dual2>(v)));
+      const vectrix_test::Motion<Gcrf, Orbit> exact(frame(position<Dual2>(r), velocity_of<Dual2>(v)));
       const auto r0 = position<double>(path[0]);
       const auto v0 = velocity_of<double>(path[1]);
       const auto a0 = acceleration_of(path[2]);
@@ -173,7 +172,8 @@ TEST(OrbitFrames, JerkOfTheRealMotionCounts) {
                 jerk_of(jerk));
   };
   const auto real = moving(J2), two_body = moving(0.0);
-  const double w_off = (real.angular_velocity.vector() - two_body.angular_velocity.vector()).coordinates().norm();
+  const double w_off =
+      (real.angular_velocity.vector() - two_body.angular_velocity.vector()).coordinates().norm();
   const double alpha_off =
       (real.angular_acceleration.vector() - two_body.angular_acceleration.vector()).coordinates().norm();
   EXPECT_GT(w_off, 1e-7);
@@ -188,8 +188,7 @@ TEST(OrbitFrames, EdgesOfAGraph) {
     const double c = std::cos(n * t.value()), s = std::sin(n * t.value());
     return AcceleratingTransform<Gcrf, Ship>{
         rigid_edge(aligned(to<Gcrf>, from<Ship>)).value(),
-        displacement(of<Ship>, relative_to<Gcrf>,
-                     vector<si::length>(in<Gcrf>, radius * Vector3d(c, s, 0))),
+        displacement(of<Ship>, relative_to<Gcrf>, vector<si::length>(in<Gcrf>, radius * Vector3d(c, s, 0))),
         velocity(of<Ship>, relative_to<Gcrf>, observed_from<Gcrf>,
                  vector<si::velocity>(in<Gcrf>, n * radius * Vector3d(-s, c, 0))),
         acceleration(of<Ship>, relative_to<Gcrf>, observed_from<Gcrf>,

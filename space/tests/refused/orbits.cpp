@@ -81,8 +81,7 @@ auto change(const PointMotion<Gcrf, Ship, Gcrf>& orbit,
             const Acceleration<Gcrf, Ship, ObservedFrom<Gcrf>, In<Gcrf>>& a,
             const Derivative<Gcrf, Gcrf, si::acceleration>& jerk) {
 #ifdef REPAIRED
-  const auto graph = frame_graph(
-      edge([=](Quantity<si::time>) { return lvlh(from<Lvlh>, orbit, a, jerk); }));
+  const auto graph = frame_graph(edge([=](Quantity<si::time>) { return lvlh(from<Lvlh>, orbit, a, jerk); }));
 #else
   static_cast<void>(jerk);
   const auto graph = frame_graph(edge([=](Quantity<si::time>) { return lvlh(from<Lvlh>, orbit, a); }));
@@ -90,3 +89,61 @@ auto change(const PointMotion<Gcrf, Ship, Gcrf>& orbit,
   return graph.at(0.0 * si::second).angular_acceleration(of<Lvlh>, relative_to<Gcrf>, in<Lvlh>);
 }
 }  // namespace acceleration_across_an_orbit_frame_without_jerk
+
+namespace two_body_motion_observed_from_the_earth {
+// mistake: two-body motion from the velocity relative to the rotating Earth
+// expect: PointMotion<Itrf, Ship, Itrf>
+// expect: observed from an inertial frame
+auto later(const Quantity<si::gravitational_parameter>& mu, const PointMotion<Itrf, Ship, Itrf>& motion_itrf,
+           const PointMotion<Itrf, Ship, Gcrf>& motion_gcrf, Quantity<si::time> dt) {
+#ifdef REPAIRED
+  static_cast<void>(motion_itrf);
+  return two_body(mu, motion_gcrf, dt);
+#else
+  static_cast<void>(motion_gcrf);
+  return two_body(mu, motion_itrf, dt);
+#endif
+}
+}  // namespace two_body_motion_observed_from_the_earth
+
+namespace two_body_motion_by_an_energy {
+// mistake: a quantity that is no gravitational parameter
+// expect: si::energy
+// expect: si::gravitational_parameter
+auto later(const PointMotion<Gcrf, Ship, Gcrf>& motion, Quantity<si::time> dt) {
+#ifdef REPAIRED
+  const auto mu = 3.986004415e14 * si::metre * si::metre * si::metre / (si::second * si::second);
+#else
+  const auto mu = 3.986004415e14 * si::joule;
+#endif
+  return two_body(mu, motion, dt);
+}
+}  // namespace two_body_motion_by_an_energy
+
+namespace orbit_acceleration_of_a_position_in_the_earth_frame {
+// mistake: the attraction as an acceleration observed from a rotating frame
+// expect: Displacement<Itrf, Ship, (vectrix::)?In<Itrf>
+// expect: in an inertial frame
+auto fall(const Quantity<si::gravitational_parameter>& mu, const Displacement<Itrf, Ship, In<Itrf>>& r_itrf,
+          const Dcm<Gcrf, Itrf>& R_gcrf_from_itrf) {
+#ifdef REPAIRED
+  return two_body_acceleration(mu, R_gcrf_from_itrf * r_itrf);
+#else
+  static_cast<void>(R_gcrf_from_itrf);
+  return two_body_acceleration(mu, r_itrf);
+#endif
+}
+}  // namespace orbit_acceleration_of_a_position_in_the_earth_frame
+
+namespace mean_anomaly_for_a_true_one {
+// mistake: a mean anomaly given for an eccentric one
+// expect: MeanAnomaly
+// expect: EccentricAnomaly
+auto direction_of(const MeanAnomaly& M, double e) {
+#ifdef REPAIRED
+  return true_anomaly(eccentric_anomaly(M, e), e);
+#else
+  return true_anomaly(M, e);
+#endif
+}
+}  // namespace mean_anomaly_for_a_true_one

@@ -127,8 +127,7 @@ template <class Axes, class S> Column<S> reordered(const Column<S>& x) {
 }
 
 /// The triad of the position r with its derivatives.
-template <class Axes, class S, std::size_t N>
-FollowingTriad<S, N - 1> orbit_triad(const Jet<S, N>& r) {
+template <class Axes, class S, std::size_t N> FollowingTriad<S, N - 1> orbit_triad(const Jet<S, N>& r) {
   Jet<S, N - 1> p;
   for (std::size_t i = 0; i + 1 < N; ++i) p[i] = r[i + Axes::along];
   return {p, normal_of(r)};
@@ -176,7 +175,9 @@ using FollowingOf =
     std::enable_if_t<!InertialFrame<B>, decltype(following<Axes, B>(std::declval<const Motion&>()...))>;
 template <class Axes, class FromFrame, class... Motion> inline constexpr bool follows = false;
 template <class Axes, class B, class... Motion>
-  requires requires { typename FollowingOf<Axes, B, Motion...>; }
+  requires requires {
+    typename FollowingOf<Axes, B, Motion...>;
+  }
 inline constexpr bool follows<Axes, From<B>, Motion...> = true;
 
 }  // namespace detail
