@@ -147,3 +147,61 @@ auto direction_of(const MeanAnomaly& M, double e) {
 #endif
 }
 }  // namespace mean_anomaly_for_a_true_one
+
+namespace elements_of_velocity_observed_from_the_earth {
+// mistake: orbital elements of the velocity relative to the rotating Earth
+// expect: PointMotion<Itrf, Ship, Itrf>
+// expect: a inertial
+auto shape(const Quantity<si::gravitational_parameter>& mu, const PointMotion<Itrf, Ship, Itrf>& motion_itrf,
+           const PointMotion<Itrf, Ship, Gcrf>& motion_gcrf) {
+#ifdef REPAIRED
+  static_cast<void>(motion_itrf);
+  return keplerian_elements(mu, motion_gcrf);
+#else
+  static_cast<void>(motion_gcrf);
+  return keplerian_elements(mu, motion_itrf);
+#endif
+}
+}  // namespace elements_of_velocity_observed_from_the_earth
+
+namespace elements_with_a_mean_anomaly {
+// mistake: a mean anomaly among Keplerian elements, which hold the true one
+// expect: MeanAnomaly
+// expect: node, w, nu
+auto orbit(Quantity<si::length> p, double e, Quantity<si::angle> i, Quantity<si::angle> node,
+           Quantity<si::angle> w, const MeanAnomaly& M) {
+#ifdef REPAIRED
+  const auto anomaly = true_anomaly(eccentric_anomaly(M, e), e);
+#else
+  const auto anomaly = M;
+#endif
+  return keplerian_elements(of<Ship>, relative_to<Gcrf>, in<Gcrf>, p, e, i, node, w, anomaly);
+}
+}  // namespace elements_with_a_mean_anomaly
+
+namespace equinoctial_elements_of_the_other_sense {
+// mistake: prograde elements given for retrograde ones
+// expect: ModifiedEquinoctial<.*Prograde>
+// expect: ModifiedEquinoctial<.*Retrograde>
+ModifiedEquinoctial<Gcrf, Ship, Gcrf, Retrograde> elements(const Quantity<si::gravitational_parameter>& mu,
+                                                           const PointMotion<Gcrf, Ship, Gcrf>& motion) {
+#ifdef REPAIRED
+  return modified_equinoctial(retrograde, mu, motion);
+#else
+  return modified_equinoctial(prograde, mu, motion);
+#endif
+}
+}  // namespace equinoctial_elements_of_the_other_sense
+
+namespace equinoctial_elements_in_a_moving_frame {
+// mistake: equinoctial elements in the axes of the rotating Earth
+// expect: In<Itrf>
+// expect: a inertial
+auto elements(Quantity<si::length> p, Quantity<si::angle> L) {
+#ifdef REPAIRED
+  return modified_equinoctial(prograde, of<Ship>, relative_to<Gcrf>, in<Gcrf>, p, 0.0, 0.0, 0.0, 0.0, L);
+#else
+  return modified_equinoctial(prograde, of<Ship>, relative_to<Gcrf>, in<Itrf>, p, 0.0, 0.0, 0.0, 0.0, L);
+#endif
+}
+}  // namespace equinoctial_elements_in_a_moving_frame
