@@ -5,9 +5,12 @@
 #include <random>
 
 #include <vectrix/frames/graph/frame_graph.hpp>
+#include <vectrix/frames/scalar/lanes.hpp>
 #include <vectrix/kinematics/points/moving_transform.hpp>
 #include <vectrix/kinematics/points/rigid_edge.hpp>
+#include <vectrix/space/files/csv_table.hpp>
 #include <vectrix/space/orbit/orbit_frames.hpp>
+#include <vectrix/space/orbit/two_body.hpp>
 
 #include "testing/motions.hpp"
 
@@ -147,6 +150,55 @@ TEST(OrbitFrames, RateOnACircleToRounding) {
     EXPECT_LE((w_gcrf.coordinates() - Vector3d(0, 0, n)).norm(), 1e-15 * n);
     EXPECT_LE(moving.angular_acceleration.coordinates().norm(), 1e-15 * n * n);
   });
+}
+
+// Check-case 10A of NASA (NASA/TM-2015-218675) at t = 0: body from LVLH by 85 deg about y, then 1 deg about
+// the new z, and the rate of LVLH in body axes. Figures with 16 digits.
+TEST(OrbitFrames, NasaLvlhAndItsRate) {
+  struct Body : moving_frame {};
+  struct Pitched : moving_frame {};
+  const auto table =
+      CsvTable::read(VECTRIX_SOURCE_DIR "/validation/data/nasa_10A_first_300s.csv", {"t_s", "x_m", "T11"});
+  const auto at = [&](const char* column) { return table.number(0, column); };
+  ASSERT_EQ(at("t_s"), 0.0);
+  const auto r = position<double>({at("x_m"), at("y_m"), at("z_m")});
+  const auto v = velocity_of<double>({at("vx_mps"), at("vy_mps"), at("vz_mps")});
+  const auto mu = Quantity<si::gravitational_parameter>::from_value(3.986004415e14);
+  const auto moving = lvlh(from<Orbit>, r, v, two_body_acceleration(mu, r));
+  const auto R_b_from_o = turned_z(to<Body>, from<Pitched>, convert<si::angle>(1.0 * si::degree)) *
+                          turned_y(to<Pitched>, from<Orbit>, convert<si::angle>(85.0 * si::degree));
+  Eigen::Matrix3d T;
+  T << at("T11"), at("T12"), at("T13"), at("T21"), at("T22"), at("T23"), at("T31"), at("T32"), at("T33");
+  const Dcm<Body, Gcrf> R_b_from_gcrf = R_b_from_o * inverse(moving.rotation);
+  EXPECT_LE((R_b_from_gcrf.matrix() - T).norm(), 4 * rounding);
+  const Vector3d w(at("wx_radps"), at("wy_radps"), at("wz_radps"));
+  EXPECT_LE(((R_b_from_o * moving.angular_velocity).coordinates() - w).norm(), 4 * rounding * w.norm());
+}
+
+// Each lane of a batch as one number; other scalars to their rounding.
+TEST(OrbitFrames, OtherScalars) {
+  const Vector3d r(1.0, 0.25, -0.5), v(-0.25, 0.75, 0.5), a(-0.5, 0.125, 0.25), j(0.25, -1.0, 0.5);
+  const auto all_of = [&]<class S>(S) {
+    const auto cast = [](const Vector3d& x) {
+      return ColumnOf<S>(x.unaryExpr([](double n) { return detail::number<S>(n); }));
+    };
+    const auto moving =
+        vnb(from<Orbit>, position<S>(cast(r)), velocity_of<S>(cast(v)),
+            acceleration(of<Ship>, relative_to<Earth>, observed_from<Gcrf>,
+                         vector<si::acceleration>(in<Gcrf>, cast(a))),
+            derivative<si::acceleration>(observed_from<Gcrf>, vector<si::jerk>(in<Gcrf>, cast(j))));
+    return moving.angular_acceleration.coordinates();
+  };
+  using Lanes = std::experimental::native_simd<double>;
+  const Vector3d exact = all_of(0.0L).cast<double>();
+  const Vector3d number = all_of(0.0);
+  const auto lanes = all_of(Lanes(0.0));
+  EXPECT_LE((number - exact).norm(), 10 * rounding * exact.norm());
+  EXPECT_LE((all_of(0.0f).cast<double>() - exact).norm(), 1e-5 * exact.norm());
+  for (int k = 0; k < 3; ++k) {
+    for (std::size_t lane = 0; lane < Lanes::size(); ++lane)
+      EXPECT_NEAR(lanes(k)[lane], number(k), 10 * rounding * exact.norm());
+  }
 }
 
 // J2 in a low inclined orbit: rate and acceleration differ from those of two bodies by what the comment of

@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <random>
 
 #include <vectrix/kinematics/points/motion_laws.hpp>
@@ -20,7 +19,6 @@ struct Gcrf : inertial_frame {};
 struct Ship : moving_frame {};
 using Orbit = PointMotion<Gcrf, Ship, Gcrf>;
 
-constexpr double pi = std::numbers::pi;
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 constexpr auto mu = Quantity<si::gravitational_parameter>::from_value(3.986004415e14);
 
