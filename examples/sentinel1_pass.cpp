@@ -129,9 +129,7 @@ Telemetry read_attitude(const std::filesystem::path& file) {
 // The orbit frame, from the satellite's velocity relative to Gcrf, which the graph provides.
 Dcm<Gcrf, Orbit> orbit_axes(const Displacement<Itrf, Satellite, In<Gcrf>>& r,
                             const Velocity<Itrf, Satellite, ObservedFrom<Gcrf>, In<Gcrf>>& v) {
-  const auto z = -direction(r.vector());
-  const auto y = direction(cross(z, v.vector()));
-  return inverse(dcm_from_axes(to<Orbit>, cross(y, z), y, z));
+  return lvlh(from<Orbit>, r, v);
 }
 
 // All questions to the graph at one epoch.

@@ -113,7 +113,7 @@ BRINGS = {
     "iterator": {"vector", "string", "array", "map", "deque", "span"},
 }
 EIGEN = {
-    "Core": "Matrix MatrixBase DenseBase Index NumTraits GenericNumTraits Vector3d Vector4d Vector2d Matrix3d Matrix4d "
+    "Core": "PropagateNaN Matrix MatrixBase DenseBase Index NumTraits GenericNumTraits Vector3d Vector4d Vector2d Matrix3d Matrix4d "
             "Matrix2d VectorXd MatrixXd Map Array Array2d Array3d ArrayBase Success Dynamic EigenBase Ref Block "
             "ComputeFullU ComputeFullV ComputeEigenvectors EigenvaluesOnly internal RowMajor ColMajor Infinity",
     "Geometry": "Quaternion Quaterniond Quaternionf QuaternionBase AngleAxis AngleAxisd",

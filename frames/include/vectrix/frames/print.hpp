@@ -16,6 +16,7 @@ template <> inline constexpr const char* unit_symbol<si::angle> = "rad";
 template <> inline constexpr const char* unit_symbol<si::length> = "m";
 template <> inline constexpr const char* unit_symbol<si::velocity> = "m/s";
 template <> inline constexpr const char* unit_symbol<si::acceleration> = "m/s^2";
+template <> inline constexpr const char* unit_symbol<si::jerk> = "m/s^3";
 template <> inline constexpr const char* unit_symbol<si::momentum> = "kg m/s";
 template <> inline constexpr const char* unit_symbol<si::force> = "N";
 template <> inline constexpr const char* unit_symbol<si::angular_velocity> = "rad/s";

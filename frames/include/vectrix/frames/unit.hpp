@@ -68,6 +68,7 @@ struct mass : unit<0, 1, 0> {};
 struct length : unit<1, 0, 0> {};
 struct velocity : unit<1, 0, -1> {};
 struct acceleration : unit<1, 0, -2> {};
+struct jerk : unit<1, 0, -3> {};
 struct momentum : unit<1, 1, -1> {};
 struct force : unit<1, 1, -2> {};
 struct energy : unit<2, 1, -2> {};
@@ -159,9 +160,10 @@ template <class Key> Key entry(const void*);
 template <class... Tags> struct CoherentTable : Row<typename Tags::coherent, Tags>... {};
 using CoherentTags =
     CoherentTable<si::dimensionless, si::angle, si::time, si::frequency, si::mass, si::length, si::velocity,
-                  si::acceleration, si::momentum, si::force, si::energy, si::power, si::angular_velocity,
-                  si::angular_acceleration, si::moment_of_inertia, si::angular_momentum, si::torque, si::area,
-                  si::magnetic_flux_density, si::magnetic_dipole_moment, si::gravitational_parameter>;
+                  si::acceleration, si::jerk, si::momentum, si::force, si::energy, si::power,
+                  si::angular_velocity, si::angular_acceleration, si::moment_of_inertia, si::angular_momentum,
+                  si::torque, si::area, si::magnetic_flux_density, si::magnetic_dipole_moment,
+                  si::gravitational_parameter>;
 template <class... Tags> struct ScaledTable : Row<BoostUnitOf<Tags>, Tags>... {};
 using ScaledTags =
     ScaledTable<si::kilometre_unit, si::millisecond_unit, si::minute_unit, si::hour_unit, si::degree_unit,

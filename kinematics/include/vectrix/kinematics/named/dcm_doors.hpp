@@ -75,6 +75,9 @@ NearestNamedDcm nearest_dcm(To<NamedFrame> b, From<NamedFrame> a, const Matrix& 
 template <detail::Matrix3x3d Matrix>
 NamedDcm trust_dcm(To<NamedFrame> b, From<NamedFrame> a, const Matrix& matrix) {
   detail::require_two(b.frame, a.frame);
+  detail::require_size(matrix, 3, 3, [&] {
+    return "trust_dcm(to " + detail::in_quotes(b.frame) + ", from " + detail::in_quotes(a.frame) + "): ";
+  });
   return {detail::trusted, b.frame, a.frame, matrix};
 }
 

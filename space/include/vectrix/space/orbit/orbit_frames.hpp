@@ -1,0 +1,231 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <vectrix/kinematics/points/acceleration.hpp>
+#include <vectrix/kinematics/points/derivative.hpp>
+#include <vectrix/kinematics/points/point_motion.hpp>
+#include <vectrix/kinematics/rates/moving_dcm.hpp>
+
+namespace vectrix {
+
+/// Smallest sine of the angle between position and velocity from which an orbit frame is made. The rounding
+/// of r x v turns the frame by about 1e-16 over the sine, and its rate has the relative error 1e-16 over the
+/// square of the sine.
+inline constexpr double nearly_rectilinear = 1e-7;
+
+/// |r x v| / (|r| |v|), the sine of the angle between position and velocity. At zero the orbit has no plane
+/// and no orbit frame: rectilinear motion, no velocity, or q at p.
+template <class P, class Q, class A, class C, class S>
+Quantity<si::dimensionless, S> distance_from_singularity(
+    const Displacement<P, Q, In<C>, S>& r_pq_c, const Velocity<P, Q, ObservedFrom<A>, In<C>, S>& v_pq_a_c) {
+  const S product = norm(r_pq_c).value() * norm(v_pq_a_c).value();
+  const S across = norm(cross(r_pq_c.vector(), v_pq_a_c.vector())).value();
+  const auto none = product == S(0);
+  return Quantity<si::dimensionless, S>::from_value(
+      detail::select(none, S(0), S(across / detail::select(none, S(1), product))));
+}
+template <class P, class Q, class A, class S>
+Quantity<si::dimensionless, S> distance_from_singularity(const PointMotion<P, Q, A, S>& motion) {
+  return distance_from_singularity(motion.position, motion.velocity);
+}
+
+namespace detail {
+
+/// A vector and its derivatives, as many as are known.
+template <class S, std::size_t N> using Jet = std::array<Column<S>, N>;
+
+/// The triad that follows two vectors: x along p, z along n, n perpendicular to p, y = z x x. With indices
+/// for components in the triad:
+///     w1 = -ndot2/n, w2 = -pdot3/p, w3 = pdot2/p
+///     alpha1 = -nddot2/n - 2 w1 ndot3/n + w2 w3
+///     alpha2 = -pddot3/p - 2 w2 pdot1/p + w1 w3
+///     alpha3 =  pddot2/p - 2 w3 pdot1/p - w1 w2
+/// which are d/dt and d2/dt2 of p x_triad and n z_triad.
+template <class S, std::size_t N> struct FollowingTriad {
+  Square<S> axes;  // columns
+  Column<S> w, alpha;
+
+  FollowingTriad(const Jet<S, N>& p, const Jet<S, N>& n) {
+    using std::sqrt;
+    const S p_norm = sqrt(p[0].squaredNorm()), n_norm = sqrt(n[0].squaredNorm());
+    const Column<S> x = p[0] / p_norm, z = n[0] / n_norm;
+    axes << x, z.cross(x), z;
+    if constexpr (N > 1) {
+      const Column<S> pdot = axes.transpose() * p[1] / p_norm, ndot = axes.transpose() * n[1] / n_norm;
+      w << -ndot(1), -pdot(2), pdot(1);
+      if constexpr (N > 2) {
+        const Column<S> pddot = axes.transpose() * p[2] / p_norm, nddot = axes.transpose() * n[2] / n_norm;
+        alpha << -nddot(1) - S(2) * w(0) * ndot(2) + w(1) * w(2),
+            -pddot(2) - S(2) * w(1) * pdot(0) + w(0) * w(2), pddot(1) - S(2) * w(2) * pdot(0) - w(0) * w(1);
+      }
+    }
+  }
+};
+
+/// n = r x v, ndot = r x a, nddot = v x a + r x j
+template <class S, std::size_t N> Jet<S, N - 1> normal_of(const Jet<S, N>& r) {
+  Jet<S, N - 1> n;
+  n[0] = r[0].cross(r[1]);
+  if constexpr (N > 2) n[1] = r[0].cross(r[2]);
+  if constexpr (N > 3) n[2] = r[1].cross(r[2]) + r[0].cross(r[3]);
+  return n;
+}
+
+/// The axes x, y, z of an orbit frame, as signed axes of the triad whose first axis is along the position, or
+/// along the velocity, and whose third is along r x v.
+struct LvlhAxes {
+  static constexpr const char* name = "lvlh";
+  static constexpr std::size_t along = 0;  // derivatives of the position
+  static constexpr std::array axes{2, -3, -1};
+};
+struct RicAxes {
+  static constexpr const char* name = "ric";
+  static constexpr std::size_t along = 0;
+  static constexpr std::array axes{1, 2, 3};
+};
+struct VnbAxes {
+  static constexpr const char* name = "vnb";
+  static constexpr std::size_t along = 1;
+  static constexpr std::array axes{1, 3, -2};
+};
+struct NtwAxes {
+  static constexpr const char* name = "ntw";
+  static constexpr std::size_t along = 1;
+  static constexpr std::array axes{-2, 1, 3};
+};
+
+template <class Axes, class B, class P, class Q, class S>
+void require_orbital_plane(const Column<S>& r, const Column<S>& v) {
+  const S r2 = r.squaredNorm(), v2 = v.squaredNorm(), n2 = r.cross(v).squaredNorm();
+  const double least = door_tolerance<S>(nearly_rectilinear);
+  if (!all(n2 > number<S>(least * least) * (r2 * v2))) [[unlikely]] {
+    using std::sqrt;
+    throw BadInput(std::string{Axes::name} + "(from<" + frame_name<B>() + ">, " + frame_name<Q>() +
+                   " relative to " + frame_name<P>() + "): |r| is " + text(S(sqrt(r2))) + " m, |v| " +
+                   text(S(sqrt(v2))) + " m/s, and the sine of the angle between them " +
+                   text(S(sqrt(n2) / (sqrt(r2) * sqrt(v2)))) + "; rectilinear motion has no orbital plane");
+  }
+}
+
+/// The columns of axes, or the components of a vector, of the triad in the order and with the signs of Axes.
+template <class Axes, class S> Square<S> reordered_axes(const Square<S>& triad) {
+  Square<S> columns;
+  for (int i = 0; i < 3; ++i) {
+    const int axis = Axes::axes[static_cast<std::size_t>(i)];
+    columns.col(i) = axis > 0 ? Column<S>(triad.col(axis - 1)) : Column<S>(-triad.col(-axis - 1));
+  }
+  return columns;
+}
+template <class Axes, class S> Column<S> reordered(const Column<S>& x) {
+  Column<S> y;
+  for (int i = 0; i < 3; ++i) {
+    const int axis = Axes::axes[static_cast<std::size_t>(i)];
+    y(i) = axis > 0 ? x(axis - 1) : S(-x(-axis - 1));
+  }
+  return y;
+}
+
+/// The triad of the position r with its derivatives.
+template <class Axes, class S, std::size_t N> FollowingTriad<S, N - 1> orbit_triad(const Jet<S, N>& r) {
+  Jet<S, N - 1> p;
+  for (std::size_t i = 0; i + 1 < N; ++i) p[i] = r[i + Axes::along];
+  return {p, normal_of(r)};
+}
+
+// What is given decides what is known: (r, v) gives R, (r, v, a) also w, (r, v, a, da/dt|_a) also alpha.
+template <class Axes, Frame B, class P, class Q, InertialFrame A, class S>
+Dcm<A, B, S> following(const Displacement<P, Q, In<A>, S>& r_pq_a,
+                       const Velocity<P, Q, ObservedFrom<A>, In<A>, S>& v_pq_a_a) {
+  const Jet<S, 2> path{r_pq_a.coordinates(), v_pq_a_a.coordinates()};
+  require_orbital_plane<Axes, B, P, Q>(path[0], path[1]);
+  return {trusted, reordered_axes<Axes>(orbit_triad<Axes>(path).axes)};
+}
+template <class Axes, Frame B, class P, class Q, InertialFrame A, class S>
+MovingDcm<A, B, S> following(const Displacement<P, Q, In<A>, S>& r_pq_a,
+                             const Velocity<P, Q, ObservedFrom<A>, In<A>, S>& v_pq_a_a,
+                             const Acceleration<P, Q, ObservedFrom<A>, In<A>, S>& a_pq_a_a) {
+  const Jet<S, 3> path{r_pq_a.coordinates(), v_pq_a_a.coordinates(), a_pq_a_a.coordinates()};
+  require_orbital_plane<Axes, B, P, Q>(path[0], path[1]);
+  const auto triad = orbit_triad<Axes>(path);
+  return {Dcm<A, B, S>{trusted, reordered_axes<Axes>(triad.axes)},
+          AngularVelocity<A, B, In<B>, S>{trusted, reordered<Axes>(triad.w)}};
+}
+template <class Axes, Frame B, class P, class Q, InertialFrame A, class S>
+AcceleratingDcm<A, B, S> following(const Displacement<P, Q, In<A>, S>& r_pq_a,
+                                   const Velocity<P, Q, ObservedFrom<A>, In<A>, S>& v_pq_a_a,
+                                   const Acceleration<P, Q, ObservedFrom<A>, In<A>, S>& a_pq_a_a,
+                                   const Derivative<A, A, si::acceleration, S>& jerk_a_a) {
+  const Jet<S, 4> path{r_pq_a.coordinates(), v_pq_a_a.coordinates(), a_pq_a_a.coordinates(),
+                       jerk_a_a.vector().coordinates()};
+  require_orbital_plane<Axes, B, P, Q>(path[0], path[1]);
+  const auto triad = orbit_triad<Axes>(path);
+  return {Dcm<A, B, S>{trusted, reordered_axes<Axes>(triad.axes)},
+          AngularVelocity<A, B, In<B>, S>{trusted, reordered<Axes>(triad.w)},
+          AngularAcceleration<A, B, In<B>, S>{trusted, reordered<Axes>(triad.alpha)}};
+}
+template <class Axes, Frame B, class P, class Q, class A, class S, class... Derivatives>
+auto following(const PointMotion<P, Q, A, S>& motion, const Derivatives&... derivatives)
+    -> decltype(following<Axes, B>(motion.position, motion.velocity, derivatives...)) {
+  return following<Axes, B>(motion.position, motion.velocity, derivatives...);
+}
+
+template <class Axes, class B, class... Motion>
+using FollowingOf =
+    std::enable_if_t<!InertialFrame<B>, decltype(following<Axes, B>(std::declval<const Motion&>()...))>;
+template <class Axes, class FromFrame, class... Motion> inline constexpr bool follows = false;
+template <class Axes, class B, class... Motion>
+  requires requires {
+    typename FollowingOf<Axes, B, Motion...>;
+  }
+inline constexpr bool follows<Axes, From<B>, Motion...> = true;
+
+}  // namespace detail
+
+/// The frame of a point q that orbits p, with the motion of q observed from the inertial frame a, in a:
+///     lvlh   z to nadir, -r; y along -(r x v); x = y x z, forward      local vertical, local horizontal
+/// What is given decides what is known:
+///     lvlh(from<Lvlh>, r_pq_a, v_pq_a_a)                         Dcm<A, Lvlh>
+///     lvlh(from<Lvlh>, r_pq_a, v_pq_a_a, a_pq_a_a)               MovingDcm<A, Lvlh>
+///     lvlh(from<Lvlh>, r_pq_a, v_pq_a_a, a_pq_a_a, jerk_a_a)     AcceleratingDcm<A, Lvlh>
+/// A PointMotion may stand for r and v. The jerk, d/dt|_a a_pq|a as a Derivative<A, A, si::acceleration>, is
+/// that of the real motion: two bodies alone, without J2, make alpha wrong by 2e-9 rad/s^2 in a low orbit.
+/// Throws BadInput if distance_from_singularity() is below nearly_rectilinear.
+template <class B, class... Motion>
+detail::FollowingOf<detail::LvlhAxes, B, Motion...> lvlh(From<B>, const Motion&... motion) {
+  return detail::following<detail::LvlhAxes, B>(motion...);
+}
+/// The same with x radial, r; z along r x v; y = z x x, forward: radial, in-track, cross-track. Also called
+/// RSW, RTN or QSW.
+template <class B, class... Motion>
+detail::FollowingOf<detail::RicAxes, B, Motion...> ric(From<B>, const Motion&... motion) {
+  return detail::following<detail::RicAxes, B>(motion...);
+}
+/// The same with x along v; y along r x v; z = x x y, away from p: velocity, normal, binormal.
+template <class B, class... Motion>
+detail::FollowingOf<detail::VnbAxes, B, Motion...> vnb(From<B>, const Motion&... motion) {
+  return detail::following<detail::VnbAxes, B>(motion...);
+}
+/// The same with y along v; z along r x v; x = y x z, away from p: normal, tangential, cross-track.
+template <class B, class... Motion>
+detail::FollowingOf<detail::NtwAxes, B, Motion...> ntw(From<B>, const Motion&... motion) {
+  return detail::following<detail::NtwAxes, B>(motion...);
+}
+template <class FromFrame, class... Motion>
+  requires(!detail::follows<detail::LvlhAxes, FromFrame, Motion...>)
+auto lvlh(  // from<B>: not inertial; r, v, then a and da/dt: observed from one inertial a, in a
+    FromFrame, const Motion&...) -> Refused = delete;
+template <class FromFrame, class... Motion>
+  requires(!detail::follows<detail::RicAxes, FromFrame, Motion...>)
+auto ric(  // from<B>: not inertial; r, v, then a and da/dt: observed from one inertial a, in a
+    FromFrame, const Motion&...) -> Refused = delete;
+template <class FromFrame, class... Motion>
+  requires(!detail::follows<detail::VnbAxes, FromFrame, Motion...>)
+auto vnb(  // from<B>: not inertial; r, v, then a and da/dt: observed from one inertial a, in a
+    FromFrame, const Motion&...) -> Refused = delete;
+template <class FromFrame, class... Motion>
+  requires(!detail::follows<detail::NtwAxes, FromFrame, Motion...>)
+auto ntw(  // from<B>: not inertial; r, v, then a and da/dt: observed from one inertial a, in a
+    FromFrame, const Motion&...) -> Refused = delete;
+
+}  // namespace vectrix

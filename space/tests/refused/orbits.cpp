@@ -1,0 +1,207 @@
+// Orbits
+#include <vectrix/space.hpp>
+
+using namespace vectrix;
+
+struct Gcrf : inertial_frame {};
+struct Itrf : moving_frame {};
+struct Ship : moving_frame {};
+struct Lvlh : moving_frame {};
+
+namespace orbit_frame_of_velocity_observed_from_the_earth {
+// mistake: an orbit frame of the velocity relative to the rotating Earth: not the plane of the orbit
+// expect: FromFrame = (vectrix::)?From<Lvlh>
+// expect: ObservedFrom<Itrf>
+// expect: observed from one inertial a
+auto axes(const Displacement<Gcrf, Ship, In<Itrf>>& r_itrf,
+          const Velocity<Gcrf, Ship, ObservedFrom<Itrf>, In<Itrf>>& v_itrf,
+          const MovingDcm<Gcrf, Itrf>& earth) {
+#ifdef REPAIRED
+  const auto w_itrf = earth.angular_velocity;
+  const auto v_gcrf = earth.rotation * transport(observed_from<Gcrf>, v_itrf, r_itrf, w_itrf);
+  return lvlh(from<Lvlh>, earth.rotation * r_itrf, v_gcrf);
+#else
+  static_cast<void>(earth);
+  return lvlh(from<Lvlh>, r_itrf, v_itrf);
+#endif
+}
+}  // namespace orbit_frame_of_velocity_observed_from_the_earth
+
+namespace orbit_frame_of_vectors_in_two_frames {
+// mistake: position and velocity of an orbit frame expressed in different frames
+// expect: In<Itrf>
+// expect: In<Gcrf>
+auto axes(const Displacement<Gcrf, Ship, In<Itrf>>& r_itrf,
+          const Velocity<Gcrf, Ship, ObservedFrom<Gcrf>, In<Gcrf>>& v_gcrf,
+          const Dcm<Gcrf, Itrf>& R_gcrf_from_itrf) {
+#ifdef REPAIRED
+  return ric(from<Lvlh>, R_gcrf_from_itrf * r_itrf, v_gcrf);
+#else
+  static_cast<void>(R_gcrf_from_itrf);
+  return ric(from<Lvlh>, r_itrf, v_gcrf);
+#endif
+}
+}  // namespace orbit_frame_of_vectors_in_two_frames
+
+namespace orbit_frame_said_to_be_inertial {
+// mistake: an orbit frame declared inertial: it turns once in each orbit
+// expect: FromFrame = (vectrix::)?From<.*Axes>
+// expect: Gcrf
+#ifdef REPAIRED
+struct Axes : moving_frame {};
+#else
+struct Axes : inertial_frame {};
+#endif
+auto axes(const PointMotion<Gcrf, Ship, Gcrf>& motion) {
+  return vnb(from<Axes>, motion);
+}
+}  // namespace orbit_frame_said_to_be_inertial
+
+namespace orbit_frame_of_a_jerk_observed_from_elsewhere {
+// mistake: the derivative of the acceleration taken by an observer on the rotating Earth
+// expect: Derivative<Itrf, Gcrf
+// expect: observed from one inertial a
+auto motion(const PointMotion<Gcrf, Ship, Gcrf>& orbit,
+            const Acceleration<Gcrf, Ship, ObservedFrom<Gcrf>, In<Gcrf>>& a,
+            const Derivative<Itrf, Gcrf, si::acceleration>& jerk, const MovingDcm<Gcrf, Itrf>& earth) {
+#ifdef REPAIRED
+  const auto w_gcrf = earth.rotation * earth.angular_velocity;
+  return ntw(from<Lvlh>, orbit, a, transport(observed_from<Gcrf>, jerk, a.vector(), w_gcrf));
+#else
+  static_cast<void>(earth);
+  return ntw(from<Lvlh>, orbit, a, jerk);
+#endif
+}
+}  // namespace orbit_frame_of_a_jerk_observed_from_elsewhere
+
+namespace acceleration_across_an_orbit_frame_without_jerk {
+// mistake: the angular acceleration of an orbit frame made without the jerk
+// expect: AccelerationOn<(vectrix::)?Link<Gcrf, Lvlh>
+auto change(const PointMotion<Gcrf, Ship, Gcrf>& orbit,
+            const Acceleration<Gcrf, Ship, ObservedFrom<Gcrf>, In<Gcrf>>& a,
+            const Derivative<Gcrf, Gcrf, si::acceleration>& jerk) {
+#ifdef REPAIRED
+  const auto graph = frame_graph(edge([=](Quantity<si::time>) { return lvlh(from<Lvlh>, orbit, a, jerk); }));
+#else
+  static_cast<void>(jerk);
+  const auto graph = frame_graph(edge([=](Quantity<si::time>) { return lvlh(from<Lvlh>, orbit, a); }));
+#endif
+  return graph.at(0.0 * si::second).angular_acceleration(of<Lvlh>, relative_to<Gcrf>, in<Lvlh>);
+}
+}  // namespace acceleration_across_an_orbit_frame_without_jerk
+
+namespace two_body_motion_observed_from_the_earth {
+// mistake: two-body motion from the velocity relative to the rotating Earth
+// expect: PointMotion<Itrf, Ship, Itrf>
+// expect: observed from an inertial frame
+auto later(const Quantity<si::gravitational_parameter>& mu, const PointMotion<Itrf, Ship, Itrf>& motion_itrf,
+           const PointMotion<Itrf, Ship, Gcrf>& motion_gcrf, Quantity<si::time> dt) {
+#ifdef REPAIRED
+  static_cast<void>(motion_itrf);
+  return two_body(mu, motion_gcrf, dt);
+#else
+  static_cast<void>(motion_gcrf);
+  return two_body(mu, motion_itrf, dt);
+#endif
+}
+}  // namespace two_body_motion_observed_from_the_earth
+
+namespace two_body_motion_by_an_energy {
+// mistake: a quantity that is no gravitational parameter
+// expect: si::energy
+// expect: si::gravitational_parameter
+auto later(const PointMotion<Gcrf, Ship, Gcrf>& motion, Quantity<si::time> dt) {
+#ifdef REPAIRED
+  const auto mu = 3.986004415e14 * si::metre * si::metre * si::metre / (si::second * si::second);
+#else
+  const auto mu = 3.986004415e14 * si::joule;
+#endif
+  return two_body(mu, motion, dt);
+}
+}  // namespace two_body_motion_by_an_energy
+
+namespace orbit_acceleration_of_a_position_in_the_earth_frame {
+// mistake: the attraction as an acceleration observed from a rotating frame
+// expect: Displacement<Itrf, Ship, (vectrix::)?In<Itrf>
+// expect: in an inertial frame
+auto fall(const Quantity<si::gravitational_parameter>& mu, const Displacement<Itrf, Ship, In<Itrf>>& r_itrf,
+          const Dcm<Gcrf, Itrf>& R_gcrf_from_itrf) {
+#ifdef REPAIRED
+  return two_body_acceleration(mu, R_gcrf_from_itrf * r_itrf);
+#else
+  static_cast<void>(R_gcrf_from_itrf);
+  return two_body_acceleration(mu, r_itrf);
+#endif
+}
+}  // namespace orbit_acceleration_of_a_position_in_the_earth_frame
+
+namespace mean_anomaly_for_a_true_one {
+// mistake: a mean anomaly given for an eccentric one
+// expect: MeanAnomaly
+// expect: EccentricAnomaly
+auto direction_of(const MeanAnomaly& M, double e) {
+#ifdef REPAIRED
+  return true_anomaly(eccentric_anomaly(M, e), e);
+#else
+  return true_anomaly(M, e);
+#endif
+}
+}  // namespace mean_anomaly_for_a_true_one
+
+namespace elements_of_velocity_observed_from_the_earth {
+// mistake: orbital elements of the velocity relative to the rotating Earth
+// expect: PointMotion<Itrf, Ship, Itrf>
+// expect: a inertial
+auto shape(const Quantity<si::gravitational_parameter>& mu, const PointMotion<Itrf, Ship, Itrf>& motion_itrf,
+           const PointMotion<Itrf, Ship, Gcrf>& motion_gcrf) {
+#ifdef REPAIRED
+  static_cast<void>(motion_itrf);
+  return keplerian_elements(mu, motion_gcrf);
+#else
+  static_cast<void>(motion_gcrf);
+  return keplerian_elements(mu, motion_itrf);
+#endif
+}
+}  // namespace elements_of_velocity_observed_from_the_earth
+
+namespace elements_with_a_mean_anomaly {
+// mistake: a mean anomaly among Keplerian elements, which hold the true one
+// expect: MeanAnomaly
+// expect: node, w, nu
+auto orbit(Quantity<si::length> p, double e, Quantity<si::angle> i, Quantity<si::angle> node,
+           Quantity<si::angle> w, const MeanAnomaly& M) {
+#ifdef REPAIRED
+  const auto anomaly = true_anomaly(eccentric_anomaly(M, e), e);
+#else
+  const auto anomaly = M;
+#endif
+  return keplerian_elements(of<Ship>, relative_to<Gcrf>, in<Gcrf>, p, e, i, node, w, anomaly);
+}
+}  // namespace elements_with_a_mean_anomaly
+
+namespace equinoctial_elements_of_the_other_sense {
+// mistake: prograde elements given for retrograde ones
+// expect: ModifiedEquinoctial<.*Prograde>
+// expect: ModifiedEquinoctial<.*Retrograde>
+ModifiedEquinoctial<Gcrf, Ship, Gcrf, Retrograde> elements(const Quantity<si::gravitational_parameter>& mu,
+                                                           const PointMotion<Gcrf, Ship, Gcrf>& motion) {
+#ifdef REPAIRED
+  return modified_equinoctial(retrograde, mu, motion);
+#else
+  return modified_equinoctial(prograde, mu, motion);
+#endif
+}
+}  // namespace equinoctial_elements_of_the_other_sense
+
+namespace equinoctial_elements_in_a_moving_frame {
+// mistake: equinoctial elements in the axes of the rotating Earth
+// expect: In<Itrf>
+// expect: a inertial
+auto elements(Quantity<si::length> p, Quantity<si::angle> L) {
+#ifdef REPAIRED
+  return modified_equinoctial(prograde, of<Ship>, relative_to<Gcrf>, in<Gcrf>, p, 0.0, 0.0, 0.0, 0.0, L);
+#else
+  return modified_equinoctial(prograde, of<Ship>, relative_to<Gcrf>, in<Itrf>, p, 0.0, 0.0, 0.0, 0.0, L);
+#endif
+}
+}  // namespace equinoctial_elements_in_a_moving_frame
