@@ -36,7 +36,7 @@ static_assert(Names<si::angular_acceleration, bu::si::angular_acceleration>);
 static_assert(Names<si::moment_of_inertia, bu::si::moment_of_inertia>);
 static_assert(Names<si::angular_momentum, bu::si::angular_momentum>);
 static_assert(Names<si::torque, bu::si::torque> && Names<si::area, bu::si::area>);
-static_assert(Names<si::unit<0, 1, -2, 0, -1>, bu::si::magnetic_flux_density>);
+static_assert(Names<si::magnetic_flux_density, bu::si::magnetic_flux_density>);
 static_assert(Names<si::unit<0, 0, 0, 0, 0, 1>, bu::si::temperature>);
 static_assert(Names<si::derived<bu::si::luminous_intensity>, bu::si::luminous_intensity>);
 
@@ -73,7 +73,7 @@ constexpr auto distance = 100.0 * si::kilometre / si::hour * si::hour;
 constexpr auto rate = 1.0 / (4.0 * si::second);
 static_assert(Has<decltype(five_newtons), si::force> && five_newtons.value() == 5.0);
 static_assert(Has<decltype(ratio), si::dimensionless> && ratio == 2.5);
-static_assert(Has<decltype(jerk), si::unit<1, 0, -3, 0, 0, 0>> && jerk.value() == 3.0);
+static_assert(Has<decltype(jerk), si::jerk> && jerk.value() == 3.0);
 static_assert(Has<decltype(drift), si::per<si::degree_unit, si::hour_unit>>);
 static_assert(Has<decltype(distance), si::kilometre_unit> && distance.value() == 100.0);
 static_assert(Has<decltype(rate), si::frequency> && rate.value() == 0.25);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <vectrix/frames/scalar/larger.hpp>
 #include <vectrix/kinematics/points/moving_transform.hpp>
 
 #include "testing/motions.hpp"

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include <vectrix/frames/graph/frame_graph.hpp>
+#include <vectrix/frames/scalar/larger.hpp>
 #include <vectrix/kinematics/samples/sampled_position.hpp>
 
 #include "testing/attitudes.hpp"

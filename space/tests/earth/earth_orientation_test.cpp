@@ -6,6 +6,7 @@
 
 #include <vectrix/frames/dcm_doors.hpp>
 #include <vectrix/frames/graph/frame_graph.hpp>
+#include <vectrix/frames/scalar/larger.hpp>
 #include <vectrix/kinematics/attitude/log.hpp>
 #include <vectrix/space/earth/earth_orientation.hpp>
 #include <vectrix/space/files/csv_table.hpp>

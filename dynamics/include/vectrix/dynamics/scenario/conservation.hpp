@@ -1,7 +1,7 @@
 #pragma once
 
-#include <algorithm>
 #include <vectrix/dynamics/scenario/trajectory.hpp>
+#include <vectrix/frames/scalar/larger.hpp>
 
 namespace vectrix {
 
