@@ -5,3 +5,4 @@
 #include <vectrix/space/earth/ellipsoid.hpp>
 #include <vectrix/space/files/csv_table.hpp>
 #include <vectrix/space/time/epoch.hpp>
+#include <vectrix/space/time/time_span.hpp>
