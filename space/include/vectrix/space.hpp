@@ -7,5 +7,6 @@
 #include <vectrix/space/sky/aberration.hpp>
 #include <vectrix/space/sky/ephemeris.hpp>
 #include <vectrix/space/sky/geocentric.hpp>
+#include <vectrix/space/sky/illumination.hpp>
 #include <vectrix/space/time/epoch.hpp>
 #include <vectrix/space/time/time_span.hpp>

@@ -64,3 +64,34 @@ auto seen(const Dcm<Camera, Gcrf>& R_camera_from_gcrf, const Vector<Camera, si::
 #endif
 }
 }  // namespace aberration_in_two_frames
+
+namespace sun_and_body_exchanged {
+// mistake: the body's line first, and the Sun's after it
+// expect: Moon
+// expect: r_ps_c, r_pb_c
+using ToSun = Displacement<Satellite, Sun, In<Gcrf>>;
+using ToMoon = Displacement<Satellite, sky::Moon, In<Gcrf>>;
+double seen(const ToSun& r_ps, const ToMoon& r_pm) {
+#ifdef REPAIRED
+  return visible_sun(r_ps, r_pm, sky::moon_radius);
+#else
+  return visible_sun(r_pm, r_ps, sky::moon_radius);
+#endif
+}
+}  // namespace sun_and_body_exchanged
+
+namespace ellipsoid_without_its_axis {
+// mistake: the Earth's ellipsoid, with lines along the axes of GCRF
+// expect: in earth::Itrf
+// expect: In<(vectrix::)?(earth::)?Gcrf>
+double seen(const Dcm<earth::Itrf, Gcrf>& R_itrf_from_gcrf,
+            const Displacement<Satellite, Sun, In<Gcrf>>& r_ps,
+            const Displacement<Satellite, Gcrf, In<Gcrf>>& r_pe) {
+#ifdef REPAIRED
+  return wgs84::visible_sun(R_itrf_from_gcrf * r_ps, R_itrf_from_gcrf * r_pe);
+#else
+  static_cast<void>(R_itrf_from_gcrf);
+  return wgs84::visible_sun(r_ps, r_pe);
+#endif
+}
+}  // namespace ellipsoid_without_its_axis

@@ -5,7 +5,7 @@
 namespace vectrix {
 
 /// The Sun or the Moon over a span of time, from Chebyshev series through ERFA's: Ephemeris<sky::Sun>(span).
-/// A call takes a thousandth of eraEpv00's time, and a year 14 kB for the Sun, 40 kB for the Moon; the Sun is
+/// A call takes a thousandth of eraEpv00's time, and a year 20 kB for the Sun, 45 kB for the Moon; the Sun is
 /// 10 m from eraEpv00, the Moon 1 cm from eraMoon98. It never changes, so threads may share it. Throws
 /// BadInput for a span outside the years 1900 to 2099, and for an epoch outside the span.
 ///
