@@ -35,7 +35,7 @@ class Direction(unittest.TestCase):
             (KINEMATICS, "vectrix/dynamics/ode.hpp"),
             ("space/src/c.cpp", "vectrix/dynamics.hpp"),
             ("testing/d.hpp", "vectrix/dynamics.hpp"),
-            ("space/tests/e_test.cpp", "erfa.h"),
+            ("space/include/vectrix/space/e.hpp", "erfa.h"),
             ("dynamics/src/f.cpp", "erfam.h"),
             ("space/src/g.cpp", "cvode/cvode.h"),
             ("dynamics/tests/h_test.cpp", "sundials/sundials_types.h"),
@@ -50,6 +50,7 @@ class Direction(unittest.TestCase):
         self.assertEqual(found_in({
             KINEMATICS: "#include <vectrix/frames/a.hpp>\n",
             "space/src/c.cpp": "#include <erfa.h>\n#include <vectrix/kinematics.hpp>\n",
+            "space/tests/e_test.cpp": "#include <erfa.h>\n",
             "dynamics/src/f.cpp": "#include <cvode/cvode.h>\n",
             "validation/simbody_reference.cpp": "#include <Simbody.h>\n",
             "validation/tests/simbody_conventions_test.cpp": "#include <Simbody.h>\n",

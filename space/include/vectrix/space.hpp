@@ -12,4 +12,9 @@
 #include <vectrix/space/orbit/modified_equinoctial.hpp>
 #include <vectrix/space/orbit/orbit_frames.hpp>
 #include <vectrix/space/orbit/two_body.hpp>
+#include <vectrix/space/sky/aberration.hpp>
+#include <vectrix/space/sky/ephemeris.hpp>
+#include <vectrix/space/sky/geocentric.hpp>
+#include <vectrix/space/sky/illumination.hpp>
 #include <vectrix/space/time/epoch.hpp>
+#include <vectrix/space/time/time_span.hpp>

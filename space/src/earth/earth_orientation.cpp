@@ -25,13 +25,12 @@ RowMajor matrix_of(const Rows& rows) {
 // dERA/dUT1, rad/s (IERS Conventions 2010, equation 5.15).
 constexpr double earth_rotation_rate = ERFA_D2PI * 1.00273781191135448 / ERFA_DAYSEC;
 
-JulianDate ut1_date(const Epoch& epoch, const EarthOrientationParameters& parameters) {
-  JulianDate ut1{};
-  eraTaiut1(epoch.tai().day, epoch.tai().fraction, parameters.ut1_minus_tai.value(), &ut1.day, &ut1.fraction);
-  return ut1;
+JulianDate<scale::Ut1> ut1_date(const Epoch& epoch, const EarthOrientationParameters& parameters) {
+  return epoch.julian_date(scale::Ut1::minus_tai(parameters.ut1_minus_tai));
 }
 
-void set_polar_motion(const JulianDate& tt, const EarthOrientationParameters& parameters, Rows& matrix) {
+void set_polar_motion(const JulianDate<scale::Tt>& tt, const EarthOrientationParameters& parameters,
+                      Rows& matrix) {
   eraPom00(parameters.pole_x.value(), parameters.pole_y.value(), eraSp00(tt.day, tt.fraction), matrix);
 }
 

@@ -9,8 +9,7 @@
 namespace vectrix::wgs84 {
 namespace {
 
-constexpr double semi_major_axis = 6378137.0;  // m
-constexpr double flattening = 1.0 / 298.257223563;
+constexpr double equatorial_radius = semi_major_axis.value();
 
 // Tolerance for the rounding of |u|^2 of a point on the surface: 1.5e-12 of the semi-major axis is 10
 // micrometres.
@@ -18,7 +17,8 @@ constexpr double surface_tolerance = 3e-12;
 
 // Maps the ellipsoid to the unit sphere.
 Eigen::Vector3d scaled(const Eigen::Vector3d& r) {
-  return {r.x() / semi_major_axis, r.y() / semi_major_axis, r.z() / (semi_major_axis * (1.0 - flattening))};
+  return {r.x() / equatorial_radius, r.y() / equatorial_radius,
+          r.z() / (equatorial_radius * (1.0 - flattening))};
 }
 
 using Real = long double;
@@ -34,7 +34,7 @@ struct Meridian {
 // cancellation (Karney, Geodesics on an ellipsoid of revolution, 2011, appendix B).
 Meridian nearest_on_meridian(const Eigen::Vector3d& position) {
   const Real R = std::hypot(Real{position.x()}, Real{position.y()}), z = position.z();
-  constexpr Real a = semi_major_axis;
+  constexpr Real a = equatorial_radius;
   constexpr Real e2 = Real{flattening} * (2 - Real{flattening});
   constexpr Real e4 = e2 * e2;
   const Real p = (R / a) * (R / a);

@@ -21,3 +21,52 @@ auto attitude(const Epoch& start, const Epoch& epoch, const Quantity<si::angular
 #endif
 }
 }  // namespace graph_at_epoch_of_edges_in_seconds
+
+namespace dates_of_two_scales {
+// mistake: compares a date in TT with one in UTC
+// expect: scale::Tt\b
+// expect: JulianDate<(vectrix::)?scale::Utc>
+bool is_before(const Epoch& a, const Epoch& b) {
+#ifdef REPAIRED
+  return a < b;
+#else
+  return a.julian_date(scale::tt) < b.julian_date(scale::utc);
+#endif
+}
+}  // namespace dates_of_two_scales
+
+namespace equal_dates_of_two_scales {
+// mistake: asks whether a date in TDB is that in TT
+// expect: scale::Tdb\b
+bool is_same(const Epoch& a, const Epoch& b) {
+#ifdef REPAIRED
+  return a == b;
+#else
+  return a.julian_date(scale::tdb) == b.julian_date(scale::tt);
+#endif
+}
+}  // namespace equal_dates_of_two_scales
+
+namespace difference_of_dates {
+// mistake: subtracts dates, in which a day with a leap second counts as 1 too
+// expect: JulianDate<(vectrix::)?scale::Utc>
+Quantity<si::time> duration(const Epoch& start, const Epoch& end) {
+#ifdef REPAIRED
+  return end - start;
+#else
+  return end.julian_date(scale::utc) - start.julian_date(scale::utc);
+#endif
+}
+}  // namespace difference_of_dates
+
+namespace step_without_a_unit {
+// mistake: a number for the step of a range of epochs
+// expect: a number needs its unit
+auto steps(const TimeSpan& span) {
+#ifdef REPAIRED
+  return every(10.0 * si::second, span);
+#else
+  return every(10.0, span);
+#endif
+}
+}  // namespace step_without_a_unit

@@ -34,6 +34,8 @@ template <class Instant, class... Edges> class GraphSnapshot {
   GraphSnapshot(const std::tuple<Edges...>& edges, const Instant& instant)
       : evaluation_{edges, instant, {}} {}
 
+  [[nodiscard]] const Instant& instant() const { return evaluation_.instant; }
+
   /// R_a^b
   template <class B, class A, Answered<AskRotation<B, A>> = 0> auto rotation(To<B>, From<A>) const& {
     return AskRotation<B, A>::answer(kept());

@@ -1,9 +1,9 @@
 #pragma once
 
 #include <numbers>
+#include <vectrix/frames/scalar/larger.hpp>
 #include <vectrix/kinematics/attitude/exp.hpp>
 #include <vectrix/kinematics/rates/moving_dcm.hpp>
-#include <vectrix/frames/scalar/larger.hpp>
 #include <vectrix/kinematics/samples/attitude_sample.hpp>
 #include <vectrix/kinematics/samples/log_motion.hpp>
 #include <vectrix/kinematics/samples/sample_steps.hpp>

@@ -17,6 +17,9 @@ struct Geodetic {
 /// The reference ellipsoid WGS-84: semi-major axis a = 6378137 m, flattening 1/298.257223563.
 namespace wgs84 {
 
+inline constexpr Quantity<si::length> semi_major_axis = 6378137.0 * si::metre;
+inline constexpr double flattening = 1.0 / 298.257223563;
+
 /// The nearest point of the ellipsoid, and the height above it: to rounding at every height and depth. On the
 /// axis the longitude is 0. On the evolute, within 43 km of the centre, several points are nearest; across
 /// the equatorial disc inside it the latitude jumps from north to south, and on the disc it is the northern

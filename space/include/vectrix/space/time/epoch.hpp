@@ -1,52 +1,79 @@
 #pragma once
 
 #include <compare>
+#include <cstdint>
 #include <iosfwd>
 #include <string>
 #include <string_view>
 
 #include <vectrix/frames/export.hpp>
 #include <vectrix/frames/units.hpp>
+#include <vectrix/space/time/gps_time.hpp>
+#include <vectrix/space/time/julian_date.hpp>
 
 namespace vectrix {
 
-/// A Julian date in two parts: `day` ends in .5 (midnight), `fraction` is in [0, 1) day.
-struct JulianDate {
-  double day;
-  double fraction;
-
-  friend auto operator<=>(const JulianDate&, const JulianDate&) = default;
-};
-
-/// An instant, stored as a Julian date in International Atomic Time (TAI) to about 1e-11 s.
-///     TT = TAI + 32.184 s        TAI = UTC + leap seconds (ERFA's table)
-/// Differences are SI seconds and include leap seconds. An instant of the graph: graph.at(epoch).
+/// An instant, stored as a Julian date in International Atomic Time (TAI) to about 1e-11 s. Scales are ways
+/// to read and to write it; TimeScale lists them. Differences are SI seconds and include leap seconds. An
+/// instant of the graph: graph.at(epoch).
 ///
-/// UTC starts in 1960; an earlier date is BadInput. In years after the end of ERFA's table of leap seconds,
-/// UTC uses the last leap second of the table; from_tt() does not depend on the table.
+/// UTC starts in 1960, and GPS time in 1980; an earlier date is BadInput. In years after the end of ERFA's
+/// table of leap seconds, UTC uses the last leap second of the table; the other scales do not depend on it.
 class VECTRIX_EXPORT Epoch {
  public:
-  /// From "2022-04-14T10:22:11.874999", with 0 to 12 decimals and an optional 'Z' at the end. The second 60
-  /// is accepted where there is a leap second. Throws BadInput for any other text and for dates that do not
-  /// exist.
-  static Epoch from_utc(std::string_view text);
-  /// From the same text, in Terrestrial Time; without 'Z'.
-  static Epoch from_tt(std::string_view text);
+  /// From "2022-04-14T10:22:11.874999" or, by the day of the year, "2022-104T10:22:11.874999", with 0 to 12
+  /// decimals; in UTC with an optional 'Z' at the end. The second 60 is accepted where UTC has a leap second.
+  /// Throws BadInput for any other text and for dates that do not exist.
+  static Epoch from(const TimeScale& scale, std::string_view text);
+  /// Epoch::from(scale::utc, text), Epoch::from(scale::tt, text)
+  static Epoch from_utc(std::string_view text) { return from(scale::utc, text); }
+  static Epoch from_tt(std::string_view text) { return from(scale::tt, text); }
+
+  /// From a Julian date in two parts, split in any way: (2459683.5, 0.25) or (2459683.75, 0.0). Nothing is
+  /// lost between the parts; a single double is rounded to 40 microseconds, of a modified Julian date to 1.
+  /// Throws BadInput if a part is not finite.
+  static Epoch from_julian_date(const TimeScale& scale, double day, double fraction = 0.0);
+  static Epoch from_modified_julian_date(const TimeScale& scale, double day, double fraction = 0.0);
   /// From a modified Julian day of UTC and the elapsed fraction of that day, in [0, 1). The fraction is of
   /// the day's own length: a day with a leap second has 86401 s. Throws BadInput if the fraction is outside.
   static Epoch from_utc_mjd(int day, double part = 0.0);
 
-  /// The text of the instant, rounded to the given number of decimals, 0 to 9. utc() throws BadInput before
-  /// 1960.
-  [[nodiscard]] std::string utc(int decimals = 6) const;
-  [[nodiscard]] std::string tt(int decimals = 6) const;
+  /// From a whole week since 1980 January 6 and the seconds of the week, in [0, 604800). Throws BadInput if
+  /// the week is negative or above 1e6, or the seconds are outside.
+  static Epoch from_gps_week(std::int64_t week, const Quantity<si::time>& second);
+  /// From the whole seconds since 1980 January 6 and a fraction, in [0, 1). Throws BadInput if the seconds
+  /// are negative or above 6e11, or the fraction is outside.
+  static Epoch from_gps_seconds(std::int64_t seconds, double fraction = 0.0);
 
-  [[nodiscard]] const JulianDate& tai() const { return tai_; }
-  [[nodiscard]] JulianDate tt_date() const;
+  /// The text of the instant, rounded to the given number of decimals, 0 to 9. Throws BadInput in UTC before
+  /// 1960, and in GPS before 1980.
+  [[nodiscard]] std::string text(const TimeScale& scale, int decimals = 6) const;
+  /// The same with the day of the year, "2022-104T10:22:11.874999".
+  [[nodiscard]] std::string day_of_year_text(const TimeScale& scale, int decimals = 6) const;
+  /// text(scale::utc, decimals), text(scale::tt, decimals)
+  [[nodiscard]] std::string utc(int decimals = 6) const { return text(scale::utc, decimals); }
+  [[nodiscard]] std::string tt(int decimals = 6) const { return text(scale::tt, decimals); }
+
+  /// The Julian date in a scale: epoch.julian_date(scale::tdb) is a JulianDate<scale::Tdb>.
+  template <std::derived_from<TimeScale> Scale>
+    requires(!std::same_as<Scale, TimeScale>)
+  [[nodiscard]] JulianDate<Scale> julian_date(const Scale& scale) const {
+    const auto date = date_in(scale);
+    return {date.day, date.fraction};
+  }
+  [[nodiscard]] const JulianDate<scale::Tai>& tai() const { return tai_; }
+  [[nodiscard]] JulianDate<scale::Tt> tt_date() const { return julian_date(scale::tt); }
+
+  /// Rounded to 1e-10 s, so that a week begins at its second 0. Throws BadInput before 1980 January 6.
+  [[nodiscard]] GpsTime gps_time() const;
   /// Leap seconds at this instant. Throws BadInput before 1960.
   [[nodiscard]] Quantity<si::time> tai_minus_utc() const;
 
-  friend auto operator<=>(const Epoch&, const Epoch&) = default;
+  friend bool operator==(const Epoch& a, const Epoch& b) { return a.tai_ == b.tai_; }
+  friend std::weak_ordering operator<=>(const Epoch& a, const Epoch& b) {
+    if (a.tai_ < b.tai_) return std::weak_ordering::less;
+    return b.tai_ < a.tai_ ? std::weak_ordering::greater : std::weak_ordering::equivalent;
+  }
 
   // Friends are no candidates where no epoch stands, and so not in the compiler's words on other operands.
 
@@ -60,9 +87,11 @@ class VECTRIX_EXPORT Epoch {
   friend VECTRIX_EXPORT std::ostream& operator<<(std::ostream& out, const Epoch& epoch);
 
  private:
-  explicit Epoch(const JulianDate& tai) : tai_(tai) {}
+  explicit Epoch(const JulianDate<scale::Tai>& tai) : tai_(tai) {}
 
-  JulianDate tai_;
+  [[nodiscard]] JulianDate<TimeScale> date_in(const TimeScale& scale) const;
+
+  JulianDate<scale::Tai> tai_;
 };
 
 }  // namespace vectrix

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <vectrix/space/sky/line_of_sight.hpp>
+
+namespace vectrix {
+
+/// The Sun or the Moon over a span of time, from Chebyshev series through ERFA's: Ephemeris<sky::Sun>(span).
+/// A call takes a thousandth of eraEpv00's time, and a year 20 kB for the Sun, 45 kB for the Moon; the Sun is
+/// 10 m from eraEpv00, the Moon 1 cm from eraMoon98. It never changes, so threads may share it. Throws
+/// BadInput for a span outside the years 1900 to 2099, and for an epoch outside the span.
+///
+/// How the body is seen from a point is a question with a correction, geometric, light_time or apparent:
+///     sun.line_of_sight(now, seen_from<Satellite>, apparent, in<Camera>)       r_pb, m, from p to the body
+///     sun.direction(now, seen_from<Satellite>, apparent, in<Camera>)           the unit vector
+/// where `now` is a snapshot at an epoch of a frame graph that knows the satellite relative to earth::Gcrf.
+/// Without a graph, in earth::Gcrf, from a PointMotion or, unless apparent, a Displacement of the satellite:
+///     sun.line_of_sight(epoch, motion, apparent)
+/// Throws BadInput if the light takes more than 1000 s. The deflection of light by gravity is left out: below
+/// 1e-4 arcsec for these two bodies.
+template <SkyBody B> class Ephemeris {
+  using Gcrf = earth::Gcrf;
+
+ public:
+  explicit Ephemeris(const TimeSpan& span) : table_(of<B>, span) {}
+
+  [[nodiscard]] const TimeSpan& span() const { return table_.span(); }
+
+  /// Position and velocity relative to the centre of the Earth, geometric.
+  [[nodiscard]] PointMotion<Gcrf, B, Gcrf> motion(const Epoch& epoch) const {
+    const auto plain = table_.motion(epoch);
+    return {Displacement<Gcrf, B, In<Gcrf>>{detail::trusted, plain.position},
+            Velocity<Gcrf, B, ObservedFrom<Gcrf>, In<Gcrf>>{detail::trusted, plain.velocity}};
+  }
+
+  /// The body, or its image, relative to the point p.
+  template <class... Given>
+  [[nodiscard]] detail::LineOf<B, Given...> line_of_sight(const Given&... given) const {
+    return detail::line_of_sight(of<B>, table_, given...);
+  }
+  template <class... Given>
+    requires(!detail::HasLine<B, Given...>)
+  auto
+  line_of_sight(  // (now, seen_from<P>, apparent, in<A>); p's motion for apparent, or position for light_time
+      const Given&...) const -> Refused = delete;
+
+  /// The unit vector along the line of sight.
+  template <class... Given>
+  [[nodiscard]] detail::DirectionOf<detail::LineOf<B, Given...>> direction(const Given&... given) const {
+    return vectrix::direction(line_of_sight(given...).vector());
+  }
+  template <class... Given>
+    requires(!detail::HasLine<B, Given...>)
+  auto
+  direction(  // (now, seen_from<P>, apparent, in<A>); p's motion for apparent, or position for light_time
+      const Given&...) const -> Refused = delete;
+
+ private:
+  detail::EphemerisTable table_;
+};
+
+}  // namespace vectrix

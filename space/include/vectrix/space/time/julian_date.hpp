@@ -1,0 +1,35 @@
+#pragma once
+
+#include <concepts>
+#include <vectrix/frames/operators.hpp>
+#include <vectrix/space/time/time_scale.hpp>
+
+namespace vectrix {
+
+/// A Julian date in two parts, in one scale: `day` ends in .5 (midnight), `fraction` is in [0, 1) day. A
+/// double of a whole Julian date would be rounded to 40 microseconds; the two parts are rounded to 1e-11 s.
+/// It is no instant: dates of two scales do not compare, and a difference of dates is no duration.
+template <std::derived_from<TimeScale> Scale> struct JulianDate {
+  double day;
+  double fraction;
+
+  /// The modified Julian day, which begins at midnight: day - 2400000.5.
+  [[nodiscard]] constexpr double modified_day() const { return day - 2400000.5; }
+
+  // Members: the left operand alone says the scale, so that the compiler finds few candidates for two scales.
+  bool operator==(const JulianDate& other) const { return day == other.day && fraction == other.fraction; }
+  bool operator<(const JulianDate& other) const {
+    return day < other.day || (day == other.day && fraction < other.fraction);
+  }
+  template <class Other>
+    requires(!std::same_as<Other, JulianDate>)
+  auto operator==(const Other&) const -> bool = delete;  // dates of one scale compare; else the epochs
+  template <class Other>
+    requires(!std::same_as<Other, JulianDate>)
+  auto operator<(const Other&) const -> bool = delete;  // dates of one scale compare; else the epochs
+};
+
+// Its sums and differences are refused.
+template <class Scale> inline constexpr bool detail::is_framed<JulianDate<Scale>> = true;
+
+}  // namespace vectrix

@@ -1,0 +1,80 @@
+#include <sstream>
+
+#include <vectrix/frames/errors.hpp>
+#include <vectrix/space/sky/aberration.hpp>
+#include <vectrix/space/sky/ephemeris_table.hpp>
+
+#include "series.hpp"
+
+namespace vectrix::detail {
+namespace {
+
+// The pieces begin earlier than the span by the longest light time.
+constexpr Quantity<si::time> longest_light_time = 1000.0 * si::second;
+
+}  // namespace
+
+EphemerisTable::EphemerisTable(Of<sky::Sun>, const TimeSpan& span)
+    : EphemerisTable("Ephemeris<Sun>", sun_motion, 16, 14, span) {}
+EphemerisTable::EphemerisTable(Of<sky::Moon>, const TimeSpan& span)
+    : EphemerisTable("Ephemeris<Moon>", moon_motion, 4, 12, span) {}
+
+EphemerisTable::EphemerisTable(const char* body, ChebyshevPieces::Series series, int piece_days,
+                               int coefficients, const TimeSpan& span)
+    : body_(body),
+      span_((require_series(body, span.start()), require_series(body, span.end()), span)),
+      body_pieces_(series, piece_days, coefficients, span.start() - longest_light_time, span.end()),
+      earth_pieces_(earth_motion, 16, 14, span.start() - longest_light_time, span.end()) {}
+
+void EphemerisTable::require(const Epoch& epoch) const {
+  if (span_.contains(epoch)) [[likely]]
+    return;
+  std::ostringstream out;
+  out << body_ << ": the epoch " << epoch << " is outside the span, " << span_.start() << " to "
+      << span_.end();
+  throw BadInput(out.str());
+}
+
+PlainMotion EphemerisTable::motion(const Epoch& epoch) const {
+  require(epoch);
+  return body_pieces_.at(epoch.tai());
+}
+
+Eigen::Vector3d EphemerisTable::line(Geometric, const Epoch& epoch, const Eigen::Vector3d& r) const {
+  return motion(epoch).position - r;
+}
+
+Eigen::Vector3d EphemerisTable::line(LightTime, const Epoch& epoch, const Eigen::Vector3d& r) const {
+  require(epoch);
+  return line(epoch, r, earth_pieces_.at(epoch.tai()));
+}
+
+Eigen::Vector3d EphemerisTable::line(Apparent, const Epoch& epoch, const Eigen::Vector3d& r,
+                                     const Eigen::Vector3d& v) const {
+  require(epoch);
+  const PlainMotion earth = earth_pieces_.at(epoch.tai());
+  const Eigen::Vector3d d = line(epoch, r, earth);
+  const double distance = d.norm();
+  return distance * aberrated(d / distance, earth.velocity + v);
+}
+
+Eigen::Vector3d EphemerisTable::line(const Epoch& epoch, const Eigen::Vector3d& r,
+                                     const PlainMotion& earth) const {
+  const double c = speed_of_light.value();
+  const double first = (body_pieces_.at(epoch.tai()).position - r).norm() / c;
+  if (!(first <= longest_light_time.value())) {
+    throw BadInput(std::string{body_} + ": the light takes " + text(first) +
+                   " s to the observer; at most 1000 s are allowed");
+  }
+  const Epoch left = epoch - first * si::second;
+  const PlainMotion body = body_pieces_.at(left.tai());
+  const PlainMotion earth_then = earth_pieces_.at(left.tai());
+  const Eigen::Vector3d velocity = earth_then.velocity + body.velocity;
+  const Eigen::Vector3d at_first = (earth_then.position - earth.position) + body.position - r;
+  // Each iteration reduces the error of the light time by v/c, 1e-4; the velocity is constant meanwhile.
+  Eigen::Vector3d d = at_first;
+  for (int i = 0; i < 3; ++i) d = at_first - (d.norm() / c - first) * velocity;
+  return d;
+}
+
+}  // namespace vectrix::detail

@@ -1,0 +1,164 @@
+#include <erfa.h>
+#include <erfam.h>
+
+#include <cmath>
+
+#include <vectrix/frames/errors.hpp>
+
+#include "date.hpp"
+
+namespace vectrix {
+namespace detail {
+namespace {
+
+constexpr double modified_julian_zero = 2400000.5;
+constexpr double first_utc_day = 36934.0;  // 1960 January 1, modified Julian
+constexpr double first_gps_day = 44244.0;  // 1980 January 6
+constexpr double gps_minus_tai = -19.0;    // s
+
+Date shifted(const Date& date, double seconds) {
+  return normalised(date.day, date.fraction + seconds / ERFA_DAYSEC);
+}
+
+void require_utc(int status, const std::string& what) {
+  if (status < 0) throw BadInput(what + " is not a date that ERFA can take to or from UTC");
+}
+
+std::string tai_text(const Date& tai) {
+  return "Epoch " + calendar_text(tai, ERFA_DAYSEC, DayStyle::month_and_day, 6) + " TAI";
+}
+
+void require_known_utc(const Date& utc, const std::string& what) {
+  if (utc.modified_day() < first_utc_day) throw BadInput(what + ": UTC is not known before 1960");
+}
+
+Date tai_of_utc(const Date& utc, const std::string& what) {
+  require_known_utc(utc, what);
+  double day = 0.0;
+  double fraction = 0.0;
+  require_utc(eraUtctai(utc.day, utc.fraction, &day, &fraction), what);
+  return normalised(day, fraction);
+}
+
+Date utc_of(const Date& tai) {
+  if (before_utc(tai)) throw BadInput(tai_text(tai) + ": UTC is not known before 1960");
+  double day = 0.0;
+  double fraction = 0.0;
+  require_utc(eraTaiutc(tai.day, tai.fraction, &day, &fraction), tai_text(tai));
+  return normalised(day, fraction);
+}
+
+// TDB - TT, s, at the centre of the Earth. The date may be in either.
+double tdb_minus_tt(const Date& date) {
+  return eraDtdb(date.day, date.fraction, 0.0, 0.0, 0.0, 0.0);
+}
+
+}  // namespace
+
+// Each part is split by itself: both splits are exact, so that only the sum of two fractions is rounded.
+Date normalised(double day, double fraction) {
+  const double midnight = std::floor(day - 0.5) + 0.5;
+  const double whole = std::floor(fraction);
+  const double rest = (day - midnight) + (fraction - whole);
+  const double carry = std::floor(rest);
+  const Date date{midnight + whole + carry, rest - carry};
+  // A fraction just below 0 rounds up to 1.
+  return date.fraction < 1.0 ? date : Date{date.day + 1.0, 0.0};
+}
+
+Date tai_of(const TimeScale& scale, const Date& date, const std::string& what) {
+  const double ut1_offset = scale.ut1_offset().value();
+  switch (scale.kind()) {
+    case TimeScale::Kind::utc:
+      return tai_of_utc(date, what);
+    case TimeScale::Kind::tai:
+      return date;
+    case TimeScale::Kind::tt:
+      return shifted(date, -ERFA_TTMTAI);
+    case TimeScale::Kind::tdb:
+      return shifted(date, -tdb_minus_tt(date) - ERFA_TTMTAI);
+    case TimeScale::Kind::gps:
+      if (date.modified_day() < first_gps_day) throw BadInput(what + ": GPS time begins in 1980");
+      return shifted(date, -gps_minus_tai);
+    case TimeScale::Kind::ut1_by_tai:
+      return shifted(date, -ut1_offset);
+    case TimeScale::Kind::ut1_by_utc:
+      break;
+  }
+  const Date utc = shifted(date, -ut1_offset);
+  require_known_utc(utc, what);
+  return shifted(utc, tai_minus_utc(utc));
+}
+
+Date date_of(const TimeScale& scale, const Date& tai) {
+  const double ut1_offset = scale.ut1_offset().value();
+  switch (scale.kind()) {
+    case TimeScale::Kind::utc:
+      return utc_of(tai);
+    case TimeScale::Kind::tai:
+      return tai;
+    case TimeScale::Kind::tt:
+      return shifted(tai, ERFA_TTMTAI);
+    case TimeScale::Kind::tdb:
+      return shifted(tai, ERFA_TTMTAI + tdb_minus_tt(shifted(tai, ERFA_TTMTAI)));
+    case TimeScale::Kind::gps: {
+      const Date gps = shifted(tai, gps_minus_tai);
+      if (gps.modified_day() < first_gps_day) throw BadInput(tai_text(tai) + ": GPS time begins in 1980");
+      return gps;
+    }
+    case TimeScale::Kind::ut1_by_tai:
+      return shifted(tai, ut1_offset);
+    case TimeScale::Kind::ut1_by_utc:
+      break;
+  }
+  return shifted(tai, ut1_offset - tai_minus_utc(utc_of(tai)));
+}
+
+bool before_utc(const Date& tai) {
+  static const Date first = tai_of_utc({modified_julian_zero + first_utc_day, 0.0}, "the first day of UTC");
+  return tai < first;
+}
+
+double tai_minus_utc(const Date& utc) {
+  int year = 0;
+  int month = 0;
+  int day = 0;
+  double fraction = 0.0;
+  if (eraJd2cal(utc.day, 0.0, &year, &month, &day, &fraction) < 0) {
+    throw BadInput("Epoch: the Julian date " + text(utc.day) + " is outside the calendar");
+  }
+  double seconds = 0.0;
+  eraDat(year, month, day, utc.fraction, &seconds);
+  return seconds;
+}
+
+// ERFA's quasi-Julian date stretches a day that ends in a step to 1. Its eraD2dtf takes this back for leap
+// seconds, but not for the steps of 0.05 and 0.1 s before 1972.
+double length_of_utc_day(const Date& utc) {
+  const double at_midnight = tai_minus_utc({utc.day, 0.0});
+  const double drift = 2.0 * (tai_minus_utc({utc.day, 0.5}) - at_midnight);
+  const double step = tai_minus_utc({utc.day + 1.0, 0.0}) - at_midnight - drift;
+  return ERFA_DAYSEC + step;
+}
+
+}  // namespace detail
+
+namespace scale {
+
+Ut1 Ut1::minus_tai(const Quantity<si::time>& difference) {
+  if (!std::isfinite(difference.value())) {
+    throw BadInput("Ut1::minus_tai: UT1-TAI is " + detail::text(difference.value()) + " s");
+  }
+  return Ut1{Kind::ut1_by_tai, difference};
+}
+
+Ut1 Ut1::minus_utc(const Quantity<si::time>& difference) {
+  if (!(std::abs(difference.value()) <= 1.0)) {
+    throw BadInput("Ut1::minus_utc: UT1-UTC is " + detail::text(difference.value()) +
+                   " s; UTC keeps it below 0.9 s");
+  }
+  return Ut1{Kind::ut1_by_utc, difference};
+}
+
+}  // namespace scale
+}  // namespace vectrix

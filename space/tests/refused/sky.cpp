@@ -1,0 +1,97 @@
+// Sun and Moon
+#include <vectrix/space.hpp>
+
+using namespace vectrix;
+using earth::Gcrf;
+using sky::Sun;
+
+struct Satellite : moving_frame {};
+struct Camera : moving_frame {};
+
+using Position = Displacement<Gcrf, Satellite, In<Gcrf>>;
+using State = PointMotion<Gcrf, Satellite, Gcrf>;
+
+namespace line_of_sight_without_a_correction {
+// mistake: does not say whether the Sun is where it is or where it is seen
+// expect: p's motion for apparent, or position for light_time
+// expect: Satellite
+auto to_the_sun(const Ephemeris<Sun>& sun, const Epoch& t, const Position& r) {
+#ifdef REPAIRED
+  return sun.line_of_sight(t, r, light_time);
+#else
+  return sun.line_of_sight(t, r);
+#endif
+}
+}  // namespace line_of_sight_without_a_correction
+
+namespace apparent_place_without_a_velocity {
+// mistake: an apparent place for a satellite of which only the position is given
+// expect: p's motion for apparent, or position for light_time
+// expect: Apparent
+auto to_the_sun(const Ephemeris<Sun>& sun, const Epoch& t, const State& state) {
+#ifdef REPAIRED
+  return sun.line_of_sight(t, state, apparent);
+#else
+  return sun.line_of_sight(t, state.position, apparent);
+#endif
+}
+}  // namespace apparent_place_without_a_velocity
+
+namespace image_taken_for_the_body {
+// mistake: takes where the Sun is seen for where it is
+// expect: Image<(vectrix::)?sky::Sun, (vectrix::)?Apparent>
+auto from_the_earth(const Ephemeris<Sun>& sun, const Epoch& t, const State& state) {
+#ifdef REPAIRED
+  const Displacement<Gcrf, Sun, In<Gcrf>> r_es = state.position + sun.line_of_sight(t, state, geometric);
+#else
+  const Displacement<Gcrf, Sun, In<Gcrf>> r_es = state.position + sun.line_of_sight(t, state, apparent);
+#endif
+  return r_es;
+}
+}  // namespace image_taken_for_the_body
+
+namespace aberration_in_two_frames {
+// mistake: a direction in the camera and a velocity along the axes of GCRF
+// expect: Camera
+// expect: aberrated\(n_a, v_a\)
+auto seen(const Dcm<Camera, Gcrf>& R_camera_from_gcrf, const Vector<Camera, si::dimensionless>& n_camera,
+          const Vector<Gcrf, si::velocity>& v_gcrf) {
+#ifdef REPAIRED
+  return aberrated(n_camera, R_camera_from_gcrf * v_gcrf);
+#else
+  static_cast<void>(R_camera_from_gcrf);
+  return aberrated(n_camera, v_gcrf);
+#endif
+}
+}  // namespace aberration_in_two_frames
+
+namespace sun_and_body_exchanged {
+// mistake: the body's line first, and the Sun's after it
+// expect: Moon
+// expect: r_ps_c, r_pb_c
+using ToSun = Displacement<Satellite, Sun, In<Gcrf>>;
+using ToMoon = Displacement<Satellite, sky::Moon, In<Gcrf>>;
+double seen(const ToSun& r_ps, const ToMoon& r_pm) {
+#ifdef REPAIRED
+  return visible_sun(r_ps, r_pm, sky::moon_radius);
+#else
+  return visible_sun(r_pm, r_ps, sky::moon_radius);
+#endif
+}
+}  // namespace sun_and_body_exchanged
+
+namespace ellipsoid_without_its_axis {
+// mistake: the Earth's ellipsoid, with lines along the axes of GCRF
+// expect: in earth::Itrf
+// expect: In<(vectrix::)?(earth::)?Gcrf>
+double seen(const Dcm<earth::Itrf, Gcrf>& R_itrf_from_gcrf,
+            const Displacement<Satellite, Sun, In<Gcrf>>& r_ps,
+            const Displacement<Satellite, Gcrf, In<Gcrf>>& r_pe) {
+#ifdef REPAIRED
+  return wgs84::visible_sun(R_itrf_from_gcrf * r_ps, R_itrf_from_gcrf * r_pe);
+#else
+  static_cast<void>(R_itrf_from_gcrf);
+  return wgs84::visible_sun(r_ps, r_pe);
+#endif
+}
+}  // namespace ellipsoid_without_its_axis
