@@ -94,9 +94,9 @@ class NamedGraph {
 
   /// Adds an edge of a FrameGraph, static_edge(R_a_from_b), rigid_edge(X_a_from_b) or edge(f), between the
   /// frames to which its types are bound.
-  template <class Edge> std::enable_if_t<detail::stands_alone<Edge>> add_edge(Edge edge) {
+  template <class Edge, class V = typename Edge::value_type>
+  std::enable_if_t<detail::stands_alone<Edge>> add_edge(Edge edge) {
     using namespace detail;
-    using V = typename Edge::value_type;
     const NamedFrame a = frame<FirstOf<Edge>>();
     const NamedFrame b = frame<SecondOf<Edge>>();
     if constexpr (is_constant<Edge>) {
