@@ -89,7 +89,7 @@ class NamedGraph {
   template <Frame F> void bind(std::string_view name) { bind_to<F>(core_->record(name)); }
 
   /// Adds an edge. Throws BadInput when its frames belong to another graph, are already joined by an edge or
-  /// a path, or the fixed rotation is not finite.
+  /// a path, or its fixed rotation or position is not finite.
   void add_edge(NamedEdge edge) { core_->add_edge(std::move(edge)); }
 
   /// Adds an edge of a FrameGraph, static_edge(R_a_from_b), rigid_edge(X_a_from_b) or edge(f), between the
