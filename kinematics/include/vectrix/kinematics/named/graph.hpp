@@ -89,14 +89,14 @@ class NamedGraph {
   template <Frame F> void bind(std::string_view name) { bind_to<F>(core_->record(name)); }
 
   /// Adds an edge. Throws BadInput when its frames belong to another graph, are already joined by an edge or
-  /// a path, or the fixed rotation is not finite.
+  /// a path, or its fixed rotation or position is not finite.
   void add_edge(NamedEdge edge) { core_->add_edge(std::move(edge)); }
 
   /// Adds an edge of a FrameGraph, static_edge(R_a_from_b), rigid_edge(X_a_from_b) or edge(f), between the
   /// frames to which its types are bound.
-  template <class Edge> std::enable_if_t<detail::stands_alone<Edge>> add_edge(Edge edge) {
+  template <class Edge, class V = typename Edge::value_type>
+  std::enable_if_t<detail::stands_alone<Edge>> add_edge(Edge edge) {
     using namespace detail;
-    using V = typename Edge::value_type;
     const NamedFrame a = frame<FirstOf<Edge>>();
     const NamedFrame b = frame<SecondOf<Edge>>();
     if constexpr (is_constant<Edge>) {
