@@ -15,7 +15,7 @@ constexpr double turn = 2.0 * std::numbers::pi;
 
 // Kepler's equation from periapsis in the units mu = q = 1.
 UniversalOrbit from_periapsis(double e) {
-  return {1.0, 1.0, 0.0, 1.0 - e, e};
+  return {1.0, 1.0, 0.0, 1.0 - e, e, 1.0 + e};
 }
 
 void require(bool good, const char* action, const char* what, double value, const char* rule) {

@@ -56,6 +56,46 @@ StateTransition transition_of(const OrbitNumbers& start, const UniversalOrbit& o
   return by_start;
 }
 
+UniversalOrbit universal_orbit(double mu, double beta, const OrbitNumbers& start) {
+  const double r = start.r.norm();
+  return {mu, r, start.r.dot(start.v), beta, mu - beta * r, start.r.cross(start.v).squaredNorm()};
+}
+
+OrbitNumbers moved(const OrbitNumbers& start, const UniversalOrbit& orbit, double dt,
+                   StateTransition* transition) {
+  double within = dt, drift = 0.0;
+  if (orbit.beta > 0.0) {
+    const double period = 2.0 * std::numbers::pi * orbit.mu / (orbit.beta * std::sqrt(orbit.beta));
+    within = std::remainder(dt, period);
+    drift = -1.5 * (dt - within) / orbit.beta;
+  }
+  const double s = universal_anomaly(orbit, within);
+  const UniversalFunctions G = universal_functions(orbit.beta, s);
+  const Lagrange end(orbit, G);
+  if (transition) *transition = transition_of(start, orbit, s, G, end, drift);
+  return {end.f * start.r + end.g * start.v, end.fdot * start.r + end.gdot * start.v};
+}
+
+// Past the periapsis of a hyperbola, in the axes P to periapsis and Q along the velocity there:
+//     r = (q - mu G_2) P + h G_1 Q,  v = (-mu G_1 P + (1 - beta G_2) h Q)/|r|,  |r| = q + mu e G_2
+// Without a difference that cancels, where f and g would be as large as r^2.
+OrbitNumbers moved_past_periapsis(const OrbitNumbers& start, const UniversalOrbit& orbit, double dt) {
+  const double mu = orbit.mu, beta = orbit.beta, h2 = orbit.h2, h = std::sqrt(h2);
+  const double e = std::sqrt(1.0 - beta * h2 / (mu * mu)), q = h2 / (mu * (1.0 + e));
+  const UniversalOrbit from_periapsis{mu, q, 0.0, beta, mu * e, h2};
+  const double root = std::sqrt(-beta), s_start = std::asinh(orbit.eta * root / (mu * e)) / root;
+  const auto at_start = universal_functions(beta, s_start);
+  const double since_periapsis = q * s_start + mu * e * at_start.G3;
+  const double x = q - mu * at_start.G2, y = h * at_start.G1, size = std::hypot(x, y);
+  const Eigen::Vector3d radial = start.r / orbit.r;
+  const Eigen::Vector3d across = start.r.cross(start.v).cross(radial) / h;
+  const Eigen::Vector3d P = (x * radial - y * across) / size, Q = (y * radial + x * across) / size;
+
+  const auto G = universal_functions(beta, universal_anomaly(from_periapsis, dt + since_periapsis));
+  const double r = q + mu * e * G.G2;
+  return {(q - mu * G.G2) * P + h * G.G1 * Q, -mu * G.G1 / r * P + (1.0 - beta * G.G2) * h / r * Q};
+}
+
 }  // namespace
 
 OrbitNumbers propagated(const std::string& name, double mu, const OrbitNumbers& start, double dt,
@@ -67,22 +107,23 @@ OrbitNumbers propagated(const std::string& name, double mu, const OrbitNumbers& 
   if (!(r > 0.0 && std::isfinite(r * v2 / mu) && std::isfinite(mu / r)))
     throw BadInput(name + "|r| is " + text(r) + " m, |v| " + text(std::sqrt(v2)) + " m/s, no orbit");
 
-  const double beta = 2.0 * mu / r - v2;
-  const UniversalOrbit orbit{mu, r, start.r.dot(start.v), beta, r * v2 - mu};
-  double within = dt, drift = 0.0;
-  if (beta > 0.0) {
-    const double period = 2.0 * std::numbers::pi * mu / (beta * std::sqrt(beta));
-    within = std::remainder(dt, period);
-    drift = -1.5 * (dt - within) / beta;
+  const UniversalOrbit orbit = universal_orbit(mu, 2.0 * mu / r - v2, start);
+  OrbitNumbers end;
+  const double to_periapsis = orbit.beta < 0.0 && orbit.h2 > 0.0 ? -time_since_periapsis(orbit) : 0.0;
+  if (to_periapsis * dt > 0.0 && std::abs(to_periapsis) < std::abs(dt)) {
+    end = moved_past_periapsis(start, orbit, dt);
+    if (transition) {
+      const OrbitNumbers periapsis = moved(start, orbit, to_periapsis, transition);
+      StateTransition second;
+      moved(periapsis, universal_orbit(mu, orbit.beta, periapsis), dt - to_periapsis, &second);
+      *transition = second * *transition;
+    }
+  } else {
+    end = moved(start, orbit, dt, transition);
   }
-  const double s = universal_anomaly(orbit, within);
-  const UniversalFunctions G = universal_functions(beta, s);
-  const Lagrange end(orbit, G);
-  const OrbitNumbers moved{end.f * start.r + end.g * start.v, end.fdot * start.r + end.gdot * start.v};
-  if (!(end.r > 0.0 && moved.r.allFinite() && moved.v.allFinite()))
-    throw BadInput(name + "after " + text(dt) + " s |r| is " + text(end.r) + " m; the motion ends there");
-  if (transition) *transition = transition_of(start, orbit, s, G, end, drift);
-  return moved;
+  if (!(end.r.allFinite() && end.v.allFinite() && (!transition || transition->allFinite())))
+    throw BadInput(name + "dt is " + text(dt) + " s: the motion then is not finite");
+  return end;
 }
 
 }  // namespace vectrix::detail

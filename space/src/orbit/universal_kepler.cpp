@@ -19,18 +19,27 @@ double hyperbolic_guess(double N, double e) {
   return std::asinh((N + above) / e);
 }
 
-double first_value(const UniversalOrbit& o, double dt, double low, double high) {
-  if (o.beta < 0.0) {
-    const double root = std::sqrt(-o.beta);
-    // e cosh F0 and e sinh F0
-    const double c = o.zeta / o.mu, s = o.eta * root / o.mu;
-    const double e = std::sqrt(std::max(1.0, (c - s) * (c + s)));
-    const double F0 = std::asinh(s / e);
-    const double N = (s - F0) + dt * (-o.beta) * root / o.mu;
-    const double F = std::copysign(hyperbolic_guess(std::abs(N), e), N);
-    return std::clamp((F - F0) / root, low, high);
+double eccentricity(const UniversalOrbit& o) {
+  return std::sqrt(std::max(0.0, 1.0 - o.beta * o.h2 / (o.mu * o.mu)));
+}
+
+// F and N = e sinh F - F of a hyperbola, from e sinh F = eta (-beta)^1/2 / mu.
+struct HyperbolicAnomalies {
+  double e, F, N, root, rate;  // root: (-beta)^1/2; rate: dN/dt
+
+  explicit HyperbolicAnomalies(const UniversalOrbit& o)
+      : e(eccentricity(o)), F(0.0), N(0.0), root(std::sqrt(-o.beta)), rate(root * root * root / o.mu) {
+    const double sine = o.eta * root / o.mu;
+    F = std::asinh(sine / e);
+    N = sine - F;
   }
-  return std::clamp(o.beta * dt / o.mu, low, high);
+};
+
+double first_value(const UniversalOrbit& o, double dt) {
+  if (o.beta >= 0.0) return o.beta * dt / o.mu;
+  const HyperbolicAnomalies start(o);
+  const double N = start.N + start.rate * dt;
+  return (std::copysign(hyperbolic_guess(std::abs(N), start.e), N) - start.F) / start.root;
 }
 
 }  // namespace
@@ -66,37 +75,43 @@ double universal_anomaly(const UniversalOrbit& o, double dt) {
   if (dt == 0.0) return 0.0;
   // |dt|/r_max <= |s| <= |dt|/r_min, r_min = h^2/(mu (1 + e)). Where r_min is small: an ellipse's E differs
   // from M by at most e at both ends; else dt > mu s^3/24, which is so if periapsis is in the middle.
-  const double e = std::sqrt(std::max(0.0, o.zeta * o.zeta + o.beta * o.eta * o.eta)) / o.mu;
-  const double h2 = std::max(0.0, o.r * (o.mu + o.zeta) - o.eta * o.eta);
-  const double size = std::abs(dt);
+  const double e = eccentricity(o), size = std::abs(dt);
   constexpr double slack = 1e-6;  // for the rounding of the bounds
   double low = 0.0, high = (1.0 + slack) * std::cbrt(24.0 * size / o.mu);
   if (o.beta > 0.0) {
     low = (1.0 - slack) * size * o.beta / (o.mu * (1.0 + e));
     high = (1.0 + slack) * (size * o.beta / o.mu + 2.0 * e / std::sqrt(o.beta));
   }
-  if (h2 > 0.0) high = std::min(high, (1.0 + slack) * size * o.mu * (1.0 + e) / h2);
+  if (o.h2 > 0.0) high = std::min(high, (1.0 + slack) * size * o.mu * (1.0 + e) / o.h2);
   if (dt < 0.0) {
     std::swap(low, high);
     low = -low;
     high = -high;
   }
-  double s = first_value(o, dt, low, high);
-  constexpr int at_most = 200;  // bisections of all doubles take more, but no root needs them
+  double s = std::clamp(first_value(o, dt), low, high);
+  constexpr int at_most = 200;  // two to five are usual
   for (int i = 0; i < at_most; ++i) {
     const UniversalFunctions G = universal_functions(o.beta, s);
     const double f = o.r * s + o.eta * G.G2 + o.zeta * G.G3 - dt;
-    if (f == 0.0) return s;
+    // Where the terms cancel no root is better than this.
+    const double rounding = std::numeric_limits<double>::epsilon() *
+                            (std::abs(o.r * s) + std::abs(o.eta * G.G2) + std::abs(o.zeta * G.G3));
     (f < 0.0 ? low : high) = s;  // also for +inf; NaN comes with it
     const double slope = o.r + o.eta * G.G1 + o.zeta * G.G2;
     const double curvature = o.eta * G.G0 + o.zeta * G.G1;
     const double root = std::sqrt(std::abs(16.0 * slope * slope - 20.0 * f * curvature));
     const double step = -5.0 * f / (slope + root);
     const double next = s + step;
-    if (std::abs(step) <= 1e-9 * std::abs(s)) return next;  // the next error is below the rounding
+    // From 1e-9 of s the method's next error is far below rounding.
+    if (std::abs(step) <= 1e-9 * std::abs(s) || std::abs(f) <= rounding) return next;
     s = next > low && next < high ? next : low + 0.5 * (high - low);
   }
   return s;
+}
+
+double time_since_periapsis(const UniversalOrbit& o) {
+  const HyperbolicAnomalies now(o);
+  return now.N / now.rate;
 }
 
 }  // namespace vectrix::detail

@@ -12,14 +12,17 @@ struct UniversalFunctions {
 };
 UniversalFunctions universal_functions(double beta, double s);
 
-/// What Kepler's equation in universal variables needs of an orbit: distance r, eta = r . v, beta = mu/a and
-/// zeta = mu - beta r, so that mu e cos E = zeta at the start.
+/// What Kepler's equation in universal variables needs of an orbit: distance r, eta = r . v, beta = mu/a,
+/// zeta = mu - beta r and h^2 = |r x v|^2.
 ///     dt = r s + eta G_2 + zeta G_3,      r(s) = r + eta G_1 + zeta G_2 = d(dt)/ds > 0
 struct UniversalOrbit {
-  double mu, r, eta, beta, zeta;
+  double mu, r, eta, beta, zeta, h2;
 };
 
 /// The root s of Kepler's equation for a finite dt, of at most half a period if beta > 0.
 double universal_anomaly(const UniversalOrbit& orbit, double dt);
+
+/// Of a hyperbola, beta < 0: the time since periapsis, to about 1e-8 of it.
+double time_since_periapsis(const UniversalOrbit& orbit);
 
 }  // namespace vectrix::detail

@@ -46,8 +46,8 @@ template <class P, class Q> std::string orbit_of(const char* action) {
 /// of both parameters: an ellipse, parabola, hyperbola or line. Universal variables, dt = r s + (r . v) G_2 +
 /// (mu - beta r) G_3 with beta = 2 mu/r - v^2 (Battin, section 4.5), and
 ///     r(t) = f r + g v,  f = 1 - mu G_2/r,  g = r G_1 + (r . v) G_2
-/// The error is about what rounding of mu, r, v and dt may cause. Throws BadInput if mu is not positive and
-/// finite, dt not finite, q at p, or the motion meets p at the end.
+/// The error is about what the rounding of mu, r, v and dt may cause. Throws BadInput if mu is not positive
+/// and finite, dt not finite, q at p, or the motion after dt is not finite.
 template <class P, class Q, class A>
 detail::IfInertial<A, PointMotion<P, Q, A>> two_body(const Quantity<si::gravitational_parameter>& mu,
                                                      const PointMotion<P, Q, A>& motion,
