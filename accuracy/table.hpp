@@ -31,7 +31,7 @@ struct Found {
 template <class Computed, class Exact>
 Found compare(const Computed& computed, const Exact& exact, Wide scale, const char* place, double value) {
   const auto difference = (computed.template cast<Wide>() - exact).eval();
-  const Wide largest = difference.cwiseAbs().maxCoeff<Eigen::PropagateNaN>();
+  const Wide largest = difference.cwiseAbs().template maxCoeff<Eigen::PropagateNaN>();
   const Wide norm = largest > 0 ? largest * (difference / largest).norm() : largest;
   return {norm == 0 ? norm : norm / scale * ulps_in_one, place, value};
 }

@@ -178,10 +178,10 @@ template <class S> void expect_round_trip() {
   const auto check = [&](auto sequence) {
     const auto x = euler_angles(sequence, of<Body>, relative_to<Gcrf>, angle(-2.5), angle(1.25), angle(0.75));
     const auto back = euler_angles(sequence, quaternion(x)).coordinates();
-    EXPECT_LE((back - x.coordinates()).cwiseAbs().maxCoeff<Eigen::PropagateNaN>(), 8 * tolerance);
+    EXPECT_LE((back - x.coordinates()).cwiseAbs().template maxCoeff<Eigen::PropagateNaN>(), 8 * tolerance);
     EXPECT_LE((euler_angles(sequence, dcm(x)).coordinates() - x.coordinates())
                   .cwiseAbs()
-                  .maxCoeff<Eigen::PropagateNaN>(),
+                  .template maxCoeff<Eigen::PropagateNaN>(),
               4 * tolerance);
   };
   check(intrinsic<3, 2, 1>);

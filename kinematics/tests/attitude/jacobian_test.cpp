@@ -115,14 +115,16 @@ TEST(Jacobian, OfScrewsIsThePowerSeriesOfTheBracket) {
         EXPECT_EQ((left.topRightCorner<3, 3>()), Eigen::Matrix3d::Zero());
         EXPECT_EQ((left.bottomRightCorner<3, 3>()), (left.topLeftCorner<3, 3>()));
         const double rho = xi.tail<3>().norm();
-        const double error = static_cast<double>(
-            (extended(left) - exact).bottomLeftCorner<3, 3>().cwiseAbs().maxCoeff<Eigen::PropagateNaN>());
+        const double error = static_cast<double>((extended(left) - exact)
+                                                     .bottomLeftCorner<3, 3>()
+                                                     .cwiseAbs()
+                                                     .template maxCoeff<Eigen::PropagateNaN>());
         EXPECT_LE(error, few * epsilon * rho) << xi.transpose();
         const auto other = power_series<6>(bracket(extended(Six(-xi))), 1);
         const double other_error = static_cast<double>((extended(right_jacobian(screw_of(xi))) - other)
                                                            .bottomLeftCorner<3, 3>()
                                                            .cwiseAbs()
-                                                           .maxCoeff<Eigen::PropagateNaN>());
+                                                           .template maxCoeff<Eigen::PropagateNaN>());
         EXPECT_LE(other_error, few * epsilon * rho) << xi.transpose();
       }
     }
@@ -149,7 +151,7 @@ TEST(Jacobian, OfScrewsKeepsItsDigitsOverManyTurns) {
       const double error = static_cast<double>((extended(left_jacobian(screw_of(xi))) - exact)
                                                    .bottomLeftCorner<3, 3>()
                                                    .cwiseAbs()
-                                                   .maxCoeff<Eigen::PropagateNaN>());
+                                                   .template maxCoeff<Eigen::PropagateNaN>());
       EXPECT_LE(error, few * epsilon * xi.tail<3>().norm()) << xi.transpose();
     }
   }
@@ -203,7 +205,7 @@ RC_GTEST_PROP(Bracket, IsCarriedByTheAdjointAndIsALieBracket, ()) {
       displacement(of<Body>, relative_to<Camera>, vector<si::length>(in<Camera>, *triple()))};
   RC_ASSERT(distance(ad(X * V), adjoint(X) * ad(V) * adjoint(inverse(X))) <= tolerance);
   RC_ASSERT(distance(ad(V) * W.coordinates(), -ad(W) * V.coordinates()) <= tolerance);
-  RC_ASSERT((ad(V) * V.coordinates()).cwiseAbs().maxCoeff<Eigen::PropagateNaN>() <= tolerance);
+  RC_ASSERT((ad(V) * V.coordinates()).cwiseAbs().template maxCoeff<Eigen::PropagateNaN>() <= tolerance);
   const Six VW = ad(V) * W.coordinates();
   const auto bracket_VW = ad(twist_with<Gcrf, Wheel<1>, Body, Body>(VW));
   RC_ASSERT(distance(bracket_VW, ad(V) * ad(W) - ad(W) * ad(V)) <= tolerance);

@@ -109,8 +109,8 @@ template <class Derived> auto extended(const Eigen::MatrixBase<Derived>& m) {
 /// The largest error of an entry, in units of the rounding of the largest.
 template <class Found, class Exact>
 double roundings(const Eigen::MatrixBase<Found>& found, const Eigen::MatrixBase<Exact>& exact) {
-  const long double largest = exact.cwiseAbs().maxCoeff<Eigen::PropagateNaN>();
-  const long double error = (extended(found) - exact).cwiseAbs().maxCoeff<Eigen::PropagateNaN>();
+  const long double largest = exact.cwiseAbs().template maxCoeff<Eigen::PropagateNaN>();
+  const long double error = (extended(found) - exact).cwiseAbs().template maxCoeff<Eigen::PropagateNaN>();
   return error == 0 ? 0.0 : static_cast<double>(error / (largest * epsilon));
 }
 
