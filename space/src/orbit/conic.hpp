@@ -12,17 +12,17 @@ struct Conic {
   Eigen::Vector3d normal;
   double e_cos_nu, e_sin_nu;
 };
-/// Throws BadInput, its message begun by `name`, if mu is not positive or the motion has no plane.
-Conic conic_of(const std::string& name, double mu, const OrbitNumbers& orbit);
+/// Throws BadInput if mu is not positive or the motion has no plane.
+Conic conic_of(const OrbitName& name, double mu, const OrbitNumbers& orbit);
 
 /// The motion r = radius (cosine P + sine Q), v = (mu/p)^1/2 (x P + y Q) in the plane of the unit vectors P
 /// and Q. Throws BadInput if it is not finite.
 struct PlanarMotion {
   double radius, cosine, sine, x, y;
 };
-OrbitNumbers in_space(const std::string& name, double mu, double p, const PlanarMotion& motion,
+OrbitNumbers in_space(const OrbitName& name, double mu, double p, const PlanarMotion& motion,
                       const Eigen::Vector3d& P, const Eigen::Vector3d& Q);
 
-void require_positive(const std::string& name, const char* what, double value, const char* unit);
+void require_positive(const OrbitName& name, const char* what, double value, const char* unit);
 
 }  // namespace vectrix::detail

@@ -9,31 +9,33 @@ namespace vectrix {
 
 Quantity<si::length> semi_latus_rectum(const Quantity<si::length>& semi_major_axis, double eccentricity) {
   const double p = semi_major_axis.value() * (1.0 - eccentricity) * (1.0 + eccentricity);
-  detail::require_positive("semi_latus_rectum: ", "a (1 - e^2)", p, " m");
+  if (!(p > 0.0 && std::isfinite(p)))
+    throw BadInput("semi_latus_rectum: a (1 - e^2) is " + detail::text(p) +
+                   " m; it must be finite and positive");
   return p * si::metre;
 }
 
 namespace detail {
 
-KeplerianNumbers checked_keplerian(const std::string& name, const KeplerianNumbers& x) {
+KeplerianNumbers checked_keplerian(const OrbitName& name, const KeplerianNumbers& x) {
   require_positive(name, "the semi-latus rectum", x.semi_latus_rectum, " m");
   if (!(x.eccentricity >= 0.0 && std::isfinite(x.eccentricity)))
-    throw BadInput(name + "the eccentricity is " + text(x.eccentricity) +
+    throw BadInput(name() + "the eccentricity is " + text(x.eccentricity) +
                    "; it must be finite and not negative");
   if (!(x.inclination >= 0.0 && x.inclination <= std::numbers::pi))
-    throw BadInput(name + "the inclination is " + text(x.inclination) + " rad, not in [0, pi]");
+    throw BadInput(name() + "the inclination is " + text(x.inclination) + " rad, not in [0, pi]");
   for (const double angle : {x.ascending_node, x.argument_of_periapsis, x.true_anomaly}) {
-    if (!std::isfinite(angle)) throw BadInput(name + "an angle is " + text(angle) + " rad");
+    if (!std::isfinite(angle)) throw BadInput(name() + "an angle is " + text(angle) + " rad");
   }
   if (!(1.0 + x.eccentricity * std::cos(x.true_anomaly) > 0.0))
-    throw BadInput(name + "the true anomaly is " + text(x.true_anomaly) +
+    throw BadInput(name() + "the true anomaly is " + text(x.true_anomaly) +
                    " rad, not inside the asymptotes of the orbit");
   return x;
 }
 
 // n = (cos Om, sin Om, 0) to the node, m = normal x n; the argument of latitude u = w + nu counts from n to
 // m.
-KeplerianNumbers keplerian_of(const std::string& name, double mu, const OrbitNumbers& orbit) {
+KeplerianNumbers keplerian_of(const OrbitName& name, double mu, const OrbitNumbers& orbit) {
   const Conic conic = conic_of(name, mu, orbit);
   const Eigen::Vector3d& normal = conic.normal;
   const double tilt = std::hypot(normal.x(), normal.y());
@@ -50,7 +52,7 @@ KeplerianNumbers keplerian_of(const std::string& name, double mu, const OrbitNum
           nu};
 }
 
-OrbitNumbers orbit_of_keplerian(const std::string& name, double mu, const KeplerianNumbers& x) {
+OrbitNumbers orbit_of_keplerian(const OrbitName& name, double mu, const KeplerianNumbers& x) {
   const double e = x.eccentricity, c = std::cos(x.true_anomaly), s = std::sin(x.true_anomaly);
   const double cos_node = std::cos(x.ascending_node), sin_node = std::sin(x.ascending_node);
   const double cos_i = std::cos(x.inclination), sin_i = std::sin(x.inclination);

@@ -98,14 +98,14 @@ OrbitNumbers moved_past_periapsis(const OrbitNumbers& start, const UniversalOrbi
 
 }  // namespace
 
-OrbitNumbers propagated(const std::string& name, double mu, const OrbitNumbers& start, double dt,
+OrbitNumbers propagated(const OrbitName& name, double mu, const OrbitNumbers& start, double dt,
                         StateTransition* transition) {
   const double r = start.r.norm(), v2 = start.v.squaredNorm();
   if (!(mu > 0.0 && std::isfinite(mu)))
-    throw BadInput(name + "mu is " + text(mu) + " m^3/s^2; it must be finite and positive");
-  if (!std::isfinite(dt)) throw BadInput(name + "dt is " + text(dt) + " s");
+    throw BadInput(name() + "mu is " + text(mu) + " m^3/s^2; it must be finite and positive");
+  if (!std::isfinite(dt)) throw BadInput(name() + "dt is " + text(dt) + " s");
   if (!(r > 0.0 && std::isfinite(r * v2 / mu) && std::isfinite(mu / r)))
-    throw BadInput(name + "|r| is " + text(r) + " m, |v| " + text(std::sqrt(v2)) + " m/s, no orbit");
+    throw BadInput(name() + "|r| is " + text(r) + " m, |v| " + text(std::sqrt(v2)) + " m/s, no orbit");
 
   const UniversalOrbit orbit = universal_orbit(mu, 2.0 * mu / r - v2, start);
   OrbitNumbers end;
@@ -122,7 +122,7 @@ OrbitNumbers propagated(const std::string& name, double mu, const OrbitNumbers& 
     end = moved(start, orbit, dt, transition);
   }
   if (!(end.r.allFinite() && end.v.allFinite() && (!transition || transition->allFinite())))
-    throw BadInput(name + "dt is " + text(dt) + " s: the motion then is not finite");
+    throw BadInput(name() + "dt is " + text(dt) + " s: the motion then is not finite");
   return end;
 }
 

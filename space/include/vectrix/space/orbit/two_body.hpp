@@ -22,12 +22,23 @@ namespace detail {
 template <class A, class Result> using IfInertial = std::enable_if_t<InertialFrame<A>, Result>;
 
 using StateTransition = Eigen::Matrix<double, 6, 6>;
+/// How a message begins: written only for an error, because the text allocates.
+struct OrbitName {
+  const char* action;
+  std::string (*points)();
+
+  std::string operator()() const { return std::string{action} + "(" + points() + "): "; }
+};
+template <class P, class Q> OrbitName orbit_of(const char* action) {
+  return {action, [] { return frame_name<Q>() + " relative to " + frame_name<P>(); }};
+}
+
 struct OrbitNumbers {
   Eigen::Vector3d r, v;
 };
-/// The motion after dt, and if asked its derivatives. `name` starts the message of a BadInput.
-VECTRIX_EXPORT OrbitNumbers propagated(const std::string& name, double mu, const OrbitNumbers& start,
-                                       double dt, StateTransition* transition);
+/// The motion after dt, and if asked its derivatives.
+VECTRIX_EXPORT OrbitNumbers propagated(const OrbitName& name, double mu, const OrbitNumbers& start, double dt,
+                                       StateTransition* transition);
 
 template <class P, class Q, class A> PointMotion<P, Q, A> point_motion_of(const OrbitNumbers& orbit) {
   return {Displacement<P, Q, In<A>>{trusted, orbit.r},
@@ -36,10 +47,6 @@ template <class P, class Q, class A> PointMotion<P, Q, A> point_motion_of(const 
 template <class P, class Q, class A> OrbitNumbers numbers_of(const PointMotion<P, Q, A>& motion) {
   return {motion.position.coordinates(), motion.velocity.coordinates()};
 }
-template <class P, class Q> std::string orbit_of(const char* action) {
-  return std::string{action} + "(" + frame_name<Q>() + " relative to " + frame_name<P>() + "): ";
-}
-
 }  // namespace detail
 
 /// The motion of q relative to p after dt, of either sign, if they attract each other as points, mu the sum
@@ -82,7 +89,7 @@ detail::IfInertial<A, Acceleration<P, Q, ObservedFrom<A>, In<A>, S>> two_body_ac
     const Quantity<si::gravitational_parameter, S>& mu, const Displacement<P, Q, In<A>, S>& r_pq_a) {
   const S r = norm(r_pq_a).value(), pull = mu.value() / (r * r * r);
   if (!detail::all(pull - pull == S(0)))
-    throw BadInput(detail::orbit_of<P, Q>("two_body_acceleration") + "|r| is " + detail::text(r) + " m");
+    throw BadInput(detail::orbit_of<P, Q>("two_body_acceleration")() + "|r| is " + detail::text(r) + " m");
   return Acceleration<P, Q, ObservedFrom<A>, In<A>, S>{detail::trusted, -pull * r_pq_a.coordinates()};
 }
 template <class P, class Q, class A, class S>
@@ -91,7 +98,7 @@ detail::IfInertial<A, Derivative<A, A, si::acceleration, S>> two_body_jerk(
   const detail::Column<S>&r = motion.position.coordinates(), &v = motion.velocity.coordinates();
   const S distance = norm(motion.position).value(), pull = mu.value() / (distance * distance * distance);
   if (!detail::all(pull - pull == S(0)))
-    throw BadInput(detail::orbit_of<P, Q>("two_body_jerk") + "|r| is " + detail::text(distance) + " m");
+    throw BadInput(detail::orbit_of<P, Q>("two_body_jerk")() + "|r| is " + detail::text(distance) + " m");
   const S along = S(3) * r.dot(v) / (distance * distance);
   return {detail::trusted, Vector<A, si::jerk, S>{detail::trusted, pull * (along * r - v)}};
 }
