@@ -153,9 +153,9 @@ template <class Key> Key entry(const void*);
 template <class... Tags> struct CoherentTable : Row<typename Tags::coherent, Tags>... {};
 using CoherentTags =
     CoherentTable<si::dimensionless, si::angle, si::time, si::frequency, si::mass, si::length, si::velocity,
-                  si::acceleration, si::jerk, si::momentum, si::force, si::energy, si::power, si::angular_velocity,
-                  si::angular_acceleration, si::moment_of_inertia, si::angular_momentum, si::torque, si::area,
-                  si::gravitational_parameter>;
+                  si::acceleration, si::jerk, si::momentum, si::force, si::energy, si::power,
+                  si::angular_velocity, si::angular_acceleration, si::moment_of_inertia, si::angular_momentum,
+                  si::torque, si::area, si::gravitational_parameter>;
 template <class... Tags> struct ScaledTable : Row<BoostUnitOf<Tags>, Tags>... {};
 using ScaledTags = ScaledTable<si::kilometre_unit, si::millisecond_unit, si::minute_unit, si::hour_unit,
                                si::degree_unit, si::arcsecond_unit, si::revolution_unit,
