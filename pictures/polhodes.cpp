@@ -23,7 +23,6 @@ constexpr double degree = std::numbers::pi / 180.0;
 
 TorqueFree<Reference, Body> free_body(const Vector3& w) {
   const auto moment = [](double value) { return Quantity<si::moment_of_inertia>::from_value(value); };
-  const auto none = moment(0.0);
   const auto J_b =
       inertia_from_principal_moments(in<Body>, moment(moments(0)), moment(moments(1)), moment(moments(2)));
   const State<Reference, Body> start{

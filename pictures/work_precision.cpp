@@ -23,7 +23,6 @@ const Eigen::Vector3d start_rate(0.7, 0.6, 0.6);  // rad/s
 
 Scenario<Reference, Body> scenario() {
   const auto moment = [](double value) { return Quantity<si::moment_of_inertia>::from_value(value); };
-  const auto none = moment(0.0);
   return {.inertia = inertia_from_principal_moments(in<Body>, moment(moments(0)), moment(moments(1)),
                                                     moment(moments(2))),
           .initial = {.time = 0.0 * si::second,

@@ -9,11 +9,11 @@ struct Satellite : moving_frame {};
 struct Camera : moving_frame {};
 
 using Position = Displacement<Gcrf, Satellite, In<Gcrf>>;
-using State = PointMotion<Gcrf, Satellite, Gcrf>;
+using Motion = PointMotion<Gcrf, Satellite, Gcrf>;
 
 namespace line_of_sight_without_a_correction {
 // mistake: does not say whether the Sun is where it is or where it is seen
-// expect: p's motion for apparent, or position for light_time
+// expect: with a correction:
 // expect: Satellite
 auto to_the_sun(const Ephemeris<Sun>& sun, const Epoch& t, const Position& r) {
 #ifdef REPAIRED
@@ -26,13 +26,13 @@ auto to_the_sun(const Ephemeris<Sun>& sun, const Epoch& t, const Position& r) {
 
 namespace apparent_place_without_a_velocity {
 // mistake: an apparent place for a satellite of which only the position is given
-// expect: p's motion for apparent, or position for light_time
+// expect: with a correction:
 // expect: Apparent
-auto to_the_sun(const Ephemeris<Sun>& sun, const Epoch& t, const State& state) {
+auto to_the_sun(const Ephemeris<Sun>& sun, const Epoch& t, const Motion& motion) {
 #ifdef REPAIRED
-  return sun.line_of_sight(t, state, apparent);
+  return sun.line_of_sight(t, motion, apparent);
 #else
-  return sun.line_of_sight(t, state.position, apparent);
+  return sun.line_of_sight(t, motion.position, apparent);
 #endif
 }
 }  // namespace apparent_place_without_a_velocity
@@ -40,11 +40,11 @@ auto to_the_sun(const Ephemeris<Sun>& sun, const Epoch& t, const State& state) {
 namespace image_taken_for_the_body {
 // mistake: takes where the Sun is seen for where it is
 // expect: Image<(vectrix::)?sky::Sun, (vectrix::)?Apparent>
-auto from_the_earth(const Ephemeris<Sun>& sun, const Epoch& t, const State& state) {
+auto from_the_earth(const Ephemeris<Sun>& sun, const Epoch& t, const Motion& motion) {
 #ifdef REPAIRED
-  const Displacement<Gcrf, Sun, In<Gcrf>> r_es = state.position + sun.line_of_sight(t, state, geometric);
+  const Displacement<Gcrf, Sun, In<Gcrf>> r_es = motion.position + sun.line_of_sight(t, motion, geometric);
 #else
-  const Displacement<Gcrf, Sun, In<Gcrf>> r_es = state.position + sun.line_of_sight(t, state, apparent);
+  const Displacement<Gcrf, Sun, In<Gcrf>> r_es = motion.position + sun.line_of_sight(t, motion, apparent);
 #endif
   return r_es;
 }

@@ -67,6 +67,10 @@ TEST(TimeScale, GpsWeeksCountOnWhereReceiversRollOver) {
   EXPECT_EQ(flight.utc(3), "2023-04-20T05:01:00.000");
   EXPECT_EQ(flight.gps_time(), (GpsTime{2258, 363678.0 * si::second}));
   EXPECT_EQ(flight.gps_time().since_1980().value(), 1366002078.0);
+  // 2e-11 s before a week is its beginning, to 1e-10 s.
+  const auto week = Epoch::from_gps_week(2048, 0.0 * si::second);
+  EXPECT_EQ((week - 2e-11 * si::second).gps_time(), week.gps_time());
+  EXPECT_EQ((week - 1.0 * si::second).gps_time(), (GpsTime{2047, 604799.0 * si::second}));
   EXPECT_LT(Epoch::from_utc("2019-04-06T23:59:41").gps_time(),
             Epoch::from_utc("2019-04-06T23:59:42").gps_time());
 }

@@ -62,6 +62,11 @@ RC_GTEST_PROP(TimeSpan, TheEndBelongsToAWholeNumberOfSteps, ()) {
   RC_ASSERT(span.contains(range[steps]));
   const double rounding = clock_rounding + 4e-16 * steps * step;
   RC_ASSERT(std::abs((span.end() - range[steps]).value()) <= rounding);
+  // A duration of one rounding less still has the last step, which is then the end.
+  const auto cut = from_until(begin, std::nextafter(steps * step, 0.0) * si::second);
+  const auto steps_of_cut = every(step * si::second, cut);
+  RC_ASSERT(steps_of_cut.size() == steps + 1);
+  RC_ASSERT(cut.contains(steps_of_cut[steps]));
   const auto shorter = every(step * si::second, from_until(begin, (steps - 0.001) * step * si::second));
   RC_ASSERT(shorter.size() == steps);
 }

@@ -40,7 +40,7 @@ template <SkyBody B> class Ephemeris {
   template <class... Given>
     requires(!detail::HasLine<B, Given...>)
   auto
-  line_of_sight(  // (now, seen_from<P>, apparent, in<A>); p's motion for apparent, or position for light_time
+  line_of_sight(  // with a correction: (now, seen_from<P>, apparent, in<A>), or (epoch, motion, apparent)
       const Given&...) const -> Refused = delete;
 
   /// The unit vector along the line of sight.
@@ -50,8 +50,7 @@ template <SkyBody B> class Ephemeris {
   }
   template <class... Given>
     requires(!detail::HasLine<B, Given...>)
-  auto
-  direction(  // (now, seen_from<P>, apparent, in<A>); p's motion for apparent, or position for light_time
+  auto direction(  // with a correction: (now, seen_from<P>, apparent, in<A>), or (epoch, motion, apparent)
       const Given&...) const -> Refused = delete;
 
  private:
