@@ -190,7 +190,7 @@ namespace omega_times_bare_gain {
 // mistake: a torque from a rate and a gain without a unit
 // expect: Left = double
 // expect: Right = (vectrix::)?AngularVelocity<Gcrf, Body
-// expect: k . w_ab_b.vector
+// expect: k . w.vector
 Vector<Body, si::torque> damper(const AngularVelocity<Gcrf, Body, In<Body>>& w_body) {
 #ifdef REPAIRED
   const auto k = 0.5 * (si::newton_metre / (si::radian / si::second));

@@ -114,8 +114,7 @@ template <class Left, class Right>
 }
 template <class Left, class Right>
   requires(detail::FramedPair<Left, Right> && !detail::Lawful<detail::ProductOf, Left, Right>)
-auto operator*(  // inner frames cancel, kinds go together: R_c_from_b * R_b_from_a, J_b * w_ab_b, k *
-                 // w_ab_b.vector()
+auto operator*(  // the inner frames cancel, the kinds go together: R_c_from_b * R_b_from_a, k * w.vector()
     const Left&, const Right&) -> Refused = delete;
 
 template <class Left, class Right>

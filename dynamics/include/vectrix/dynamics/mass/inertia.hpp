@@ -253,8 +253,7 @@ CentralInertia<B, typename Matrix::Scalar> inertia_from_tensor(In<B>, const Matr
   return inertia_from_tensor(of<B>, about<CentreOfMassOf<B>>, in<B>, tensor);
 }
 template <class First, class... Given>
-auto inertia_from_tensor(  // in<B> or of<B>, about<P>, in<C>; Jxx, Jyy, Jzz, xy(Jxy), xz(Jxz), yz(Jyz), kg
-                           // m^2
+auto inertia_from_tensor(  // in<B> or of<B>, about<P>, in<C>; Jxx, Jyy, Jzz, xy(Jxy), xz(Jxz), yz(Jyz)
     const First&, const Given&...) -> Refused = delete;
 
 /// From moments and products of inertia, Pxy = + int x y dm: the off-diagonal entries of the tensor are their
@@ -277,8 +276,7 @@ template <Frame B, class S, class... OffDiagonal>
                                              products...);
   }
 template <class First, class... Given>
-auto inertia_from_moments_and_products(  // in<B> or of<B>, about<P>, in<C>; Jxx, Jyy, Jzz, xy(Pxy), xz(Pxz),
-                                         // yz(Pyz)
+auto inertia_from_moments_and_products(  // in<B>, ...; Jxx, Jyy, Jzz, xy(Pxy), xz(Pxz), yz(Pyz)
     const First&, const Given&...) -> Refused = delete;
 
 /// From the moments about the axes, where these are principal axes. Throws BadInput as inertia_from_tensor()
