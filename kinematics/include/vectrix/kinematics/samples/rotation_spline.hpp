@@ -150,6 +150,7 @@ template <Frame A, Frame B, Instant I = Quantity<si::time>> class RotationSpline
         largest = detail::larger(largest, S(solved[i].norm()));
       }
       rates = solved;
+      if (!(change - change == S(0))) break;  // the rates grew beyond all numbers
       if (change <= enough * largest) return rates;
     }
     steps_.refuse("the rates at the samples do not settle, they still change by " + detail::text(change) +
