@@ -139,8 +139,13 @@ struct Mean {
   Inclination inclination;
 };
 
+// For messages: a millionth is more than the clock's rounding.
+double rounded(double time) {
+  return std::round(time * 1e6) / 1e6;
+}
+
 [[noreturn]] void fail(const std::string& name, double t, const std::string& reason) {
-  throw BadInput(name + text(t) + " min from the epoch of the elements: " + reason);
+  throw BadInput(name + text(rounded(t)) + " min from the epoch of the elements: " + reason);
 }
 
 // Drag, the zonal harmonics, the Sun and the Moon.
@@ -162,7 +167,7 @@ Mean mean_at(const Sgp4Theory& theory, const std::string& name, double t) {
   }
   if (theory.deep) theory.deep->add_secular(t, x);
   if (!(x.n > 0.0)) fail(name, t, "the mean motion is " + text(x.n) + " rad/min");
-  if (!(root_a > 0.0)) fail(name, t, "drag leaves no orbit, the body has decayed");
+  if (!(root_a > 0.0)) fail(name, t, "the terms of drag leave no orbit: decayed, or too far from the epoch");
 
   const double a = sgp4::semi_major_axis(x.n) * root_a * root_a;
   x.n = ke / (a * std::sqrt(a));
@@ -282,7 +287,7 @@ OrbitNumbers Sgp4Model::at(const Epoch& epoch) const {
   const double age = (epoch - elements_.epoch).value();
   if (!(std::abs(age) <= longest_age_.value() + rounding_of_the_clock)) {
     std::ostringstream message;
-    message << name_ << epoch << " is " << text(age) << " s from the epoch of the elements, "
+    message << name_ << epoch << " is " << text(rounded(age)) << " s from the epoch of the elements, "
             << elements_.epoch << "; at most " << text(longest_age_.value()) << " s were allowed";
     throw BadInput(message.str());
   }

@@ -26,8 +26,9 @@ constexpr Columns catalogue{3, 7, "catalogue number"}, inclination{9, 16, "incli
     mean_motion{53, 63, "mean motion"}, revolution{64, 68, "revolution"};
 }  // namespace line2
 
-constexpr auto rev_per_day = 1.0 / 24.0 * (si::revolution / si::hour);
-constexpr auto per_day = 1.0 / 24.0 / si::hour;
+// Revolutions per hour, divided by 24, which rounds once.
+constexpr double hours = 24.0;  // of a day
+constexpr auto rev_per_hour = si::revolution / si::hour;
 
 // The modified Julian day of January 1.
 int new_year(int of_year) {
@@ -83,7 +84,7 @@ TwoLineElements TwoLineElements::of(std::string_view title, const ElementLine& f
   const double revolutions = second.number(line2::mean_motion, 0.0, fastest);
   if (revolutions == 0.0) second.fail(line2::mean_motion, "it must be positive");
   TwoLineElements set(title,
-                      {epoch_of(first), convert<si::angular_velocity>(revolutions * rev_per_day),
+                      {epoch_of(first), convert<si::angular_velocity>(revolutions / hours * rev_per_hour),
                        second.decimals(line2::eccentricity), degrees(line2::inclination, 180.0),
                        degrees(line2::node, 360.0), degrees(line2::perigee, 360.0),
                        degrees(line2::mean_anomaly, 360.0), first.with_exponent(line1::bstar) * bstar_unit});
@@ -92,10 +93,10 @@ TwoLineElements TwoLineElements::of(std::string_view title, const ElementLine& f
   set.designator_ = detail::trimmed(first.text(line1::designator));
   set.element_set_number_ = first.count(line1::set_number);
   set.revolution_number_ = second.count(line2::revolution);
-  const auto rate = 2.0 * first.number(line1::half_rate) * rev_per_day * per_day;
+  const auto rate = 2.0 * first.number(line1::half_rate) / (hours * hours) * (rev_per_hour / si::hour);
   set.mean_motion_rate_ = convert<si::angular_acceleration>(rate);
-  const auto second_rate =
-      6.0 * first.with_exponent(line1::sixth_of_second_rate) * rev_per_day * per_day * per_day;
+  const auto second_rate = 6.0 * first.with_exponent(line1::sixth_of_second_rate) / (hours * hours * hours) *
+                           (rev_per_hour / si::hour / si::hour);
   set.mean_motion_second_rate_ = convert<SecondRate::unit>(second_rate);
   return set;
 }
