@@ -3,6 +3,7 @@
 #include <erfa.h>
 
 #include <cmath>
+#include <optional>
 
 #include "../files/text_file.hpp"
 #include "element_line.hpp"
@@ -60,9 +61,6 @@ std::string_view title_of(std::string_view line) {
   return detail::trimmed(line.starts_with("0 ") ? line.substr(2) : line);
 }
 
-constexpr const char* first_place = "two-line elements, line 1";
-constexpr const char* second_place = "two-line elements, line 2";
-
 }  // namespace
 
 TwoLineElements TwoLineElements::of(std::string_view title, const ElementLine& first,
@@ -102,12 +100,14 @@ TwoLineElements TwoLineElements::of(std::string_view title, const ElementLine& f
 }
 
 TwoLineElements TwoLineElements::parse(std::string_view line1, std::string_view line2) {
-  return of({}, ElementLine(first_place, line1, '1'), ElementLine(second_place, line2, '2'));
+  return parse({}, line1, line2);
 }
 
 TwoLineElements TwoLineElements::parse(std::string_view title, std::string_view line1,
                                        std::string_view line2) {
-  return of(title_of(title), ElementLine(first_place, line1, '1'), ElementLine(second_place, line2, '2'));
+  const ElementLine first("two-line elements, line 1", line1, '1');
+  const ElementLine second("two-line elements, line 2", line2, '2');
+  return of(title_of(title), first, second);
 }
 
 std::vector<TwoLineElements> TwoLineElements::read(const std::filesystem::path& file) {

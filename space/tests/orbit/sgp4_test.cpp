@@ -203,6 +203,7 @@ TEST(Sgp4, EndsOfTheTheory) {
                          End{6251, 1000.0, 0.003, 9.0, "the terms of drag leave no orbit"},
                          End{5, 100.0, 0.3, -1e4, "the mean eccentricity is 3.6"},
                          End{5, -10.0, 0.3, -1e4, "the mean eccentricity is -0.03"},
+                         End{8195, 1.0, 0.7, -7200.0, "with the terms of the Sun and the Moon is 1.0"},
                          End{6251, 10.0, 0.99, 1.0, "the eccentricity with the terms of J3 is 1.02"}}) {
     MeanElements elements = elements_of(end.catalogue_number);
     elements.bstar = end.bstar_factor * elements.bstar;
