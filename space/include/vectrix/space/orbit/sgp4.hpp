@@ -60,6 +60,9 @@ template <Point Q> class Sgp4 {
   Sgp4(const TwoLineElements& set, const AtMost& longest)
       : model_(name() + "catalogue number " + detail::text(set.catalogue_number()) + ", ",
                set.mean_elements(), longest) {}
+  template <class... Given>
+  Sgp4(  // mean elements or a set of two lines, and the longest age: Sgp4<Q>(set, at_most(72.0 * si::hour))
+      const Given&...) = delete;
 
   [[nodiscard]] const MeanElements& elements() const { return model_.elements(); }
   [[nodiscard]] const Quantity<si::time>& longest_age() const { return model_.longest_age(); }
