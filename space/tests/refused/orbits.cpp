@@ -206,22 +206,8 @@ auto elements(Quantity<si::length> p, Quantity<si::angle> L) {
 }
 }  // namespace equinoctial_elements_in_a_moving_frame
 
-namespace mean_elements_for_osculating_ones {
-// mistake: mean elements of SGP4 taken for osculating ones: several km off
-// expect: MeanElements
-// expect: in their theory alone
-auto start(const Quantity<si::gravitational_parameter>& mu, const MeanElements& elements) {
-#ifdef REPAIRED
-  static_cast<void>(mu);
-  return Sgp4<Ship>(elements, at_most(72.0 * si::hour)).at(elements.epoch);
-#else
-  return point_motion(mu, elements);
-#endif
-}
-}  // namespace mean_elements_for_osculating_ones
-
 namespace osculating_elements_of_mean_ones {
-// mistake: Keplerian elements made of mean elements
+// mistake: osculating elements made of the mean elements of SGP4, without its theory
 // expect: MeanElements
 // expect: a inertial
 auto shape(const Quantity<si::gravitational_parameter>& mu, const MeanElements& elements) {
@@ -267,11 +253,11 @@ namespace longest_age_in_another_dimension {
 // mistake: a longest age that is no time
 // expect: si::length
 // expect: a time, the longest age
-auto orbit(const TwoLineElements& set) {
+auto longest_age() {
 #ifdef REPAIRED
-  return Sgp4<Ship>(set, at_most(72.0 * si::hour));
+  return at_most(72.0 * si::hour);
 #else
-  return Sgp4<Ship>(set, at_most(72.0 * si::metre));
+  return at_most(72.0 * si::metre);
 #endif
 }
 }  // namespace longest_age_in_another_dimension

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <vectrix/frames/operators.hpp>
 #include <vectrix/frames/units.hpp>
 #include <vectrix/space/time/epoch.hpp>
 
@@ -21,9 +20,5 @@ struct MeanElements {
 
 /// One per Earth radius of WGS-72: 0.28098e-4 * bstar_unit.
 inline constexpr auto bstar_unit = 1.0 / (6378135.0 * si::metre);
-
-auto point_motion(  // mean elements lead to a motion in their theory alone: Sgp4<Q>(x,
-                    // at_most(age)).at(epoch)
-    const Quantity<si::gravitational_parameter>&, const MeanElements&) -> Refused = delete;
 
 }  // namespace vectrix

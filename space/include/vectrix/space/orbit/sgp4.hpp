@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <string>
+#include <type_traits>
 #include <vectrix/space/earth/teme.hpp>
 #include <vectrix/space/orbit/mean_elements.hpp>
 #include <vectrix/space/orbit/two_body.hpp>
@@ -14,9 +15,8 @@ namespace vectrix {
 struct AtMost {
   Quantity<si::time> age;
 };
-template <Unit U>
-  requires detail::converts<si::time, U, double>
-constexpr AtMost at_most(const Quantity<U>& age) {
+template <class U>
+constexpr std::enable_if_t<detail::converts<si::time, U, double>, AtMost> at_most(const Quantity<U>& age) {
   return {convert<si::time>(age)};
 }
 template <class Given>
