@@ -1,7 +1,7 @@
 #include "element_line.hpp"
 
 #include <charconv>
-#include <cmath>
+#include <span>
 
 #include <vectrix/frames/errors.hpp>
 
@@ -11,6 +11,10 @@ namespace vectrix::detail {
 namespace {
 
 constexpr std::size_t length = 69;
+// The columns between the fields.
+constexpr std::size_t line1_blanks[] = {2, 9, 18, 33, 44, 53, 62, 64},
+                      line2_blanks[] = {2, 8, 17, 26, 34, 43, 52};
+constexpr std::span<const std::size_t> blanks_of_line1{line1_blanks}, blanks_of_line2{line2_blanks};
 constexpr Columns catalogue_columns{3, 7, "catalogue number"};
 
 bool is_digit(char c) {
@@ -46,10 +50,7 @@ ElementLine::ElementLine(std::string place, std::string_view text, char number)
     if (text_[i] < ' ' || text_[i] > '~') fail({i + 1, i + 1, "any"}, "no printable character of ASCII");
   }
   if (text_[0] != number) fail({1, 1, "line number"}, "expected " + which);
-  const std::string_view blanks =
-      number == '1' ? std::string_view{"\2\11\22\41\54\65\76\100"} : std::string_view{"\2\10\21\32\42\53\64"};
-  for (const char at : blanks) {
-    const auto column = static_cast<std::size_t>(at);
+  for (const std::size_t column : number == '1' ? blanks_of_line1 : blanks_of_line2) {
     if (text_[column - 1] != ' ') fail({column, column, "between two fields"}, "expected a blank");
   }
   const int sum = check_sum(text_.substr(0, length - 1));
