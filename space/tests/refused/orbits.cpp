@@ -205,3 +205,59 @@ auto elements(Quantity<si::length> p, Quantity<si::angle> L) {
 #endif
 }
 }  // namespace equinoctial_elements_in_a_moving_frame
+
+namespace osculating_elements_of_mean_ones {
+// mistake: osculating elements made of the mean elements of SGP4, without its theory
+// expect: MeanElements
+// expect: a inertial
+auto shape(const Quantity<si::gravitational_parameter>& mu, const MeanElements& elements) {
+#ifdef REPAIRED
+  return keplerian_elements(mu, Sgp4<Ship>(elements, at_most(72.0 * si::hour)).at(elements.epoch));
+#else
+  return keplerian_elements(mu, elements);
+#endif
+}
+}  // namespace osculating_elements_of_mean_ones
+
+namespace sgp4_taken_for_gcrf {
+// mistake: the position of SGP4 taken for one in Gcrf: 43 km off in a low orbit
+// expect: Gcrf
+// expect: Teme
+auto on_the_earth(const Sgp4<Ship>& orbit, const Epoch& epoch,
+                  const Dcm<earth::Itrf, earth::Gcrf>& R_itrf_from_gcrf,
+                  const Dcm<earth::Itrf, earth::Teme>& R_itrf_from_teme) {
+#ifdef REPAIRED
+  static_cast<void>(R_itrf_from_gcrf);
+  return R_itrf_from_teme * orbit.at(epoch).position;
+#else
+  static_cast<void>(R_itrf_from_teme);
+  return R_itrf_from_gcrf * orbit.at(epoch).position;
+#endif
+}
+}  // namespace sgp4_taken_for_gcrf
+
+namespace sgp4_without_a_longest_age {
+// mistake: SGP4 without the longest age of its elements
+// expect: TwoLineElements
+// expect: the longest age
+auto orbit(const TwoLineElements& set) {
+#ifdef REPAIRED
+  return Sgp4<Ship>(set, at_most(72.0 * si::hour));
+#else
+  return Sgp4<Ship>(set);
+#endif
+}
+}  // namespace sgp4_without_a_longest_age
+
+namespace longest_age_in_another_dimension {
+// mistake: a longest age that is no time
+// expect: si::length
+// expect: a time, the longest age
+auto longest_age() {
+#ifdef REPAIRED
+  return at_most(72.0 * si::hour);
+#else
+  return at_most(72.0 * si::metre);
+#endif
+}
+}  // namespace longest_age_in_another_dimension

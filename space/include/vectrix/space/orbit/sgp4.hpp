@@ -1,0 +1,83 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <type_traits>
+#include <vectrix/space/earth/teme.hpp>
+#include <vectrix/space/orbit/mean_elements.hpp>
+#include <vectrix/space/orbit/two_body.hpp>
+#include <vectrix/space/orbit/two_line_elements.hpp>
+
+namespace vectrix {
+
+/// The longest time before or after the epoch of the elements for which a propagation answers:
+///     at_most(72.0 * si::hour)
+struct AtMost {
+  Quantity<si::time> age;
+};
+template <class U>
+constexpr std::enable_if_t<detail::converts<si::time, U, double>, AtMost> at_most(const Quantity<U>& age) {
+  return {convert<si::time>(age)};
+}
+template <class Given>
+auto at_most(  // a time, the longest age of elements: at_most(72.0 * si::hour)
+    const Given&) -> Refused = delete;
+
+namespace detail {
+
+struct Sgp4Theory;
+
+/// The numbers of an Sgp4. They never change.
+class VECTRIX_EXPORT Sgp4Model {
+ public:
+  /// `name` starts the message of every BadInput.
+  Sgp4Model(std::string name, const MeanElements& elements, const AtMost& longest);
+
+  [[nodiscard]] const MeanElements& elements() const { return elements_; }
+  [[nodiscard]] const Quantity<si::time>& longest_age() const { return longest_age_; }
+  [[nodiscard]] OrbitNumbers at(const Epoch& epoch) const;
+
+ private:
+  std::string name_;
+  MeanElements elements_;
+  Quantity<si::time> longest_age_;
+  std::shared_ptr<const Sgp4Theory> theory_;  // shared by copies
+};
+
+}  // namespace detail
+
+/// The motion of q by the theory of the two-line elements, SGP4 near the Earth and SDP4 for periods from 225
+/// minutes: Spacetrack Report No. 3, corrected as in Vallado, Crawford, Hujsak and Kelso, AIAA 2006-6753 (the
+/// "improved" mode, with sidereal time of 1982 at the epoch), constants of WGS-72. The time is that of
+/// Epoch, SI seconds since the epoch of the elements. The theory is good to about a km at the epoch and loses
+/// 1 to 3 km a day, so the longest age is a mandatory word:
+///     const Sgp4<Satellite> orbit(TwoLineElements::parse(line1, line2), at_most(72.0 * si::hour));
+/// A call depends on its epoch alone, whatever was asked before, and threads may share an object. Throws
+/// BadInput for elements out of range and an age that is not positive and finite.
+template <Point Q> class Sgp4 {
+ public:
+  Sgp4(const MeanElements& elements, const AtMost& longest) : model_(name(), elements, longest) {}
+  Sgp4(const TwoLineElements& set, const AtMost& longest)
+      : model_(name() + "catalogue number " + detail::text(set.catalogue_number()) + ", ",
+               set.mean_elements(), longest) {}
+  template <class... Given>
+  Sgp4(  // mean elements or a set of two lines, and the longest age: Sgp4<Q>(set, at_most(72.0 * si::hour))
+      const Given&...) = delete;
+
+  [[nodiscard]] const MeanElements& elements() const { return model_.elements(); }
+  [[nodiscard]] const Quantity<si::time>& longest_age() const { return model_.longest_age(); }
+
+  /// Position and velocity relative to the centre of the Earth. Throws BadInput if the epoch is farther from
+  /// that of the elements than the longest age, or the theory ends before it: the eccentricity leaves [0, 1),
+  /// or the body is below one Earth radius, decayed.
+  [[nodiscard]] PointMotion<earth::Teme, Q, earth::Teme> at(const Epoch& epoch) const {
+    return detail::point_motion_of<earth::Teme, Q, earth::Teme>(model_.at(epoch));
+  }
+
+ private:
+  static std::string name() { return "Sgp4(" + frame_name<Q>() + "): "; }
+
+  detail::Sgp4Model model_;
+};
+
+}  // namespace vectrix

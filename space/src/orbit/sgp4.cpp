@@ -1,0 +1,298 @@
+#include <vectrix/space/orbit/sgp4.hpp>
+
+#include <erfa.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <sstream>
+
+#include "sgp4_deep_space.hpp"
+#include "sgp4_elements.hpp"
+
+namespace vectrix::detail {
+namespace {
+
+using sgp4::Elements, sgp4::J2, sgp4::J3, sgp4::J4, sgp4::ke, sgp4::earth_radius;
+
+constexpr double two_pi = 2.0 * std::numbers::pi;
+constexpr double least_eccentricity = 1e-6;      // a smaller one is raised to it
+constexpr double negative_eccentricity = -1e-3;  // what drag may make of a circle
+constexpr double rounding_of_the_clock = 1e-9;   // s
+
+/// The functions of the inclination in the periodic terms of J2 and J3.
+struct Inclination {
+  double sin_i, cos_i, three_cos2_less_1, sin2, seven_cos2_less_1, aycof, xlcof;
+
+  explicit Inclination(double i) : sin_i(std::sin(i)), cos_i(std::cos(i)) {
+    const double cos2 = cos_i * cos_i;
+    three_cos2_less_1 = 3.0 * cos2 - 1.0;
+    sin2 = 1.0 - cos2;
+    seven_cos2_less_1 = 7.0 * cos2 - 1.0;
+    constexpr double least = 1.5e-12;  // of 1 + cos i
+    const double one_and_cos = std::abs(1.0 + cos_i) > least ? 1.0 + cos_i : least;
+    aycof = -0.5 * J3 / J2 * sin_i;
+    xlcof = -0.25 * J3 / J2 * sin_i * (3.0 + 5.0 * cos_i) / one_and_cos;
+  }
+};
+
+/// The motion of Brouwer: the mean motion without the secular term of J2 that Kozai's contains.
+double brouwer_mean_motion(double kozai, double e, double i) {
+  const double a1 = sgp4::semi_major_axis(kozai), one_less_e2 = 1.0 - e * e, c = std::cos(i);
+  const double d = 0.75 * J2 * (3.0 * c * c - 1.0) / (std::sqrt(one_less_e2) * one_less_e2);
+  const double first = d / (a1 * a1);
+  const double a0 = a1 * (1.0 - first * (1.0 / 3.0 + first * (1.0 + first * 134.0 / 81.0)));
+  return kozai / (1.0 + d / (a0 * a0));
+}
+
+sgp4::ZonalRates zonal_rates(const Elements& x, double p) {
+  const double c2 = std::cos(x.i) * std::cos(x.i), c4 = c2 * c2, root = std::sqrt(1.0 - x.e * x.e);
+  const double first = 1.5 * J2 / (p * p) * x.n, second = 0.5 * first * J2 / (p * p),
+               fourth = -0.46875 * J4 / (p * p * p * p) * x.n;
+  sgp4::ZonalRates rates;
+  rates.M =
+      x.n + 0.5 * first * root * (3.0 * c2 - 1.0) + 0.0625 * second * root * (13.0 - 78.0 * c2 + 137.0 * c4);
+  rates.perigee = -0.5 * first * (1.0 - 5.0 * c2) + 0.0625 * second * (7.0 - 114.0 * c2 + 395.0 * c4) +
+                  fourth * (3.0 - 36.0 * c2 + 49.0 * c4);
+  rates.node = (-first + 0.5 * second * (4.0 - 19.0 * c2) + 2.0 * fourth * (3.0 - 7.0 * c2)) * std::cos(x.i);
+  return rates;
+}
+
+/// What drag changes, in powers of the time: of the semi-major axis, the eccentricity and the mean longitude;
+/// unless `simple`, also with the mean anomaly.
+struct Drag {
+  double C1 = 0.0, C4 = 0.0, C5 = 0.0, bstar = 0.0;
+  double node = 0.0, perigee = 0.0, M = 0.0;
+  double D2 = 0.0, D3 = 0.0, D4 = 0.0, t2 = 0.0, t3 = 0.0, t4 = 0.0, t5 = 0.0;
+  double eta = 0.0, eta_cube = 0.0, sin_M = 0.0;
+  bool simple = true;
+
+  Drag(const Elements& x, double bstar_, double node_rate_of_J2, bool deep) : bstar(bstar_) {
+    const double a = sgp4::semi_major_axis(x.n), e = x.e, perigee_radius = a * (1.0 - e);
+    const double one_less_e2 = 1.0 - e * e, sin_i = std::sin(x.i), cos2_i = 1.0 - sin_i * sin_i;
+    // The density falls as ((q0 - s)/(r - s))^4, with s lowered for low perigees.
+    const double perigee_height = (perigee_radius - 1.0) * earth_radius;
+    double s_height = 78.0;
+    if (perigee_height < 156.0) s_height = perigee_height < 98.0 ? 20.0 : perigee_height - 78.0;
+    const double s = 1.0 + s_height / earth_radius;
+    const double q0_less_s = (120.0 - s_height) / earth_radius;
+
+    const double tsi = 1.0 / (a - s);
+    eta = a * e * tsi;
+    const double eta2 = eta * eta, e_eta = e * eta, psi2 = std::abs(1.0 - eta2);
+    const double density = std::pow(q0_less_s * tsi, 4), coefficient = density / std::pow(psi2, 3.5);
+    const double three_cos2_less_1 = 3.0 * cos2_i - 1.0, J3_per_J2 = J3 / J2;
+    const double C2 = coefficient * x.n *
+                      (a * (1.0 + 1.5 * eta2 + e_eta * (4.0 + eta2)) +
+                       0.375 * J2 * tsi / psi2 * three_cos2_less_1 * (8.0 + 3.0 * eta2 * (8.0 + eta2)));
+    C1 = bstar * C2;
+    constexpr double circle = 1e-4;  // below this eccentricity two terms are left out
+    const double C3 = e > circle ? -2.0 * density * tsi * J3_per_J2 * x.n * sin_i / e : 0.0;
+    C4 = 2.0 * x.n * coefficient * a * one_less_e2 *
+         (eta * (2.0 + 0.5 * eta2) + e * (0.5 + 2.0 * eta2) -
+          J2 * tsi / (a * psi2) *
+              (-3.0 * three_cos2_less_1 * (1.0 - 2.0 * e_eta + eta2 * (1.5 - 0.5 * e_eta)) +
+               0.75 * sin_i * sin_i * (2.0 * eta2 - e_eta * (1.0 + eta2)) * std::cos(2.0 * x.perigee)));
+    t2 = 1.5 * C1;
+    node = 3.5 * one_less_e2 * node_rate_of_J2 * C1;
+    simple = deep || perigee_radius < 1.0 + 220.0 / earth_radius;
+    if (simple) return;
+
+    C5 = 2.0 * coefficient * a * one_less_e2 * (1.0 + 2.75 * (eta2 + e_eta) + e_eta * eta2);
+    perigee = bstar * C3 * std::cos(x.perigee);
+    M = e > circle ? -2.0 / 3.0 * density * bstar / e_eta : 0.0;
+    eta_cube = cube(std::cos(x.M));
+    sin_M = std::sin(x.M);
+    D2 = 4.0 * a * tsi * C1 * C1;
+    const double third = D2 * tsi * C1 / 3.0;
+    D3 = (17.0 * a + s) * third;
+    D4 = 0.5 * third * a * tsi * (221.0 * a + 31.0 * s) * C1;
+    t3 = D2 + 2.0 * C1 * C1;
+    t4 = 0.25 * (3.0 * D3 + C1 * (12.0 * D2 + 10.0 * C1 * C1));
+    t5 = 0.2 * (3.0 * D4 + 12.0 * C1 * D3 + 6.0 * D2 * D2 + 15.0 * C1 * C1 * (2.0 * D2 + C1 * C1));
+  }
+
+  [[nodiscard]] double cube(double cos_M) const {
+    const double x = 1.0 + eta * cos_M;
+    return x * x * x;
+  }
+};
+
+}  // namespace
+
+/// The theory of one set of elements, in minutes since its epoch.
+struct Sgp4Theory {
+  Elements epoch;
+  Inclination inclination;
+  sgp4::ZonalRates rates;
+  Drag drag;
+  std::optional<sgp4::DeepSpace> deep;
+};
+
+namespace {
+
+/// The mean elements at t, of which a is what drag leaves, and the functions of their inclination.
+struct Mean {
+  Elements x;
+  double a;
+  Inclination inclination;
+};
+
+// For messages: a millionth is more than the clock's rounding.
+double rounded(double time) {
+  return std::round(time * 1e6) / 1e6;
+}
+
+[[noreturn]] void fail(const std::string& name, double t, const std::string& reason) {
+  throw BadInput(name + text(rounded(t)) + " min from the epoch of the elements: " + reason);
+}
+
+// Drag, the zonal harmonics, the Sun and the Moon.
+Mean mean_at(const Sgp4Theory& theory, const std::string& name, double t) {
+  const Drag& drag = theory.drag;
+  Elements x = theory.epoch;
+  x.M += theory.rates.M * t;
+  x.perigee += theory.rates.perigee * t;
+  x.node += theory.rates.node * t + drag.node * t * t;
+  double root_a = 1.0 - drag.C1 * t, e_change = drag.bstar * drag.C4 * t, longitude = drag.t2 * t * t;
+  if (!drag.simple) {
+    const double shift = drag.perigee * t + drag.M * (drag.cube(std::cos(x.M)) - drag.eta_cube);
+    x.M += shift;
+    x.perigee -= shift;
+    const double t2 = t * t, t3 = t2 * t, t4 = t3 * t;
+    root_a -= drag.D2 * t2 + drag.D3 * t3 + drag.D4 * t4;
+    e_change += drag.bstar * drag.C5 * (std::sin(x.M) - drag.sin_M);
+    longitude += drag.t3 * t3 + t4 * (drag.t4 + t * drag.t5);
+  }
+  if (theory.deep) theory.deep->add_secular(t, x);
+  if (!(x.n > 0.0)) fail(name, t, "the mean motion is " + text(x.n) + " rad/min");
+  if (!(root_a > 0.0)) fail(name, t, "the terms of drag leave no orbit: decayed, or too far from the epoch");
+
+  const double a = sgp4::semi_major_axis(x.n) * root_a * root_a;
+  x.n = ke / (a * std::sqrt(a));
+  x.e -= e_change;
+  if (!(x.e >= negative_eccentricity && x.e < 1.0)) fail(name, t, "the mean eccentricity is " + text(x.e));
+  x.e = std::max(x.e, least_eccentricity);
+  x.M += theory.epoch.n * longitude;
+  if (!theory.deep) return {x, a, theory.inclination};
+
+  theory.deep->add_periodic(t, x);
+  if (!(x.e >= 0.0 && x.e < 1.0))
+    fail(name, t, "the eccentricity with the terms of the Sun and the Moon is " + text(x.e));
+  return {x, a, Inclination(x.i)};
+}
+
+// u - e sin(u - perigee) for the eccentric longitude u from the node, with e cos(perigee) and e sin(perigee).
+double eccentric_longitude(double mean, double e_cos, double e_sin) {
+  double u = mean;
+  constexpr double largest_step = 0.95, tolerance = 1e-12;
+  constexpr int most = 30;
+  for (int k = 0; k < most; ++k) {
+    const double c = std::cos(u), s = std::sin(u);
+    const double step = std::clamp((mean - e_sin * c + e_cos * s - u) / (1.0 - e_cos * c - e_sin * s),
+                                   -largest_step, largest_step);
+    u += step;
+    if (std::abs(step) < tolerance) break;
+  }
+  return u;
+}
+
+// The periodic terms of J3 and J2, and the motion.
+OrbitNumbers motion_of(const Mean& mean, const std::string& name, double t) {
+  const Elements& x = mean.x;
+  const Inclination& i = mean.inclination;
+  const double e_cos = x.e * std::cos(x.perigee), per_p = 1.0 / (mean.a * (1.0 - x.e * x.e));
+  const double e_sin = x.e * std::sin(x.perigee) + per_p * i.aycof;
+  const double longitude = std::fmod(x.M + x.perigee + per_p * i.xlcof * e_cos, two_pi);
+  const double e2 = e_cos * e_cos + e_sin * e_sin;
+  if (!(e2 < 1.0)) fail(name, t, "the eccentricity with the terms of J3 is " + text(std::sqrt(e2)));
+
+  const double u = eccentric_longitude(longitude, e_cos, e_sin), cos_u = std::cos(u), sin_u = std::sin(u);
+  const double e_cos_E = e_cos * cos_u + e_sin * sin_u, e_sin_E = e_cos * sin_u - e_sin * cos_u;
+  const double p = mean.a * (1.0 - e2), r = mean.a * (1.0 - e_cos_E), root = std::sqrt(1.0 - e2);
+  const double r_rate = std::sqrt(mean.a) * e_sin_E / r, across = std::sqrt(p) / r;
+  const double part = e_sin_E / (1.0 + root);
+  const double sine = mean.a / r * (sin_u - e_sin - e_cos * part),
+               cosine = mean.a / r * (cos_u - e_cos + e_sin * part);
+  const double sin_2 = 2.0 * cosine * sine, cos_2 = 1.0 - 2.0 * sine * sine;
+
+  const double k1 = 0.5 * J2 / p, k2 = k1 / p;
+  const double distance = r * (1.0 - 1.5 * k2 * root * i.three_cos2_less_1) + 0.5 * k1 * i.sin2 * cos_2;
+  const double latitude = std::atan2(sine, cosine) - 0.25 * k2 * i.seven_cos2_less_1 * sin_2;
+  const double node = x.node + 1.5 * k2 * i.cos_i * sin_2;
+  const double inclination = x.i + 1.5 * k2 * i.cos_i * i.sin_i * cos_2;
+  const double radial = r_rate - x.n * k1 * i.sin2 * sin_2 / ke;
+  const double transverse = across + x.n * k1 * (i.sin2 * cos_2 + 1.5 * i.three_cos2_less_1) / ke;
+  if (!(distance >= 1.0))
+    fail(name, t, "|r| is " + text(distance * earth_radius) + " km, less than one Earth radius: decayed");
+
+  const double sin_node = std::sin(node), cos_node = std::cos(node), sin_i = std::sin(inclination),
+               cos_i = std::cos(inclination);
+  const Eigen::Vector3d n(cos_node, sin_node, 0.0), m(-sin_node * cos_i, cos_node * cos_i, sin_i);
+  const double sin_l = std::sin(latitude), cos_l = std::cos(latitude);
+  const Eigen::Vector3d outward = cos_l * n + sin_l * m, forward = cos_l * m - sin_l * n;
+  constexpr double metres = 1000.0 * earth_radius;
+  return {metres * distance * outward, metres * ke / 60.0 * (radial * outward + transverse * forward)};
+}
+
+void require(bool good, const std::string& name, const char* what, double value, const char* range) {
+  if (!good) throw BadInput(name + "the " + what + " of the elements is " + text(value) + range);
+}
+
+Elements checked(const std::string& name, const MeanElements& x) {
+  const double n = 60.0 * x.mean_motion.value(), e = x.eccentricity, i = x.inclination.value();
+  require(n > 0.0 && std::isfinite(n), name, "mean motion", n / 60.0, " rad/s; it must be positive");
+  require(e >= 0.0 && e < 1.0, name, "eccentricity", e, ", not in [0, 1)");
+  require(i >= 0.0 && i <= std::numbers::pi, name, "inclination", i, " rad, not in [0, pi]");
+  const auto finite = [&](const char* what, double value, const char* unit) {
+    require(std::isfinite(value), name, what, value, unit);
+  };
+  finite("ascending node", x.ascending_node.value(), " rad");
+  finite("argument of perigee", x.argument_of_perigee.value(), " rad");
+  finite("mean anomaly", x.mean_anomaly.value(), " rad");
+  finite("B*", x.bstar.value(), " 1/m");
+  return {brouwer_mean_motion(n, e, i), e, i, x.ascending_node.value(), x.argument_of_perigee.value(),
+          x.mean_anomaly.value()};
+}
+
+Sgp4Theory theory_of(const Elements& x, const MeanElements& elements) {
+  constexpr double deep_space_from = 225.0;  // min, of the period
+  const bool is_deep = two_pi / x.n >= deep_space_from;
+  const double p = sgp4::semi_major_axis(x.n) * (1.0 - x.e * x.e);
+  const auto rates = zonal_rates(x, p);
+  const double node_rate_of_J2 = -1.5 * J2 / (p * p) * x.n * std::cos(x.i);
+  const double bstar = elements.bstar.value() * 1000.0 * earth_radius;
+  Sgp4Theory theory{x, Inclination(x.i), rates, Drag(x, bstar, node_rate_of_J2, is_deep), std::nullopt};
+  if (is_deep) {
+    // UTC stands for UT1, here and in the fits that made the elements.
+    const auto utc = elements.epoch.julian_date(scale::utc);
+    constexpr double zero = 2415020.0;
+    theory.deep.emplace(x, rates, utc.day - zero + utc.fraction, eraGmst82(utc.day, utc.fraction));
+  }
+  return theory;
+}
+
+}  // namespace
+
+Sgp4Model::Sgp4Model(std::string name, const MeanElements& elements, const AtMost& longest)
+    : name_(std::move(name)), elements_(elements), longest_age_(longest.age) {
+  if (!(longest_age_.value() > 0.0 && std::isfinite(longest_age_.value())))
+    throw BadInput(name_ + "the longest age is " + text(longest_age_.value()) +
+                   " s; it must be positive and finite");
+  theory_ = std::make_shared<const Sgp4Theory>(theory_of(checked(name_, elements), elements));
+}
+
+OrbitNumbers Sgp4Model::at(const Epoch& epoch) const {
+  const double age = (epoch - elements_.epoch).value();
+  if (!(std::abs(age) <= longest_age_.value() + rounding_of_the_clock)) {
+    std::ostringstream message;
+    message << name_ << epoch << " is " << text(rounded(age)) << " s from the epoch of the elements, "
+            << elements_.epoch << "; at most " << text(longest_age_.value()) << " s were allowed";
+    throw BadInput(message.str());
+  }
+  const double t = age / 60.0;
+  return motion_of(mean_at(*theory_, name_, t), name_, t);
+}
+
+}  // namespace vectrix::detail
