@@ -3,8 +3,10 @@
 #include <vectrix/kinematics.hpp>
 #include <vectrix/space/earth/earth_orientation.hpp>
 #include <vectrix/space/earth/ellipsoid.hpp>
+#include <vectrix/space/earth/eme2000.hpp>
 #include <vectrix/space/earth/look_angles.hpp>
 #include <vectrix/space/earth/site.hpp>
+#include <vectrix/space/earth/teme.hpp>
 #include <vectrix/space/fields/gravity_field.hpp>
 #include <vectrix/space/fields/gravity_gradient.hpp>
 #include <vectrix/space/fields/magnetic_field.hpp>

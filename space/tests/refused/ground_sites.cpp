@@ -99,7 +99,7 @@ auto seen(const Displacement<Station, Satellite, In<Station>>& r,
           const Velocity<Station, Satellite, ObservedFrom<Gcrf>, In<Station>>& v,
           const AngularVelocity<Gcrf, Station, In<Station>>& w) {
 #ifdef REPAIRED
-  return look_angles(r, transport(observed_from<Station>, v, r, w));
+  return look_angles(r, transport(observed_from<Station>, v, r, -w));
 #else
   static_cast<void>(w);
   return look_angles(r, v);

@@ -24,7 +24,7 @@ template <class A>
 concept HasPlace = requires(const Vector<A, si::dimensionless>& n) {
   { right_ascension_declination(n) } -> std::same_as<RightAscensionDeclination>;
 };
-static_assert(HasPlace<Gcrf> && HasPlace<earth::TrueOfDate>);
+static_assert(HasPlace<Gcrf> && HasPlace<earth::TrueOfDate> && HasPlace<earth::Teme>);
 static_assert(!HasPlace<earth::Itrf> && !HasPlace<Satellite>);
 
 RightAscensionDeclination place(double x, double y, double z) {

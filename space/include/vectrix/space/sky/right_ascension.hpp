@@ -5,7 +5,7 @@
 
 #include <vectrix/frames/displacement.hpp>
 #include <vectrix/frames/export.hpp>
-#include <vectrix/space/earth/earth_orientation.hpp>
+#include <vectrix/space/earth/teme.hpp>
 
 namespace vectrix {
 
@@ -24,6 +24,7 @@ VECTRIX_EXPORT Eigen::Vector3d direction_of(const std::string& name, const Right
 /// The frames that have right ascensions: the inertial ones, and those of the equator and equinox of date.
 template <class F> inline constexpr bool has_right_ascension = InertialFrame<F>;
 template <> inline constexpr bool has_right_ascension<earth::TrueOfDate> = true;
+template <> inline constexpr bool has_right_ascension<earth::Teme> = true;
 
 }  // namespace detail
 
