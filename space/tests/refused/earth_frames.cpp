@@ -32,7 +32,7 @@ using Observer = Gcrf;
 using Observer = Teme;
 #endif
 auto later(const Quantity<si::gravitational_parameter>& mu,
-           const PointMotion<(vectrix::)?(earth::)?Itrf, Satellite, Observer>& motion, Quantity<si::time> dt) {
+           const PointMotion<Itrf, Satellite, Observer>& motion, Quantity<si::time> dt) {
   return two_body(mu, motion, dt);
 }
 }  // namespace two_body_motion_in_teme
