@@ -22,4 +22,5 @@
 #include <vectrix/space/sky/illumination.hpp>
 #include <vectrix/space/sky/right_ascension.hpp>
 #include <vectrix/space/time/epoch.hpp>
+#include <vectrix/space/time/events.hpp>
 #include <vectrix/space/time/time_span.hpp>
