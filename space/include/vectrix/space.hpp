@@ -3,6 +3,9 @@
 #include <vectrix/kinematics.hpp>
 #include <vectrix/space/earth/earth_orientation.hpp>
 #include <vectrix/space/earth/ellipsoid.hpp>
+#include <vectrix/space/earth/eme2000.hpp>
+#include <vectrix/space/earth/look_angles.hpp>
+#include <vectrix/space/earth/site.hpp>
 #include <vectrix/space/earth/teme.hpp>
 #include <vectrix/space/fields/gravity_field.hpp>
 #include <vectrix/space/fields/gravity_gradient.hpp>
@@ -20,5 +23,7 @@
 #include <vectrix/space/sky/ephemeris.hpp>
 #include <vectrix/space/sky/geocentric.hpp>
 #include <vectrix/space/sky/illumination.hpp>
+#include <vectrix/space/sky/right_ascension.hpp>
 #include <vectrix/space/time/epoch.hpp>
+#include <vectrix/space/time/events.hpp>
 #include <vectrix/space/time/time_span.hpp>

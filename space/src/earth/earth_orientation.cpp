@@ -8,6 +8,7 @@
 #include <vectrix/frames/dcm_doors.hpp>
 #include <vectrix/space/earth/earth_orientation.hpp>
 
+#include "erfa_rotation.hpp"
 #include "finals2000a.hpp"
 
 namespace vectrix {
@@ -15,24 +16,10 @@ namespace {
 
 struct Tirs : moving_frame {};  // Itrf before polar motion
 
-using Rows = double[3][3];
-using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
-
-RowMajor matrix_of(const Rows& rows) {
-  return Eigen::Map<const RowMajor>(&rows[0][0]);
-}
+using detail::Rows, detail::matrix_of, detail::ut1_date, detail::set_polar_motion;
 
 // dERA/dUT1, rad/s (IERS Conventions 2010, equation 5.15).
 constexpr double earth_rotation_rate = ERFA_D2PI * 1.00273781191135448 / ERFA_DAYSEC;
-
-JulianDate<scale::Ut1> ut1_date(const Epoch& epoch, const EarthOrientationParameters& parameters) {
-  return epoch.julian_date(scale::Ut1::minus_tai(parameters.ut1_minus_tai));
-}
-
-void set_polar_motion(const JulianDate<scale::Tt>& tt, const EarthOrientationParameters& parameters,
-                      Rows& matrix) {
-  eraPom00(parameters.pole_x.value(), parameters.pole_y.value(), eraSp00(tt.day, tt.fraction), matrix);
-}
 
 }  // namespace
 

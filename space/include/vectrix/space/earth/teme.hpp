@@ -1,12 +1,28 @@
 #pragma once
 
-#include <vectrix/frames/frame.hpp>
+#include <vectrix/frames/export.hpp>
+#include <vectrix/kinematics/rates/moving_dcm.hpp>
+#include <vectrix/space/earth/earth_orientation.hpp>
 
-namespace vectrix::earth {
+namespace vectrix {
 
-/// True equator, mean equinox of date, the frame of SGP4: z along the pole of date of IAU 1976 and 1980, x in
-/// the equator at Greenwich mean sidereal time west of Greenwich. It turns with precession, by 8e-12 rad/s,
-/// which SGP4 neglects. It is neither Gcrf, which is 40 km away in a low orbit, nor TrueOfDate.
+namespace earth {
+
+/// True equator, mean equinox of date: the frame of two-line element sets and SGP4. z is along the celestial
+/// intermediate pole; x differs from that of TrueOfDate by the equation of the equinoxes. The velocities of
+/// SGP4 take it for inertial: it turns by 7e-12 rad/s relative to Gcrf, 5e-5 m/s in a low orbit. A position
+/// in it taken for one in Gcrf is 43 km off there.
 struct Teme : inertial_frame {};
 
-}  // namespace vectrix::earth
+}  // namespace earth
+
+/// The rotation of the Earth in TEME, by the sidereal time of 1982, as SGP4 has it:
+///     R_teme^itrf = W(x, y, s') R3(GMST82(UT1))
+///     w_ti^i = dGMST82/dUT1 (1 + d(UT1-TAI)/dTAI), along the celestial intermediate pole
+/// (Vallado, Crawford, Hujsak, Kelso: Revisiting Spacetrack Report #3, 2006, appendix C). An edge between
+/// Teme and Itrf by edge([&](const Epoch& t) { return teme_from_itrf(t, orientation.parameters(t)); }). As in
+/// earth_rotation(), the rate omits the motion of the pole.
+VECTRIX_EXPORT MovingDcm<earth::Teme, earth::Itrf> teme_from_itrf(
+    const Epoch& epoch, const EarthOrientationParameters& parameters);
+
+}  // namespace vectrix

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+
+#include <vectrix/frames/export.hpp>
+#include <vectrix/kinematics/points/point_motion.hpp>
+#include <vectrix/space/earth/site.hpp>
+
+namespace vectrix {
+
+/// Where a point is seen from a place: azimuth in [0, 2 pi), from the north over the east; elevation above
+/// the horizon in [-pi/2, pi/2], geometric, without refraction; and the distance.
+struct LookAngles {
+  Quantity<si::angle> azimuth, elevation;
+  Quantity<si::length> range;
+};
+
+/// Look angles and their time derivatives.
+struct MovingLookAngles : LookAngles {
+  Quantity<si::angular_velocity> azimuth_rate, elevation_rate;
+  Quantity<si::velocity> range_rate;
+};
+
+namespace detail {
+
+VECTRIX_EXPORT LookAngles look_angles_of(const std::string& name, const Eigen::Vector3d& r);
+VECTRIX_EXPORT MovingLookAngles look_angles_of(const std::string& name, const Eigen::Vector3d& r,
+                                               const Eigen::Vector3d& v);
+VECTRIX_EXPORT Eigen::Vector3d position_of(const std::string& name, const LookAngles& look);
+
+template <class S, class Q> std::string look_name(const char* action) {
+  return std::string{action} + "(" + frame_name<Q>() + " from " + frame_name<S>() + "): ";
+}
+
+}  // namespace detail
+
+/// Look angles of the point q from the origin of the east-north-up frame s, of r_sq^s = (e, n, u):
+///     tan A = e/n,      tan E = u/h, h = sqrt(e^2 + n^2),      range |r|
+/// In the zenith and the nadir, h = 0, the azimuth is undefined: it is 0. Throws BadInput if q is at s, or
+/// |r| overflows.
+template <EastNorthUpFrame S, class Q> LookAngles look_angles(const Displacement<S, Q, In<S>>& r_sq_s) {
+  return detail::look_angles_of(detail::look_name<S, Q>("look_angles"), r_sq_s.coordinates());
+}
+/// The same with rates, from the velocity that s observes, v = rdot^s:
+///     dA/dt = (n edot - e ndot)/h^2,    dE/dt = (h^2 udot - u (e edot + n ndot))/(h |r|^2),   d|r|/dt =
+///     r.v/|r|
+/// The rate of the azimuth grows as 1/h. Throws BadInput also where h = 0, where the angles have no rates,
+/// and if a rate overflows.
+template <EastNorthUpFrame S, class Q>
+MovingLookAngles look_angles(const Displacement<S, Q, In<S>>& r_sq_s,
+                             const Velocity<S, Q, ObservedFrom<S>, In<S>>& v_sq_s_s) {
+  return detail::look_angles_of(detail::look_name<S, Q>("look_angles"), r_sq_s.coordinates(),
+                                v_sq_s_s.coordinates());
+}
+template <EastNorthUpFrame S, class Q> MovingLookAngles look_angles(const PointMotion<S, Q, S>& motion) {
+  return look_angles(motion.position, motion.velocity);
+}
+template <class... Given>
+auto look_angles(  // of r_sq_s; with rates of r_sq_s, v_sq_s_s: s the origin of an east_north_up_frame
+    const Given&...) -> Refused = delete;
+
+/// The inverse: claims that q is seen from the origin of s at these angles and this range. Throws BadInput if
+/// a number is not finite, |elevation| exceeds pi/2, or the range is negative.
+template <Point Q, EastNorthUpFrame S>
+detail::OfTwo<S, Q, Displacement<S, Q, In<S>>> displacement(Of<Q>, RelativeTo<S>, const LookAngles& look) {
+  return Displacement<S, Q, In<S>>{detail::trusted,
+                                   detail::position_of(detail::look_name<S, Q>("displacement"), look)};
+}
+
+}  // namespace vectrix

@@ -1,0 +1,83 @@
+#pragma once
+
+#include <concepts>
+#include <functional>
+#include <type_traits>
+#include <vector>
+
+#include <vectrix/frames/export.hpp>
+#include <vectrix/space/time/time_span.hpp>
+
+namespace vectrix {
+
+enum class Crossing { rising, falling };
+
+/// An instant at which a function of time changes its sign.
+struct ZeroCrossing {
+  Epoch epoch;
+  Crossing direction;
+};
+
+/// How near to a zero its epoch has to be. The clock has 1e-11 s.
+struct EventOptions {
+  Quantity<si::time> tolerance = 1e-9 * si::second;
+};
+
+namespace detail {
+
+using NumberOfEpoch = std::function<double(const Epoch&)>;
+VECTRIX_EXPORT std::vector<ZeroCrossing> zero_crossings(const TimeSpan& span, const Quantity<si::time>& step,
+                                                        const NumberOfEpoch& f, const EventOptions& options);
+VECTRIX_EXPORT std::vector<TimeSpan> positive_intervals(const TimeSpan& span, const Quantity<si::time>& step,
+                                                        const NumberOfEpoch& f, const EventOptions& options);
+
+template <class X> inline constexpr bool has_sign = false;  // a bool or a whole number has no zero to find
+template <> inline constexpr bool has_sign<double> = true;
+template <class U> inline constexpr bool has_sign<Quantity<U, double>> = true;
+
+template <class F>
+concept FunctionOfEpoch = std::invocable<const F&, const Epoch&> &&
+    has_sign<std::remove_cvref_t<std::invoke_result_t<const F&, const Epoch&>>>;
+
+template <FunctionOfEpoch F> NumberOfEpoch number_of_epoch(const F& f) {
+  return [&f](const Epoch& epoch) {
+    if constexpr (std::is_arithmetic_v<std::remove_cvref_t<decltype(f(epoch))>>) {
+      return f(epoch);
+    } else {
+      return f(epoch).value();
+    }
+  };
+}
+
+}  // namespace detail
+
+/// The instants in a span at which f(epoch), a double or a quantity, changes its sign, in order of time:
+///     events(span, 30.0 * si::second, [&](const Epoch& t) { return elevation(t) - least; })
+/// f is evaluated a step apart and at the end of the span, and each change is narrowed down by Boost.Math's
+/// toms748 (Alefeld, Potra, Shi 1995). Two zeros within a step may hide: the step has to be shorter than the
+/// shortest time between two. A jump past zero is found as a zero; where f touches zero, or is zero at an end
+/// of the span, it does not change its sign. Throws BadInput, with the epoch, if f is not finite, f throws
+/// BadInput, or f is zero at two neighbouring instants, as it is if it is zero for a time. Any other
+/// exception of f is nested in a std::runtime_error with the epoch. Throws BadInput if the step or the
+/// tolerance is not positive and finite, or the tolerance is less than 1e-10 s.
+template <detail::FunctionOfEpoch F>
+std::vector<ZeroCrossing> events(const TimeSpan& span, const Quantity<si::time>& step, const F& f,
+                                 const EventOptions& options = {}) {
+  return detail::zero_crossings(span, step, detail::number_of_epoch(f), options);
+}
+template <class Step, class F, class... Options>
+auto events(  // span, step in s, f: of an Epoch, gives a double or a quantity, not a bool
+    const TimeSpan&, const Step&, const F&, const Options&...) -> Refused = delete;
+
+/// The intervals of a span in which f > 0, such as the passes of a satellite: each from a rising zero, or the
+/// start of the span, to a falling zero, or the end. Finds zeros and throws as events() does.
+template <detail::FunctionOfEpoch F>
+std::vector<TimeSpan> intervals(const TimeSpan& span, const Quantity<si::time>& step, const F& f,
+                                const EventOptions& options = {}) {
+  return detail::positive_intervals(span, step, detail::number_of_epoch(f), options);
+}
+template <class Step, class F, class... Options>
+auto intervals(  // span, step in s, f: of an Epoch, gives a double or a quantity, not a bool
+    const TimeSpan&, const Step&, const F&, const Options&...) -> Refused = delete;
+
+}  // namespace vectrix

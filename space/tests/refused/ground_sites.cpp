@@ -1,0 +1,122 @@
+// Ground sites
+#include <vectrix/space.hpp>
+
+using namespace vectrix;
+using earth::Gcrf, earth::Itrf;
+
+struct Station : east_north_up_frame {};
+struct Runway : north_east_down_frame {};
+struct Satellite : moving_frame {};
+
+namespace north_east_down_axes_for_east_north_up {
+// mistake: the east-north-up axes of a place for a frame that is said to be north-east-down
+// expect: From<Runway>
+// expect: struct S : east_north_up_frame
+auto axes(const Geodetic& place) {
+#ifdef REPAIRED
+  return north_east_down(from<Runway>, place);
+#else
+  return east_north_up(from<Runway>, place);
+#endif
+}
+}  // namespace north_east_down_axes_for_east_north_up
+
+namespace site_of_a_plain_frame {
+// mistake: a place for a frame that does not say which axes it has
+// expect: From<.*Antenna>
+// expect: struct S : east_north_up_frame
+#ifdef REPAIRED
+struct Antenna : east_north_up_frame {};
+#else
+struct Antenna : moving_frame {};
+#endif
+auto axes(const Geodetic& place) {
+  return east_north_up(from<Antenna>, place);
+}
+}  // namespace site_of_a_plain_frame
+
+namespace site_given_as_a_position {
+// mistake: a position in ITRF for the latitude, longitude and height of a place
+// expect: Vector<(vectrix::)?(earth::)?Itrf
+// expect: from<S>, Geodetic
+auto axes(const Vector<Itrf, si::length>& r_itrf) {
+#ifdef REPAIRED
+  return east_north_up(from<Station>, wgs84::geodetic(r_itrf));
+#else
+  return east_north_up(from<Station>, r_itrf);
+#endif
+}
+}  // namespace site_given_as_a_position
+
+namespace look_angles_in_the_earth_frame {
+// mistake: azimuth and elevation of a displacement along the axes of ITRF
+// expect: Displacement<Station, Satellite, (vectrix::)?In<(vectrix::)?(earth::)?Itrf
+// expect: s the origin of an east_north_up_frame
+auto seen(const Displacement<Station, Satellite, In<Itrf>>& r_itrf, const Transform<Itrf, Station>& site) {
+#ifdef REPAIRED
+  return look_angles(inverse(site.rotation) * r_itrf);
+#else
+  static_cast<void>(site);
+  return look_angles(r_itrf);
+#endif
+}
+}  // namespace look_angles_in_the_earth_frame
+
+namespace look_angles_in_north_east_down {
+// mistake: azimuth and elevation of a displacement along north, east and down
+// expect: In<Runway>
+// expect: s the origin of an east_north_up_frame
+auto seen(const Displacement<Runway, Satellite, In<Runway>>& r_ned, const Transform<Itrf, Runway>& runway,
+          const Transform<Itrf, Station>& station) {
+#ifdef REPAIRED
+  return look_angles(inverse(station) * (runway * r_ned));
+#else
+  static_cast<void>(runway), static_cast<void>(station);
+  return look_angles(r_ned);
+#endif
+}
+}  // namespace look_angles_in_north_east_down
+
+namespace look_angles_from_the_centre_of_the_earth {
+// mistake: azimuth and elevation of the position relative to the centre of the Earth
+// expect: Displacement<(vectrix::)?(earth::)?Itrf, Satellite, (vectrix::)?In<Station>
+// expect: s the origin of an east_north_up_frame
+auto seen(const Displacement<Itrf, Satellite, In<Station>>& r_enu, const Transform<Itrf, Station>& site) {
+#ifdef REPAIRED
+  return look_angles(r_enu - inverse(site.rotation) * site.translation);
+#else
+  static_cast<void>(site);
+  return look_angles(r_enu);
+#endif
+}
+}  // namespace look_angles_from_the_centre_of_the_earth
+
+namespace look_rates_of_an_inertial_velocity {
+// mistake: rates of azimuth and elevation from the velocity that is observed from GCRF
+// expect: ObservedFrom<(vectrix::)?(earth::)?Gcrf
+// expect: with rates of r_sq_s, v_sq_s_s
+auto seen(const Displacement<Station, Satellite, In<Station>>& r,
+          const Velocity<Station, Satellite, ObservedFrom<Gcrf>, In<Station>>& v,
+          const AngularVelocity<Gcrf, Station, In<Station>>& w) {
+#ifdef REPAIRED
+  return look_angles(r, transport(observed_from<Station>, v, r, -w));
+#else
+  static_cast<void>(w);
+  return look_angles(r, v);
+#endif
+}
+}  // namespace look_rates_of_an_inertial_velocity
+
+namespace right_ascension_in_the_earth_frame {
+// mistake: right ascension along the axes of ITRF, which turn with the Earth
+// expect: Vector<(vectrix::)?(earth::)?Itrf
+// expect: inertial, or of date
+auto star(const Vector<Itrf, si::dimensionless>& n_itrf, const Dcm<Gcrf, Itrf>& R_gcrf_from_itrf) {
+#ifdef REPAIRED
+  return right_ascension_declination(R_gcrf_from_itrf * n_itrf);
+#else
+  static_cast<void>(R_gcrf_from_itrf);
+  return right_ascension_declination(n_itrf);
+#endif
+}
+}  // namespace right_ascension_in_the_earth_frame
