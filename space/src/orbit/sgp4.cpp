@@ -265,10 +265,10 @@ Sgp4Theory theory_of(const Elements& x, const MeanElements& elements) {
   const double bstar = elements.bstar.value() * 1000.0 * earth_radius;
   Sgp4Theory theory{x, Inclination(x.i), rates, Drag(x, bstar, node_rate_of_J2, is_deep), std::nullopt};
   if (is_deep) {
-    // UTC stands for UT1, here and in the fits that made the elements.
+    // UTC stands for UT1, here and in the fits that made the elements. Their sidereal time is of an older
+    // form, which until 2050 is within 3e-10 rad of this.
     const auto utc = elements.epoch.julian_date(scale::utc);
-    constexpr double zero = 2415020.0;
-    theory.deep.emplace(x, rates, utc.day - zero + utc.fraction, eraGmst82(utc.day, utc.fraction));
+    theory.deep.emplace(x, rates, utc.day - 2415020.0 + utc.fraction, eraGmst82(utc.day, utc.fraction));
   }
   return theory;
 }

@@ -85,6 +85,28 @@ TEST(Sgp4, PublishedStates) {
   }
 }
 
+// Elements that differ by whole turns are the same: also near the equator, where the theory has a term that
+// is not periodic in the node.
+TEST(Sgp4, WholeTurnsChangeNothing) {
+  const auto turn = convert<si::angle>(1.0 * si::revolution);
+  // Angles of up to 500 rad, rounded, and what e = 0.8 makes of them near perigee.
+  constexpr double rounding = 500 * 10 * epsilon;
+  for (const auto& set : sets()) {
+    const MeanElements& x = set.mean_elements();
+    MeanElements node = x, perigee = x, anomaly = x;
+    node.ascending_node -= turn;
+    perigee.argument_of_perigee += turn;
+    anomaly.mean_anomaly -= 2.0 * turn;
+    for (double t = -3000.0; t <= 3000.0; t += 500.0) {
+      const Vector3d r = Orbit(x, ten_days).at(after(x, t)).position.coordinates();
+      for (const MeanElements& same : {node, perigee, anomaly}) {
+        const Vector3d other = Orbit(same, ten_days).at(after(x, t)).position.coordinates();
+        EXPECT_LE((other - r).norm(), rounding * r.norm()) << set.catalogue_number() << " at " << t << " min";
+      }
+    }
+  }
+}
+
 // The state of the resonance is local to a call.
 TEST(Sgp4, DependsOnTheEpochAlone) {
   std::mt19937_64 random(20270203);

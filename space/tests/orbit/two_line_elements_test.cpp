@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <initializer_list>
 #include <limits>
 #include <numbers>
 #include <string>
@@ -89,6 +90,14 @@ TEST(TwoLineElements, EveryColumnIsChecked) {
 TEST(TwoLineElements, FieldsOutOfPlace) {
   EXPECT_EQ(complaint_of("1 00005U 58002B  00179.784950620  .00000023  00000-0  28098-4 0  4753", line2),
             "two-line elements, line 1, column 18 (between two fields): '0': expected a blank");
+  for (const std::size_t column : std::initializer_list<std::size_t>{2, 9, 18, 33, 44, 53, 62, 64}) {
+    const auto text = complaint_of(with(line1, column, "7"), line2);
+    EXPECT_NE(text.find("(between two fields)"), std::string::npos) << column << ": " << text;
+  }
+  for (const std::size_t column : std::initializer_list<std::size_t>{2, 8, 17, 26, 34, 43, 52}) {
+    const auto text = complaint_of(line1, with(line2, column, "7"));
+    EXPECT_NE(text.find("(between two fields)"), std::string::npos) << column << ": " << text;
+  }
   EXPECT_EQ(complaint_of(line2, line1), "two-line elements, line 1, column 1 (line number): '2': expected 1");
   EXPECT_EQ(complaint_of(line1.substr(0, 68), line2),
             "two-line elements, line 1: there are 68 columns; line 1 of two-line elements has 69");

@@ -47,10 +47,10 @@ class VECTRIX_EXPORT Sgp4Model {
 }  // namespace detail
 
 /// The motion of q by the theory of the two-line elements, SGP4 near the Earth and SDP4 for periods from 225
-/// minutes: Spacetrack Report No. 3, corrected as in Vallado, Crawford, Hujsak and Kelso, AIAA 2006-6753 (the
-/// "improved" mode, with sidereal time of 1982 at the epoch), constants of WGS-72. The time is that of
-/// Epoch, SI seconds since the epoch of the elements. The theory is good to about a km at the epoch and loses
-/// 1 to 3 km a day, so the longest age is a mandatory word:
+/// minutes: Spacetrack Report No. 3, corrected as in Vallado, Crawford, Hujsak and Kelso, AIAA 2006-6753, in
+/// the mode that follows the operational program ("afspc", not "improved"), constants of WGS-72. Time is SI
+/// seconds since the epoch of the elements. The theory is good to about a km at the epoch and loses 1 to 3 km
+/// a day, so the longest age is a mandatory word:
 ///     const Sgp4<Satellite> orbit(TwoLineElements::parse(line1, line2), at_most(72.0 * si::hour));
 /// A call depends on its epoch alone, whatever was asked before, and threads may share an object. Throws
 /// BadInput for elements out of range and an age that is not positive and finite.
