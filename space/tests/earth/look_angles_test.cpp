@@ -78,7 +78,7 @@ TEST(LookAngles, AndBack) {
   for (int i = 0; i < 500; ++i) {
     const double size = std::pow(10.0, exponent(random));
     const auto r = at(size * number(random), size * number(random), size * number(random));
-    const auto back = displacement(of<Ship>, relative_to<Station>, look_angles(r));
+    const auto back = displacement_at(of<Ship>, relative_to<Station>, look_angles(r));
     EXPECT_LE((back.coordinates() - r.coordinates()).stableNorm(), 4 * relative_rounding * norm(r).value());
   }
 }
@@ -135,15 +135,15 @@ TEST(LookAngles, RefusesBadInput) {
             "look_angles" + name +
                 "the rates overflow: the position is (1e-300, 0, 1) m, the velocity (0, 1e+10, 0) m/s");
   const auto back = [](double azimuth, double elevation, double range) {
-    return displacement(of<Ship>, relative_to<Station>,
-                        LookAngles{azimuth * si::radian, elevation * si::radian, range * si::metre});
+    return displacement_at(of<Ship>, relative_to<Station>,
+                           LookAngles{azimuth * si::radian, elevation * si::radian, range * si::metre});
   };
   EXPECT_EQ(complaint([&] { back(0.0, 1.6, 1.0); }),
-            "displacement" + name + "the elevation 1.6 rad is not in [-pi/2, pi/2]");
-  EXPECT_EQ(complaint([&] { back(0.0, 1.0, -1.0); }), "displacement" + name + "the range is -1 m");
+            "displacement_at" + name + "the elevation 1.6 rad is not in [-pi/2, pi/2]");
+  EXPECT_EQ(complaint([&] { back(0.0, 1.0, -1.0); }), "displacement_at" + name + "the range is -1 m");
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(complaint([&] { back(nan, 1.0, 1.0); }),
-            "displacement" + name + "the azimuth nan rad is not finite");
+            "displacement_at" + name + "the azimuth nan rad is not finite");
   EXPECT_THROW(back(0.0, nan, 1.0), BadInput);
   EXPECT_THROW(back(0.0, 1.0, nan), BadInput);
   EXPECT_THROW(back(0.0, 1.0, std::numeric_limits<double>::infinity()), BadInput);

@@ -120,3 +120,17 @@ auto star(const Vector<Itrf, si::dimensionless>& n_itrf, const Dcm<Gcrf, Itrf>& 
 #endif
 }
 }  // namespace right_ascension_in_the_earth_frame
+
+namespace star_in_the_earth_frame {
+// mistake: a direction along the axes of ITRF from a right ascension
+// expect: In<(vectrix::)?(earth::)?Itrf
+// expect: inertial, or of date
+auto star(const RightAscensionDeclination& place, const Dcm<Itrf, Gcrf>& R_itrf_from_gcrf) {
+#ifdef REPAIRED
+  return R_itrf_from_gcrf * direction_at(in<Gcrf>, place);
+#else
+  static_cast<void>(R_itrf_from_gcrf);
+  return direction_at(in<Itrf>, place);
+#endif
+}
+}  // namespace star_in_the_earth_frame

@@ -49,7 +49,7 @@ TEST(RightAscension, OnTheAxes) {
 // The Crab pulsar: 5 h 34 min 31.97 s, 22 deg 0' 52.1", and its direction by products of cosines.
 TEST(RightAscension, OfAStarAndBack) {
   const double ra = 83.6332083 * pi / 180, dec = 22.0144722 * pi / 180;
-  const auto n = direction(in<Gcrf>, {ra * si::radian, dec * si::radian});
+  const auto n = direction_at(in<Gcrf>, {ra * si::radian, dec * si::radian});
   EXPECT_NEAR(n.coordinates().norm(), 1.0, rounding);
   EXPECT_NEAR(n.coordinates().y() / n.coordinates().x(), std::tan(ra), 10 * 9 * rounding);  // tan is 9
   EXPECT_NEAR(n.coordinates().z(), std::sin(dec), rounding);
@@ -67,7 +67,7 @@ TEST(RightAscension, AndBack) {
         of<Satellite>, relative_to<Gcrf>, vector<si::length>(in<Gcrf>, Eigen::Vector3d(7e6 * n))));
     EXPECT_GE(found.right_ascension.value(), 0.0);
     EXPECT_LT(found.right_ascension.value(), 2 * pi);
-    EXPECT_LE((direction(in<Gcrf>, found).coordinates() - n).norm(), 2 * rounding);
+    EXPECT_LE((direction_at(in<Gcrf>, found).coordinates() - n).norm(), 2 * rounding);
   }
 }
 
@@ -75,10 +75,10 @@ TEST(RightAscension, RefusesBadInput) {
   EXPECT_EQ(complaint([] { place(0, 0, -0.0); }),
             "right_ascension_declination(in " + frame_name<Gcrf>() + "): a zero vector has no direction");
   const auto star = [](double ra, double dec) {
-    return direction(in<Gcrf>, {ra * si::radian, dec * si::radian});
+    return direction_at(in<Gcrf>, {ra * si::radian, dec * si::radian});
   };
   EXPECT_EQ(complaint([&] { star(1.0, -1.6); }),
-            "direction(in<" + frame_name<Gcrf>() + ">): the declination -1.6 rad is not in [-pi/2, pi/2]");
+            "direction_at(in<" + frame_name<Gcrf>() + ">): the declination -1.6 rad is not in [-pi/2, pi/2]");
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THROW(star(nan, 0.0), BadInput);
   EXPECT_THROW(star(0.0, nan), BadInput);

@@ -86,6 +86,20 @@ TEST(Events, EndsOfTheSpanAndZerosOnTheGrid) {
   EXPECT_EQ(find(line(5.0, 1.0))[0].epoch, midday + 5.0 * step);
   EXPECT_EQ(find(line(5.0, -2.0)).at(0).direction, Crossing::falling);
   EXPECT_NEAR(steps(find(line(9.25, 1.0)).at(0).epoch), 9.25, found_to / 84.375) << "in the last half step";
+  int evaluations = 0;
+  const auto counted = [&](const Epoch& t) {
+    ++evaluations;
+    return std::expm1(steps(t) - 5.0);
+  };
+  EXPECT_EQ(find(counted).at(0).epoch, midday + 5.0 * step);
+  EXPECT_EQ(evaluations, 11) << "a zero of the grid needs no search";
+  for (const double second : {6.0, 6.5}) {
+    const auto found = find([&](const Epoch& t) { return (steps(t) - 2.0) * (steps(t) - second); });
+    ASSERT_EQ(found.size(), 2U);
+    EXPECT_EQ(found[0].epoch, midday + 2.0 * step);
+    EXPECT_NEAR(steps(found[1].epoch), second, found_to / 84.375);
+    EXPECT_EQ(found[1].direction, Crossing::rising);
+  }
   EXPECT_TRUE(find(line(0.0, 1.0)).empty());
   EXPECT_TRUE(find(line(9.5, 1.0)).empty());
   const auto touching = [&](const Epoch& t) { return std::pow(steps(t) - 5.0, 2); };

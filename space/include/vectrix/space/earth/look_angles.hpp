@@ -2,6 +2,8 @@
 
 #include <Eigen/Core>
 #include <string>
+#include <type_traits>
+#include <utility>
 
 #include <vectrix/frames/export.hpp>
 #include <vectrix/kinematics/points/point_motion.hpp>
@@ -33,39 +35,54 @@ template <class S, class Q> std::string look_name(const char* action) {
   return std::string{action} + "(" + frame_name<Q>() + " from " + frame_name<S>() + "): ";
 }
 
+template <class S, class Q>
+std::enable_if_t<EastNorthUpFrame<S>, LookAngles> look(const Displacement<S, Q, In<S>>& r_sq_s) {
+  return look_angles_of(look_name<S, Q>("look_angles"), r_sq_s.coordinates());
+}
+template <class S, class Q>
+std::enable_if_t<EastNorthUpFrame<S>, MovingLookAngles> look(
+    const Displacement<S, Q, In<S>>& r_sq_s, const Velocity<S, Q, ObservedFrom<S>, In<S>>& v_sq_s_s) {
+  return look_angles_of(look_name<S, Q>("look_angles"), r_sq_s.coordinates(), v_sq_s_s.coordinates());
+}
+template <class S, class Q>
+std::enable_if_t<EastNorthUpFrame<S>, MovingLookAngles> look(const PointMotion<S, Q, S>& motion) {
+  return look(motion.position, motion.velocity);
+}
+template <class... Given> using LookOf = decltype(look(std::declval<const Given&>()...));
+template <class... Given>
+concept HasLook = requires {
+  typename LookOf<Given...>;
+};
+
 }  // namespace detail
 
 /// Look angles of the point q from the origin of the east-north-up frame s, of r_sq^s = (e, n, u):
 ///     tan A = e/n,      tan E = u/h, h = sqrt(e^2 + n^2),      range |r|
 /// In the zenith and the nadir, h = 0, the azimuth is undefined: it is 0. Throws BadInput if q is at s, or
-/// |r| overflows.
-template <EastNorthUpFrame S, class Q> LookAngles look_angles(const Displacement<S, Q, In<S>>& r_sq_s) {
-  return detail::look_angles_of(detail::look_name<S, Q>("look_angles"), r_sq_s.coordinates());
-}
-/// The same with rates, from the velocity that s observes, v = rdot^s:
-///     dA/dt = (n edot - e ndot)/h^2,    dE/dt = (h^2 udot - u (e edot + n ndot))/(h |r|^2),   d|r|/dt =
-///     r.v/|r|
+/// |r| overflows. With the velocity that s observes, v = rdot^s, or of a PointMotion, also their rates:
+///     look_angles(r_sq_s)                 LookAngles
+///     look_angles(r_sq_s, v_sq_s_s)       MovingLookAngles
+///     dA/dt = (n edot - e ndot)/h^2,  dE/dt = (h^2 udot - u (e edot + n ndot))/(h |r|^2),  d|r|/dt = r.v/|r|
 /// The rate of the azimuth grows as 1/h. Throws BadInput also where h = 0, where the angles have no rates,
 /// and if a rate overflows.
-template <EastNorthUpFrame S, class Q>
-MovingLookAngles look_angles(const Displacement<S, Q, In<S>>& r_sq_s,
-                             const Velocity<S, Q, ObservedFrom<S>, In<S>>& v_sq_s_s) {
-  return detail::look_angles_of(detail::look_name<S, Q>("look_angles"), r_sq_s.coordinates(),
-                                v_sq_s_s.coordinates());
-}
-template <EastNorthUpFrame S, class Q> MovingLookAngles look_angles(const PointMotion<S, Q, S>& motion) {
-  return look_angles(motion.position, motion.velocity);
+template <class... Given> detail::LookOf<Given...> look_angles(const Given&... given) {
+  return detail::look(given...);
 }
 template <class... Given>
+  requires(!detail::HasLook<Given...>)
 auto look_angles(  // of r_sq_s; with rates of r_sq_s, v_sq_s_s: s the origin of an east_north_up_frame
     const Given&...) -> Refused = delete;
 
 /// The inverse: claims that q is seen from the origin of s at these angles and this range. Throws BadInput if
 /// a number is not finite, |elevation| exceeds pi/2, or the range is negative.
-template <Point Q, EastNorthUpFrame S>
-detail::OfTwo<S, Q, Displacement<S, Q, In<S>>> displacement(Of<Q>, RelativeTo<S>, const LookAngles& look) {
+template <class Q, class S>
+std::enable_if_t<EastNorthUpFrame<S>, detail::OfTwo<S, Q, Displacement<S, Q, In<S>>>> displacement_at(
+    Of<Q>, RelativeTo<S>, const LookAngles& look) {
   return Displacement<S, Q, In<S>>{detail::trusted,
-                                   detail::position_of(detail::look_name<S, Q>("displacement"), look)};
+                                   detail::position_of(detail::look_name<S, Q>("displacement_at"), look)};
 }
+template <class OfPoint, class RelativeToPoint, class Given>
+auto displacement_at(  // of<Q>, relative_to<S>, LookAngles: s the origin of an east_north_up_frame
+    OfPoint, RelativeToPoint, const Given&) -> Refused = delete;
 
 }  // namespace vectrix

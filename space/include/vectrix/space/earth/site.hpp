@@ -55,7 +55,9 @@ template <class F> Transform<earth::Itrf, F> site_transform(const SiteNumbers& s
 ///     north = up x east
 /// At a pole, where no direction is east, the given longitude decides: north is along its meridian. Throws
 /// BadInput if a number is not finite or |latitude| exceeds pi/2.
-template <EastNorthUpFrame S> Transform<earth::Itrf, S> east_north_up(From<S>, const Geodetic& place) {
+template <class S>
+std::enable_if_t<EastNorthUpFrame<S>, Transform<earth::Itrf, S>> east_north_up(From<S>,
+                                                                               const Geodetic& place) {
   return detail::site_transform<S>(
       detail::east_north_up_site("east_north_up(from<" + frame_name<S>() + ">)", place));
 }
@@ -64,7 +66,9 @@ auto east_north_up(  // from<S>, Geodetic: struct S : east_north_up_frame
     FromFrame, const Place&) -> Refused = delete;
 
 /// The same with x north, y east, z down.
-template <NorthEastDownFrame S> Transform<earth::Itrf, S> north_east_down(From<S>, const Geodetic& place) {
+template <class S>
+std::enable_if_t<NorthEastDownFrame<S>, Transform<earth::Itrf, S>> north_east_down(From<S>,
+                                                                                   const Geodetic& place) {
   return detail::site_transform<S>(
       detail::north_east_down_site("north_east_down(from<" + frame_name<S>() + ">)", place));
 }

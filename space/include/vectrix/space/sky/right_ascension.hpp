@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <string>
+#include <type_traits>
 
 #include <vectrix/frames/displacement.hpp>
 #include <vectrix/frames/export.hpp>
@@ -47,13 +48,13 @@ auto right_ascension_declination(  // of a vector or a displacement in a frame t
     const Given&) -> Refused = delete;
 
 /// The inverse: the unit vector. Throws BadInput if an angle is not finite or |declination| exceeds pi/2.
-template <Frame A>
-std::enable_if_t<detail::has_right_ascension<A>, Vector<A, si::dimensionless>> direction(
-    In<A>, const RightAscensionDeclination& place) {
-  return {detail::trusted, detail::direction_of("direction(in<" + frame_name<A>() + ">): ", place)};
-}
 template <class A>
-auto direction(  // in<A>, RightAscensionDeclination: a inertial, or of date
-    In<A>, const RightAscensionDeclination&) -> Refused = delete;
+std::enable_if_t<detail::has_right_ascension<A>, Vector<A, si::dimensionless>> direction_at(
+    In<A>, const RightAscensionDeclination& place) {
+  return {detail::trusted, detail::direction_of("direction_at(in<" + frame_name<A>() + ">): ", place)};
+}
+template <class InFrame, class Given>
+auto direction_at(  // in<A>, RightAscensionDeclination: a inertial, or of date
+    InFrame, const Given&) -> Refused = delete;
 
 }  // namespace vectrix

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <concepts>
 #include <functional>
 #include <type_traits>
 #include <vector>
@@ -35,11 +34,11 @@ template <class X> inline constexpr bool has_sign = false;  // a bool or a whole
 template <> inline constexpr bool has_sign<double> = true;
 template <class U> inline constexpr bool has_sign<Quantity<U, double>> = true;
 
-template <class F>
-concept FunctionOfEpoch = std::invocable<const F&, const Epoch&> &&
-    has_sign<std::remove_cvref_t<std::invoke_result_t<const F&, const Epoch&>>>;
+template <class F, class Result>
+using IfFunctionOfEpoch =
+    std::enable_if_t<has_sign<std::remove_cvref_t<std::invoke_result_t<const F&, const Epoch&>>>, Result>;
 
-template <FunctionOfEpoch F> NumberOfEpoch number_of_epoch(const F& f) {
+template <class F> NumberOfEpoch number_of_epoch(const F& f) {
   return [&f](const Epoch& epoch) {
     if constexpr (std::is_arithmetic_v<std::remove_cvref_t<decltype(f(epoch))>>) {
       return f(epoch);
@@ -60,9 +59,10 @@ template <FunctionOfEpoch F> NumberOfEpoch number_of_epoch(const F& f) {
 /// BadInput, or f is zero at two neighbouring instants, as it is if it is zero for a time. Any other
 /// exception of f is nested in a std::runtime_error with the epoch. Throws BadInput if the step or the
 /// tolerance is not positive and finite, or the tolerance is less than 1e-10 s.
-template <detail::FunctionOfEpoch F>
-std::vector<ZeroCrossing> events(const TimeSpan& span, const Quantity<si::time>& step, const F& f,
-                                 const EventOptions& options = {}) {
+template <class F>
+detail::IfFunctionOfEpoch<F, std::vector<ZeroCrossing>> events(const TimeSpan& span,
+                                                               const Quantity<si::time>& step, const F& f,
+                                                               const EventOptions& options = {}) {
   return detail::zero_crossings(span, step, detail::number_of_epoch(f), options);
 }
 template <class Step, class F, class... Options>
@@ -71,9 +71,10 @@ auto events(  // span, step in s, f: of an Epoch, gives a double or a quantity, 
 
 /// The intervals of a span in which f > 0, such as the passes of a satellite: each from a rising zero, or the
 /// start of the span, to a falling zero, or the end. Finds zeros and throws as events() does.
-template <detail::FunctionOfEpoch F>
-std::vector<TimeSpan> intervals(const TimeSpan& span, const Quantity<si::time>& step, const F& f,
-                                const EventOptions& options = {}) {
+template <class F>
+detail::IfFunctionOfEpoch<F, std::vector<TimeSpan>> intervals(const TimeSpan& span,
+                                                              const Quantity<si::time>& step, const F& f,
+                                                              const EventOptions& options = {}) {
   return detail::positive_intervals(span, step, detail::number_of_epoch(f), options);
 }
 template <class Step, class F, class... Options>
