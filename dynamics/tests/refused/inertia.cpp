@@ -229,7 +229,7 @@ namespace inertia_times_alpha_of_other_body {
 // mistake: the inertia of one body times the angular acceleration of another
 // expect: Left = (vectrix::)?Inertia<Wheel
 // expect: Right = (vectrix::)?AngularAcceleration<Gcrf, Body
-// expect: J_b
+// expect: the kinds go together
 auto torque([[maybe_unused]] const Inertia<Wheel>& J_wheel, [[maybe_unused]] const Inertia<Body>& J_body,
             const AngularAcceleration<Gcrf, Body, In<Body>>& alpha_body) {
 #ifdef REPAIRED
