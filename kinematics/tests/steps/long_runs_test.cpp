@@ -6,6 +6,7 @@
 #include <vectrix/kinematics/steps/gyro.hpp>
 
 #include "testing/attitudes.hpp"
+#include "testing/trials.hpp"
 
 // The rounding of equal steps has a direction. It must not add up.
 namespace vectrix_test::long_runs_test {
@@ -13,7 +14,7 @@ namespace {
 
 using namespace vectrix;
 
-constexpr int steps = 1'000'000;
+constexpr int steps = vectrix_test::trials(1'000'000);
 /// What one step leaves: a product of three rounded numbers in each entry, and the square of what was before.
 constexpr double rounding_units = 16;
 
