@@ -81,6 +81,10 @@ Vector<earth::Itrf, si::length> position(const Geodetic& geodetic) {
     throw BadInput("wgs84::position: the latitude " + detail::text(latitude) +
                    " rad is not in [-pi/2, pi/2]");
   }
+  if (!std::isfinite(geodetic.longitude.value()) || !std::isfinite(geodetic.height.value())) {
+    throw BadInput("wgs84::position: the longitude is " + detail::text(geodetic.longitude.value()) +
+                   " rad, the height " + detail::text(geodetic.height.value()) + " m");
+  }
   Eigen::Vector3d r;
   eraGd2gc(ERFA_WGS84, geodetic.longitude.value(), latitude, geodetic.height.value(), r.data());
   return vector<si::length>(in<earth::Itrf>, r);

@@ -80,6 +80,8 @@ class Search {
       throw BadInput(name_ + "at " + text(epoch) + ": " + error.what());
     } catch (const std::exception& error) {
       std::throw_with_nested(std::runtime_error(name_ + "at " + text(epoch) + ": " + error.what()));
+    } catch (...) {
+      std::throw_with_nested(std::runtime_error(name_ + "at " + text(epoch) + ": the function threw"));
     }
   }
 

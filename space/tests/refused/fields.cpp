@@ -65,18 +65,3 @@ auto torque(const Vector<Body, si::magnetic_dipole_moment>& m_body,
 #endif
 }
 }  // namespace magnetic_torque_across_frames
-
-namespace magnetic_field_at_seconds {
-// mistake: seconds for the epoch of a field
-// expect: Quantity<(vectrix::)?si::time
-// expect: Epoch
-auto field(const MagneticField& model, const Vector<Itrf, si::length>& r_itrf, const Epoch& start,
-           const Quantity<si::time>& t) {
-#ifdef REPAIRED
-  return model.at(r_itrf, start + t);
-#else
-  static_cast<void>(start);
-  return model.at(r_itrf, t);
-#endif
-}
-}  // namespace magnetic_field_at_seconds

@@ -209,6 +209,13 @@ TEST(Events, KeepsWhatTheFunctionThrew) {
     EXPECT_STREQ(error.what(), "intervals: at 2023-04-20T05:00:00.000000 UTC: lost");
     EXPECT_THROW(std::rethrow_if_nested(error), std::domain_error);
   }
+  try {
+    events(day, 10.0 * si::second, [](const Epoch&) -> double { throw 3; });
+    FAIL() << "nothing was thrown";
+  } catch (const std::runtime_error& error) {
+    EXPECT_STREQ(error.what(), "events: at 2023-04-20T05:00:00.000000 UTC: the function threw");
+    EXPECT_THROW(std::rethrow_if_nested(error), int);
+  }
 }
 
 }  // namespace

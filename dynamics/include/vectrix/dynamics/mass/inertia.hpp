@@ -220,85 +220,105 @@ template <class S> detail::OffDiagonal<2, 3, S> yz(const Quantity<si::moment_of_
   return {J.value()};
 }
 
+namespace detail {
+
+template <class S> using InertiaNumber = Quantity<si::moment_of_inertia, S>;
+
+template <Frame B, Point P, Frame C, class S, class... Named>
+  requires OffDiagonals<S, Named...> Inertia<B, P, In<C>, S> from_tensor(Of<B>, About<P>, In<C>,
+                                                                         const InertiaNumber<S>& Jxx,
+                                                                         const InertiaNumber<S>& Jyy,
+                                                                         const InertiaNumber<S>& Jzz,
+                                                                         const Named&... entries) {
+    return checked_inertia<Inertia<B, P, In<C>, S>>(
+        "inertia_from_tensor", symmetric<S>(Jxx.value(), Jyy.value(), Jzz.value(), S(1), entries...));
+  }
+template <Frame B, Point P, Frame C, Matrix3x3 Matrix>
+Inertia<B, P, In<C>, typename Matrix::Scalar> from_tensor(Of<B>, About<P>, In<C>, const Matrix& tensor) {
+  using J = Inertia<B, P, In<C>, typename Matrix::Scalar>;
+  require_size(tensor, 3, 3, [] { return "inertia_from_tensor(" + InertiaName<J>::text() + "): "; });
+  require_symmetric<J, typename Matrix::Scalar>("inertia_from_tensor", tensor);
+  return checked_inertia<J, typename Matrix::Scalar>("inertia_from_tensor", tensor);
+}
+template <Frame B, Point P, Frame C, class S, class... Named>
+  requires OffDiagonals<S, Named...> Inertia<B, P, In<C>, S> from_moments_and_products(
+      Of<B>, About<P>, In<C>, const InertiaNumber<S>& Jxx, const InertiaNumber<S>& Jyy,
+      const InertiaNumber<S>& Jzz, const Named&... products) {
+    return checked_inertia<Inertia<B, P, In<C>, S>>(
+        "inertia_from_moments_and_products",
+        symmetric<S>(Jxx.value(), Jyy.value(), Jzz.value(), S(-1), products...));
+  }
+template <Frame B, Point P, Frame C, class S>
+Inertia<B, P, In<C>, S> from_principal_moments(Of<B>, About<P>, In<C>, const InertiaNumber<S>& Jx,
+                                               const InertiaNumber<S>& Jy, const InertiaNumber<S>& Jz) {
+  const Column<S> moments(Jx.value(), Jy.value(), Jz.value());
+  return checked_inertia<Inertia<B, P, In<C>, S>>("inertia_from_principal_moments",
+                                                  Square<S>(moments.asDiagonal()));
+}
+// in<B>: of b, about its centre of mass, in its own axes
+template <Frame B, class... Given>
+auto from_tensor(In<B>, const Given&... given)
+    -> decltype(from_tensor(of<B>, about<CentreOfMassOf<B>>, in<B>, given...)) {
+  return from_tensor(of<B>, about<CentreOfMassOf<B>>, in<B>, given...);
+}
+template <Frame B, class... Given>
+auto from_moments_and_products(In<B>, const Given&... given)
+    -> decltype(from_moments_and_products(of<B>, about<CentreOfMassOf<B>>, in<B>, given...)) {
+  return from_moments_and_products(of<B>, about<CentreOfMassOf<B>>, in<B>, given...);
+}
+template <Frame B, class... Given>
+auto from_principal_moments(In<B>, const Given&... given)
+    -> decltype(from_principal_moments(of<B>, about<CentreOfMassOf<B>>, in<B>, given...)) {
+  return from_principal_moments(of<B>, about<CentreOfMassOf<B>>, in<B>, given...);
+}
+
+template <class... Given> using FromTensor = decltype(from_tensor(std::declval<const Given&>()...));
+template <class... Given>
+using FromProducts = decltype(from_moments_and_products(std::declval<const Given&>()...));
+template <class... Given>
+using FromPrincipalMoments = decltype(from_principal_moments(std::declval<const Given&>()...));
+template <template <class...> class ResultOf, class... Given>
+concept GivesInertia = requires {
+  typename ResultOf<Given...>;
+};
+
+}  // namespace detail
+
 /// From the entries of the tensor, with Jxy = - int x y dm, the number that stands in the matrix:
 ///     inertia_from_tensor(in<B>, Jxx, Jyy, Jzz, xy(Jxy), xz(Jxz), yz(Jyz)), the last three in any order
-/// Throws BadInput if an entry is not finite, a principal moment is negative, or one exceeds the sum of the
-/// other two.
-template <Frame B, Point P, Frame C, class S, class... OffDiagonal>
-  requires detail::OffDiagonals<S, OffDiagonal...> Inertia<B, P, In<C>, S> inertia_from_tensor(
-      Of<B>, About<P>, In<C>, const Quantity<si::moment_of_inertia, S>& Jxx,
-      const Quantity<si::moment_of_inertia, S>& Jyy, const Quantity<si::moment_of_inertia, S>& Jzz,
-      const OffDiagonal&... entries) {
-    return detail::checked_inertia<Inertia<B, P, In<C>, S>>(
-        "inertia_from_tensor", detail::symmetric<S>(Jxx.value(), Jyy.value(), Jzz.value(), S(1), entries...));
-  }
-template <Frame B, class S, class... OffDiagonal>
-  requires detail::OffDiagonals<S, OffDiagonal...> CentralInertia<B, S> inertia_from_tensor(
-      In<B>, const Quantity<si::moment_of_inertia, S>& Jxx, const Quantity<si::moment_of_inertia, S>& Jyy,
-      const Quantity<si::moment_of_inertia, S>& Jzz, const OffDiagonal&... entries) {
-    return inertia_from_tensor(of<B>, about<CentreOfMassOf<B>>, in<B>, Jxx, Jyy, Jzz, entries...);
-  }
-/// From a bare matrix, kg m^2. Throws BadInput also if it is not symmetric.
-template <Frame B, Point P, Frame C, detail::Matrix3x3 Matrix>
-Inertia<B, P, In<C>, typename Matrix::Scalar> inertia_from_tensor(Of<B>, About<P>, In<C>,
-                                                                  const Matrix& tensor) {
-  using J = Inertia<B, P, In<C>, typename Matrix::Scalar>;
-  detail::require_size(tensor, 3, 3,
-                       [] { return "inertia_from_tensor(" + detail::InertiaName<J>::text() + "): "; });
-  detail::require_symmetric<J, typename Matrix::Scalar>("inertia_from_tensor", tensor);
-  return detail::checked_inertia<J, typename Matrix::Scalar>("inertia_from_tensor", tensor);
+///     inertia_from_tensor(in<B>, M), a bare matrix in kg m^2
+/// or with of<B>, about<P>, in<C> for in<B>. Throws BadInput if an entry is not finite, the matrix is not
+/// symmetric, a principal moment is negative, or one exceeds the sum of the other two.
+template <class... Given> detail::FromTensor<Given...> inertia_from_tensor(const Given&... given) {
+  return detail::from_tensor(given...);
 }
-template <Frame B, detail::Matrix3x3 Matrix>
-CentralInertia<B, typename Matrix::Scalar> inertia_from_tensor(In<B>, const Matrix& tensor) {
-  return inertia_from_tensor(of<B>, about<CentreOfMassOf<B>>, in<B>, tensor);
-}
-template <class First, class... Given>
+template <class... Given>
+  requires(!detail::GivesInertia<detail::FromTensor, Given...>)
 auto inertia_from_tensor(  // in<B> or of<B>, about<P>, in<C>; Jxx, Jyy, Jzz, xy(Jxy), xz(Jxz), yz(Jyz)
-    const First&, const Given&...) -> Refused = delete;
+    const Given&...) -> Refused = delete;
 
 /// From moments and products of inertia, Pxy = + int x y dm: the off-diagonal entries of the tensor are their
 /// negatives. Named and in any order, xy(Pxy), yz(Pyz), zx(Pzx). Throws BadInput as inertia_from_tensor()
 /// does.
-template <Frame B, Point P, Frame C, class S, class... OffDiagonal>
-  requires detail::OffDiagonals<S, OffDiagonal...> Inertia<B, P, In<C>, S> inertia_from_moments_and_products(
-      Of<B>, About<P>, In<C>, const Quantity<si::moment_of_inertia, S>& Jxx,
-      const Quantity<si::moment_of_inertia, S>& Jyy, const Quantity<si::moment_of_inertia, S>& Jzz,
-      const OffDiagonal&... products) {
-    return detail::checked_inertia<Inertia<B, P, In<C>, S>>(
-        "inertia_from_moments_and_products",
-        detail::symmetric<S>(Jxx.value(), Jyy.value(), Jzz.value(), S(-1), products...));
-  }
-template <Frame B, class S, class... OffDiagonal>
-  requires detail::OffDiagonals<S, OffDiagonal...> CentralInertia<B, S> inertia_from_moments_and_products(
-      In<B>, const Quantity<si::moment_of_inertia, S>& Jxx, const Quantity<si::moment_of_inertia, S>& Jyy,
-      const Quantity<si::moment_of_inertia, S>& Jzz, const OffDiagonal&... products) {
-    return inertia_from_moments_and_products(of<B>, about<CentreOfMassOf<B>>, in<B>, Jxx, Jyy, Jzz,
-                                             products...);
-  }
-template <class First, class... Given>
+template <class... Given>
+detail::FromProducts<Given...> inertia_from_moments_and_products(const Given&... given) {
+  return detail::from_moments_and_products(given...);
+}
+template <class... Given>
+  requires(!detail::GivesInertia<detail::FromProducts, Given...>)
 auto inertia_from_moments_and_products(  // in<B>, ...; Jxx, Jyy, Jzz, xy(Pxy), xz(Pxz), yz(Pyz)
-    const First&, const Given&...) -> Refused = delete;
+    const Given&...) -> Refused = delete;
 
-/// From the moments about the axes, where these are principal axes. Throws BadInput as inertia_from_tensor()
-/// does.
-template <Frame B, Point P, Frame C, class S>
-Inertia<B, P, In<C>, S> inertia_from_principal_moments(Of<B>, About<P>, In<C>,
-                                                       const Quantity<si::moment_of_inertia, S>& Jx,
-                                                       const Quantity<si::moment_of_inertia, S>& Jy,
-                                                       const Quantity<si::moment_of_inertia, S>& Jz) {
-  const detail::Column<S> moments(Jx.value(), Jy.value(), Jz.value());
-  return detail::checked_inertia<Inertia<B, P, In<C>, S>>("inertia_from_principal_moments",
-                                                          detail::Square<S>(moments.asDiagonal()));
+/// From the moments about the axes, where these are principal axes: inertia_from_principal_moments(in<B>, Jx,
+/// Jy, Jz). Throws BadInput as inertia_from_tensor() does.
+template <class... Given>
+detail::FromPrincipalMoments<Given...> inertia_from_principal_moments(const Given&... given) {
+  return detail::from_principal_moments(given...);
 }
-template <Frame B, class S>
-CentralInertia<B, S> inertia_from_principal_moments(In<B>, const Quantity<si::moment_of_inertia, S>& Jx,
-                                                    const Quantity<si::moment_of_inertia, S>& Jy,
-                                                    const Quantity<si::moment_of_inertia, S>& Jz) {
-  return inertia_from_principal_moments(of<B>, about<CentreOfMassOf<B>>, in<B>, Jx, Jy, Jz);
-}
-template <class First, class... Given>
+template <class... Given>
+  requires(!detail::GivesInertia<detail::FromPrincipalMoments, Given...>)
 auto inertia_from_principal_moments(  // in<B> or of<B>, about<P>, in<C>; Jx, Jy, Jz in kg m^2
-    const First&, const Given&...) -> Refused = delete;
+    const Given&...) -> Refused = delete;
 
 /// The trusted door: checks nothing. For a symmetric positive tensor that no rigid body has, such as the
 /// effective tensor of a body with rotors, which may violate J1 + J2 >= J3.
