@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <vectrix/frames/errors.hpp>
 
 namespace vectrix {
 
@@ -34,7 +35,7 @@ std::string complaint(Function function, const std::filesystem::path& file = {},
                       const std::string& name = "FILE") {
   try {
     function();
-  } catch (const std::exception& error) {
+  } catch (const BadInput& error) {
     std::string text = error.what();
     if (const auto at = text.find(file.string()); !file.empty() && at != std::string::npos) {
       text.replace(at, file.string().size(), name);

@@ -241,25 +241,20 @@ TEST(GravityField, RefusesWrongFilesWithTheLine) {
 }
 
 TEST(GravityField, RefusesDegreesAndDepths) {
-  const auto said = [](const auto& call) -> std::string {
-    try {
-      call();
-    } catch (const BadInput& error) {
-      return error.what();
-    }
-    return "";
-  };
   EXPECT_EQ(
-      said([] { (void)GravityField::egm2008(21); }),
+      complaint([] { (void)GravityField::egm2008(21); }),
       "GravityField::egm2008: the degree is 21; 0 to 20 are built in, read() takes higher ones from a file");
-  EXPECT_NE(said([] { (void)GravityField::egm2008(-1); }), "");
-  EXPECT_EQ(said([] {
+  EXPECT_EQ(
+      complaint([] { (void)GravityField::egm2008(-1); }),
+      "GravityField::egm2008: the degree is -1; 0 to 20 are built in, read() takes higher ones from a file");
+  EXPECT_EQ(complaint([] {
               (void)GravityField::egm2008(4).acceleration(at({0, 0, 6.2e6}));
             }),
             "GravityField: the point is 6200000 m from the centre, inside 0.98 of the radius 6378136.3 m");
-  EXPECT_EQ(said([] { (void)GravityField::egm2008(4).with_gradient(at({0, 0, 6.35e6})); }), "");
-  EXPECT_NE(said([] { (void)GravityField::read("/nowhere/at/all.gfc", 2); }).find("all.gfc: cannot be read"),
-            std::string::npos);
+  EXPECT_NO_THROW((void)GravityField::egm2008(4).with_gradient(at({0, 0, 6.35e6})));
+  EXPECT_NE(
+      complaint([] { (void)GravityField::read("/nowhere/at/all.gfc", 2); }).find("all.gfc: cannot be read"),
+      std::string::npos);
 }
 
 }  // namespace

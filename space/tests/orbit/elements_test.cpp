@@ -9,6 +9,8 @@
 #include <vectrix/space/orbit/elements.hpp>
 #include <vectrix/space/orbit/modified_equinoctial.hpp>
 
+#include "temporary_file.hpp"
+
 namespace vectrix::elements_test {
 namespace {
 
@@ -183,15 +185,6 @@ TEST(ModifiedEquinoctial, ByTheirDefinition) {
   expect_definition(retrograde);
 }
 
-template <class Function> std::string refusal(const Function& f) {
-  try {
-    static_cast<void>(f());
-  } catch (const BadInput& error) {
-    return error.what();
-  }
-  return "accepted";
-}
-
 TEST(Elements, RefuseWhatIsNoOrbit) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   const auto said = [](const std::string& message, const std::string& part) {
@@ -199,7 +192,7 @@ TEST(Elements, RefuseWhatIsNoOrbit) {
     EXPECT_NE(message.find("Ship relative to"), std::string::npos) << message;
   };
   const auto made = [](double p, double e, double i, double nu) {
-    return refusal([=] { return keplerian(p, e, i, 0, 0, nu); });
+    return complaint([=] { return keplerian(p, e, i, 0, 0, nu); });
   };
   said(made(0, 0.1, 0, 0), "the semi-latus rectum is 0 m");
   said(made(nan, 0.1, 0, 0), "the semi-latus rectum is nan m");
@@ -210,7 +203,7 @@ TEST(Elements, RefuseWhatIsNoOrbit) {
   said(made(7e6, 2.0, 1, 2.5), "the true anomaly is 2.5 rad, not inside the asymptotes");
 
   const auto of_motion = [](const Vector3d& r, const Vector3d& v, double gravity) {
-    return refusal([=] {
+    return complaint([=] {
       return keplerian_elements(Quantity<si::gravitational_parameter>::from_value(gravity), orbit(r, v));
     });
   };
@@ -219,12 +212,12 @@ TEST(Elements, RefuseWhatIsNoOrbit) {
   said(of_motion({1, 0, 0}, {0, 1, 0}, 0), "mu is 0 m^3/s^2");
 
   const auto equatorial = [](double y) { return orbit(Vector3d(7e6, 0, 0), Vector3d(0, y, 0)); };
-  said(refusal([&] { return modified_equinoctial(prograde, mu, equatorial(-7e3)); }),
+  said(complaint([&] { return modified_equinoctial(prograde, mu, equatorial(-7e3)); }),
        "the inclination is pi: a singularity of prograde elements");
-  said(refusal([&] { return modified_equinoctial(retrograde, mu, equatorial(7e3)); }),
+  said(complaint([&] { return modified_equinoctial(retrograde, mu, equatorial(7e3)); }),
        "the inclination is 0: a singularity of retrograde elements");
   const auto given = [](double f, double L) {
-    return refusal([=] {
+    return complaint([=] {
       return modified_equinoctial(prograde, of<Ship>, relative_to<Gcrf>, in<Gcrf>, 7e6 * si::metre, f, 0.0,
                                   0.0, 0.0, L * si::radian);
     });

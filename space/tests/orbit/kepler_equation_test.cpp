@@ -8,6 +8,8 @@
 #include <vectrix/frames/errors.hpp>
 #include <vectrix/space/orbit/kepler_equation.hpp>
 
+#include "temporary_file.hpp"
+
 namespace vectrix::kepler_equation_test {
 namespace {
 
@@ -165,38 +167,29 @@ TEST(KeplerEquation, TimeFromPeriapsis) {
   }
 }
 
-template <class Function> std::string refusal(const Function& f) {
-  try {
-    static_cast<void>(f());
-  } catch (const BadInput& error) {
-    return error.what();
-  }
-  return "accepted";
-}
-
 TEST(KeplerEquation, RefusesWhatHasNoAnomaly) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  EXPECT_EQ(refusal([] { return eccentric_anomaly(mean(1.0), 1.0); }),
+  EXPECT_EQ(complaint([] { return eccentric_anomaly(mean(1.0), 1.0); }),
             "eccentric_anomaly: the eccentricity is 1; a parabola has only a true anomaly");
-  EXPECT_EQ(refusal([] { return eccentric_anomaly(mean(1.0), -0.1); }),
+  EXPECT_EQ(complaint([] { return eccentric_anomaly(mean(1.0), -0.1); }),
             "eccentric_anomaly: the eccentricity is -0.1; it must be finite and not negative");
-  EXPECT_EQ(refusal([] { return mean_anomaly(eccentric(1.0), nan); }),
+  EXPECT_EQ(complaint([] { return mean_anomaly(eccentric(1.0), nan); }),
             "mean_anomaly: the eccentricity is nan; it must be finite and not negative");
-  EXPECT_EQ(refusal([] { return true_anomaly(eccentric(infinity), 0.1); }),
+  EXPECT_EQ(complaint([] { return true_anomaly(eccentric(infinity), 0.1); }),
             "true_anomaly: the eccentric anomaly is inf; it must be finite");
-  EXPECT_EQ(refusal([] { return eccentric_anomaly(mean(nan), 0.1); }),
+  EXPECT_EQ(complaint([] { return eccentric_anomaly(mean(nan), 0.1); }),
             "eccentric_anomaly: the mean anomaly is nan; it must be finite");
-  EXPECT_EQ(refusal([] { return eccentric_anomaly(true_of(2.5), 2.0); }),
+  EXPECT_EQ(complaint([] { return eccentric_anomaly(true_of(2.5), 2.0); }),
             "eccentric_anomaly: the true anomaly is 2.5 rad, not inside the asymptotes of the orbit");
-  EXPECT_EQ(refusal([] { return time_since_periapsis(true_of(pi + 1.0), mu, q, 1.0); }),
+  EXPECT_EQ(complaint([] { return time_since_periapsis(true_of(pi + 1.0), mu, q, 1.0); }),
             "time_since_periapsis: the true anomaly is 4.141592653589793 rad, not inside the asymptotes of "
             "the orbit");
-  EXPECT_EQ(refusal([] { return true_anomaly(1.0 * si::second, -1.0 * mu, q, 0.1); }),
+  EXPECT_EQ(complaint([] { return true_anomaly(1.0 * si::second, -1.0 * mu, q, 0.1); }),
             "true_anomaly: mu is -398600441500000 m^3/s^2; it must be finite and positive");
-  EXPECT_EQ(refusal([] { return true_anomaly(1.0 * si::second, mu, 0.0 * q, 0.1); }),
+  EXPECT_EQ(complaint([] { return true_anomaly(1.0 * si::second, mu, 0.0 * q, 0.1); }),
             "true_anomaly: the periapsis distance is 0 m; it must be finite and positive");
-  EXPECT_EQ(refusal([nan] { return true_anomaly(nan * si::second, mu, q, 0.1); }),
+  EXPECT_EQ(complaint([nan] { return true_anomaly(nan * si::second, mu, q, 0.1); }),
             "true_anomaly: the time is nan; it must be finite");
 }
 

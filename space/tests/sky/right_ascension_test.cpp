@@ -5,6 +5,7 @@
 #include <numbers>
 #include <random>
 
+#include <vectrix/space/earth/teme.hpp>
 #include <vectrix/space/sky/right_ascension.hpp>
 
 #include "temporary_file.hpp"

@@ -9,9 +9,9 @@ namespace vectrix {
 namespace earth {
 
 /// True equator, mean equinox of date: the frame of two-line element sets and SGP4. z is along the celestial
-/// intermediate pole; x differs from that of TrueOfDate by the equation of the equinoxes. The velocities of
-/// SGP4 take it for inertial: it turns by 7e-12 rad/s relative to Gcrf, 5e-5 m/s in a low orbit. A position
-/// in it taken for one in Gcrf is 43 km off there.
+/// intermediate pole; x differs from that of TrueOfDate by the equation of the equinoxes. SGP4 takes it for
+/// inertial: it turns by 7e-12 rad/s relative to Gcrf, 5e-5 m/s in a low orbit. A position in it taken for
+/// one in Gcrf is 43 km off there.
 struct Teme : inertial_frame {};
 
 }  // namespace earth

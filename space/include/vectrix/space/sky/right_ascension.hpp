@@ -6,7 +6,7 @@
 
 #include <vectrix/frames/displacement.hpp>
 #include <vectrix/frames/export.hpp>
-#include <vectrix/space/earth/teme.hpp>
+#include <vectrix/space/earth/earth_orientation.hpp>
 
 namespace vectrix {
 
@@ -22,10 +22,10 @@ VECTRIX_EXPORT RightAscensionDeclination right_ascension_of(const std::string& n
                                                             const Eigen::Vector3d& r);
 VECTRIX_EXPORT Eigen::Vector3d direction_of(const std::string& name, const RightAscensionDeclination& place);
 
-/// The frames that have right ascensions: the inertial ones, and those of the equator and equinox of date.
+/// The frames that have right ascensions: the inertial ones, and that of the true equator and equinox of
+/// date.
 template <class F> inline constexpr bool has_right_ascension = InertialFrame<F>;
 template <> inline constexpr bool has_right_ascension<earth::TrueOfDate> = true;
-template <> inline constexpr bool has_right_ascension<earth::Teme> = true;
 
 }  // namespace detail
 
