@@ -1,9 +1,10 @@
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
-#include <set>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <vectrix/frames/errors.hpp>
@@ -23,8 +24,7 @@ std::vector<std::string> words_of(const std::string& line) {
 
 class Reader {
  public:
-  Reader(const std::filesystem::path& file, int degree)
-      : file_(file), degree_(degree), found_(std::max(degree, 0)) {}
+  Reader(const std::filesystem::path& file, int degree) : file_(file), degree_(degree) {}
 
   GravityModel read() {
     if (degree_ < 0) fail("the degree asked for is " + text(degree_));
@@ -46,8 +46,7 @@ class Reader {
     }
     if (in_head) fail("there is no end_of_head");
     if (!content->whole) fail("the file stops within this line; it was truncated");
-    require_all_coefficients();
-    return {*mu_, *radius_, found_};
+    return {*mu_, *radius_, all_coefficients()};
   }
 
  private:
@@ -107,21 +106,25 @@ class Reader {
     if (m == 0 && S != 0.0) fail("S of order 0 is " + text(S));
     if (n == 0 && !(C > 0.999 && C < 1.001)) fail("C of degree 0 is " + text(C) + ", not 1");
     if (n > degree_) return;
-    if (!given_.insert({n, m}).second) fail("degree " + text(n) + " and order " + text(m) + " stand twice");
-    found_.add(n, m, {C, S});
+    if (!found_.insert({{n, m}, {C, S}}).second) {
+      fail("degree " + text(n) + " and order " + text(m) + " stand twice");
+    }
   }
 
   // The terms of degree 0 and 1 may be left out: they are 1, and 0 about the centre of mass.
-  void require_all_coefficients() {
+  [[nodiscard]] Harmonics all_coefficients() {
     line_ = 0;
-    if (!given_.contains({0, 0})) found_.add(0, 0, {1.0, 0.0});
     for (int n = 2; n <= degree_; ++n) {
       for (int m = 0; m <= n; ++m) {
-        if (!given_.contains({n, m})) {
+        if (!found_.contains({n, m})) {
           fail("the coefficients of degree " + text(n) + " and order " + text(m) + " are missing");
         }
       }
     }
+    found_.insert({{0, 0}, {1.0, 0.0}});
+    Harmonics all(degree_);
+    for (const auto& [place, pair] : found_) all.add(place.first, place.second, pair);
+    return all;
   }
 
   const std::filesystem::path& file_;
@@ -129,8 +132,7 @@ class Reader {
   std::size_t line_ = 0;
   std::optional<double> mu_, radius_;
   std::optional<int> max_degree_;
-  std::set<std::pair<int, int>> given_;
-  Harmonics found_;
+  std::map<std::pair<int, int>, Harmonics::Pair> found_;  // by degree and order
 };
 
 }  // namespace

@@ -217,6 +217,7 @@ TEST(GravityField, RefusesWrongFilesWithTheLine) {
   EXPECT_EQ(refusal(Model(3).file("d"), 3), "");
   EXPECT_EQ(refusal(Model(3).file("D"), 3), "");
   EXPECT_EQ(refusal(good, 4), ", line 7: the model ends at degree 3, 4 is asked for");
+  EXPECT_EQ(refusal(good, 1'000'000'000), ", line 7: the model ends at degree 3, 1000000000 is asked for");
   EXPECT_EQ(refusal(good, -1), ": the degree asked for is -1");
   EXPECT_EQ(refusal(with(good, "fully_normalized", "unnormalized"), 3),
             ", line 8: the coefficients are unnormalized");
