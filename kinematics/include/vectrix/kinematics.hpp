@@ -16,9 +16,11 @@
 #include <vectrix/kinematics/estimation/triad.hpp>
 #include <vectrix/kinematics/estimation/wahba.hpp>
 #include <vectrix/kinematics/points/acceleration.hpp>
+#include <vectrix/kinematics/points/coincident.hpp>
 #include <vectrix/kinematics/points/derivative.hpp>
 #include <vectrix/kinematics/points/motion_laws.hpp>
 #include <vectrix/kinematics/points/moving_transform.hpp>
+#include <vectrix/kinematics/points/parallel.hpp>
 #include <vectrix/kinematics/points/point_motion.hpp>
 #include <vectrix/kinematics/points/rigid_edge.hpp>
 #include <vectrix/kinematics/points/velocity.hpp>

@@ -1,6 +1,9 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <vectrix/kinematics/points/coincident.hpp>
+#include <vectrix/kinematics/points/parallel.hpp>
+
 #include "moving_points.hpp"
 
 using namespace vectrix;
@@ -10,6 +13,7 @@ namespace moving_transform_test {
 namespace {
 
 struct Tip : named_point {};
+struct TipFrame : moving_frame {};
 
 /// Derivatives reach 1e3 m/s^2 where three motions are chained; each product adds about ten roundings.
 constexpr double chain_tolerance = 1e-11;
@@ -69,6 +73,33 @@ TEST(Acceleration, TheApparentAccelerationsPointAsInTheTextbook) {
   EXPECT_EQ(centrifugal_acceleration(w, r).coordinates(), Eigen::Vector3d(12, 0, 0));  // outwards
   EXPECT_EQ(coriolis_acceleration(w, v).coordinates(), Eigen::Vector3d(0, 4, 0));      // along the rotation
   EXPECT_EQ(euler_acceleration(alpha, r).coordinates(), Eigen::Vector3d(0, -15, 0));   // against the rotation
+}
+
+// Frames with one origin, and a point that moves in one of them: its motion in the other is the transport of
+// it, what the product of the two claims says.
+RC_GTEST_PROP(MovingTransform, OfOneOriginTurnsTheMotionOfAPoint, ()) {
+  const Arm arm;
+  const auto turning = accelerating_dcm(arm.ab.rotation(), arm.ab.w_ab_b(), arm.ab.alpha_ab_b());
+  const auto r_b = displacement(of<Tip>, relative_to<Body>, arm.seen_from_b.displacement().vector());
+  const auto v_b =
+      velocity(of<Tip>, relative_to<Body>, observed_from<Body>, arm.seen_from_b.velocity().vector());
+  const auto a_b =
+      acceleration(of<Tip>, relative_to<Body>, observed_from<Body>, arm.seen_from_b.acceleration().vector());
+  const PointMotion<Body, TipFrame, Body> motion{
+      displacement(of<TipFrame>, relative_to<Body>, r_b.vector()),
+      velocity(of<TipFrame>, relative_to<Body>, observed_from<Body>, v_b.vector())};
+  const auto carried =
+      parallel(motion, acceleration(of<TipFrame>, relative_to<Body>, observed_from<Body>, a_b.vector()));
+  const auto whole = product(coincident(turning), carried);
+  RC_ASSERT(distance(whole.translation.coordinates(), arm.seen_from_a.r) <= chain_tolerance);
+  RC_ASSERT(distance(whole.velocity.coordinates(), arm.seen_from_a.v) <= chain_tolerance);
+  RC_ASSERT(distance(whole.acceleration.coordinates(), arm.seen_from_a.a) <= chain_tolerance);
+  // The axes of the point do not turn in b: in a they turn as b does.
+  RC_ASSERT(distance(whole.turning.angular_velocity.coordinates(), arm.ab.w_ab_b().coordinates()) == 0.0);
+  const auto slower = product(coincident(without_acceleration(turning)), parallel(motion));
+  RC_ASSERT(slower.velocity.coordinates() == whole.velocity.coordinates());
+  RC_ASSERT(product(coincident(arm.ab.rotation()), transform_of(carried)).translation.coordinates() ==
+            whole.translation.coordinates());
 }
 
 TEST(Velocity, RestIsClaimedByName) {

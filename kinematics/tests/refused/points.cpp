@@ -264,3 +264,18 @@ auto motion(const Velocity<Gcrf, Tip, ObservedFrom<Body>, In<Body>>& v_b,
 #endif
 }
 }  // namespace velocity_transport_with_reversed_rate
+
+namespace motion_seen_from_another_frame_as_an_edge {
+// mistake: a motion relative to the origin of one frame, observed from another, taken for the motion of a frame
+// expect: RelativeToPoint = Body
+// expect: Observer = Gcrf
+auto at(const PointMotion<Body, Camera, Gcrf>& motion, const AngularVelocity<Body, Gcrf, In<Gcrf>>& w_bi_i,
+        const Dcm<Body, Gcrf>& R_b_from_i) {
+#ifdef REPAIRED
+  const auto v_b = R_b_from_i * transport(observed_from<Body>, motion.velocity, motion.position, w_bi_i);
+  return parallel(PointMotion<Body, Camera, Body>{R_b_from_i * motion.position, v_b});
+#else
+  return static_cast<void>(w_bi_i), static_cast<void>(R_b_from_i), parallel(motion);
+#endif
+}
+}  // namespace motion_seen_from_another_frame_as_an_edge

@@ -3,7 +3,7 @@
 #include <utility>
 #include <vector>
 #include <vectrix/frames/graph/edge.hpp>
-#include <vectrix/kinematics/points/moving_transform.hpp>
+#include <vectrix/kinematics/points/parallel.hpp>
 #include <vectrix/kinematics/samples/attitude_sample.hpp>
 #include <vectrix/kinematics/samples/hermite.hpp>
 #include <vectrix/kinematics/samples/sample_steps.hpp>
@@ -36,12 +36,9 @@ template <Frame A, Frame Q, Instant I = Quantity<si::time>> class SampledPositio
 
   MovingTransform<A, Q, S> operator()(const I& t) const {
     const auto [i, since] = steps_.at(t);
-    const auto now = hermite(samples_[i].motion, samples_[i + 1].motion,
-                             Quantity<si::time, S>::from_value(steps_.duration(i)),
-                             Quantity<si::time, S>::from_value(since));
-    return {{aligned<S>(to<A>, from<Q>), at_rest<Q, A, Q, S>(of<Q>, relative_to<A>, in<Q>)},
-            now.position,
-            now.velocity};
+    return parallel(hermite(samples_[i].motion, samples_[i + 1].motion,
+                            Quantity<si::time, S>::from_value(steps_.duration(i)),
+                            Quantity<si::time, S>::from_value(since)));
   }
 
  private:
