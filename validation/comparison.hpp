@@ -25,6 +25,7 @@ Rows exact_rows(const std::string& data);
 Rows nasa_rows(const std::string& data);
 Rows basilisk_rows(const std::string& data);
 Rows simbody_rows(const std::string& data);
+Rows space_rows(const std::string& data);  // its figures are those of the tests of space/
 
 /// The table in Markdown, one section per group.
 std::string markdown(const Rows& rows);
