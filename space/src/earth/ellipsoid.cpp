@@ -23,19 +23,51 @@ Eigen::Vector3d scaled(const Eigen::Vector3d& r) {
 
 using Real = long double;
 
-struct Meridian {
-  Real latitude, height;
+// The meridian through the position: the distance from the axis, and the height over the equator.
+struct OnMeridian {
+  Real R, z;
 };
 
-// The normal of the ellipse through the point (R, z), R >= 0, from the nearest point of the ellipse. With k
-// the positive root of
+OnMeridian on_meridian(const Eigen::Vector3d& r) {
+  return {std::sqrt(Real{r.x()} * r.x() + Real{r.y()} * r.y()), r.z()};
+}
+
+constexpr Real e2 = Real{flattening} * (2 - Real{flattening});
+
+// The direction (cosine, sine) of the normal, of any length, and the height.
+struct Normal {
+  Real cosine, sine, height;
+};
+
+// Outside the ellipsoid. With the reduced latitude u of the nearest point,
+//     tan phi = (z + e'^2 b sin^3 u) / (R - e^2 a cos^3 u),    tan u = (1 - f) tan phi
+// (Bowring, Transformation from spatial to geographical coordinates, 1976), from his first value, u of
+// tan u = (z b / (R a)) (1 + e'^2 b / r). Twice: 3e-13 rad after one step, nothing left after two.
+Normal nearest_from_outside(const OnMeridian& at) {
+  constexpr Real a = equatorial_radius, shorter = 1 - Real{flattening}, b = a * shorter,
+                 second_e2 = e2 / (1 - e2);
+  Real sine = at.z * shorter * (1 + second_e2 * b / std::sqrt(at.R * at.R + at.z * at.z)), cosine = at.R;
+  for (int step = 0; step < 2; ++step) {
+    const Real scale = 1 / std::sqrt(sine * sine + cosine * cosine);
+    const Real sine_u = scale * sine, cosine_u = scale * cosine;
+    sine = at.z + second_e2 * b * sine_u * sine_u * sine_u;
+    cosine = at.R - e2 * a * cosine_u * cosine_u * cosine_u;
+    if (step == 0) sine *= shorter;
+  }
+  const Real scale = 1 / std::sqrt(sine * sine + cosine * cosine);
+  const Real sine_phi = scale * sine;
+  return {cosine, sine,
+          scale * cosine * at.R + sine_phi * at.z - a * std::sqrt(1 - e2 * sine_phi * sine_phi)};
+}
+
+// Inside it, on the surface and outside too. The normal of the ellipse through the point (R, z), R >= 0, from
+// the nearest point of the ellipse. With k the positive root of
 //     k^4 + 2 e^2 k^3 - (p + q - e^4) k^2 - 2 e^2 q k - e^4 q = 0,    p = (R/a)^2, q = (1 - e^2) (z/a)^2
 // the normal has the direction (R / (k + e^2), z / k). The quartic by its resolvent cubic, without
 // cancellation (Karney, Geodesics on an ellipsoid of revolution, 2011, appendix B).
-Meridian nearest_on_meridian(const Eigen::Vector3d& position) {
-  const Real R = std::hypot(Real{position.x()}, Real{position.y()}), z = position.z();
+Normal nearest_from_inside(const OnMeridian& at) {
+  const auto [R, z] = at;
   constexpr Real a = equatorial_radius;
-  constexpr Real e2 = Real{flattening} * (2 - Real{flattening});
   constexpr Real e4 = e2 * e2;
   const Real p = (R / a) * (R / a);
   const Real q = (1 - e2) * (z / a) * (z / a);
@@ -43,8 +75,7 @@ Meridian nearest_on_meridian(const Eigen::Vector3d& position) {
   if (e4 * q == 0 && r <= 0) {
     // In the equatorial disc around the centre, k = 0. Of two nearest points the northern one.
     const Real sine = std::sqrt((e4 - p) / (1 - e2)), cosine = std::sqrt(p);
-    const Real length = std::hypot(sine, cosine);
-    return {std::atan2(sine, cosine), -a * (1 - e2) * length / e2};
+    return {cosine, sine, -a * (1 - e2) * std::hypot(sine, cosine) / e2};
   }
   const Real S = e4 * p * q / 4;
   const Real cube = r * r * r;
@@ -61,7 +92,12 @@ Meridian nearest_on_meridian(const Eigen::Vector3d& position) {
   const Real uv = u < 0 ? e4 * q / (v - u) : u + v;
   const Real w = std::max(Real{0}, e2 * (uv - q) / (2 * v));
   const Real k = uv / (std::sqrt(uv + w * w) + w);
-  return {std::atan2(z / k, R / (k + e2)), (1 - (1 - e2) / k) * std::hypot(k * R / (k + e2), z)};
+  return {R / (k + e2), z / k, (1 - (1 - e2) / k) * std::hypot(k * R / (k + e2), z)};
+}
+
+Normal nearest(const Eigen::Vector3d& r) {
+  const bool outside = scaled(r).squaredNorm() >= 1.0;
+  return outside ? nearest_from_outside(on_meridian(r)) : nearest_from_inside(on_meridian(r));
 }
 
 }  // namespace
@@ -70,9 +106,9 @@ Geodetic geodetic(const Vector<earth::Itrf, si::length>& r_itrf) {
   const Eigen::Vector3d r = r_itrf.coordinates();
   if (r.isZero(0.0)) throw BadInput("wgs84::geodetic: the centre of the Earth has no latitude");
   const double longitude = std::atan2(r.y() + 0.0, r.x() + 0.0);  // -0 becomes 0: longitude pi, not -pi
-  const Meridian found = nearest_on_meridian(r);
-  return {static_cast<double>(found.latitude) * si::radian, longitude * si::radian,
-          static_cast<double>(found.height) * si::metre};
+  const Normal normal = nearest(r);
+  const double latitude = std::atan2(static_cast<double>(normal.sine), static_cast<double>(normal.cosine));
+  return {latitude * si::radian, longitude * si::radian, static_cast<double>(normal.height) * si::metre};
 }
 
 Vector<earth::Itrf, si::length> position(const Geodetic& geodetic) {
@@ -111,8 +147,7 @@ std::optional<Vector<earth::Itrf, si::length>> first_intersection(
   if (std::abs(outside) <= surface_tolerance) return r_itrf;
   if (outside < 0.0) {
     throw BadInput("wgs84::first_intersection: the origin lies inside the ellipsoid, at a height of " +
-                   detail::text(static_cast<double>(nearest_on_meridian(r_itrf.coordinates()).height)) +
-                   " m");
+                   detail::text(static_cast<double>(nearest(r_itrf.coordinates()).height)) + " m");
   }
   const double approach = -u.dot(v);
   if (approach <= 0.0) return std::nullopt;

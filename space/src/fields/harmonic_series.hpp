@@ -4,54 +4,69 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "harmonics.hpp"
 
 namespace vectrix::detail {
 
-/// Several sums of solid harmonics of one radius, evaluated together: all use the same functions. The rows
-/// stand in the order of the evaluation, by columns m.
+/// Several sums of solid harmonics of one radius, evaluated together: all use the same functions. Each
+/// function waits for the two before it in its column, m, so that few sums are taken by two columns at a
+/// time.
 template <std::size_t sums> class HarmonicSeries {
  public:
   HarmonicSeries(const std::array<Harmonics, sums>& harmonics, double radius)
       : degree_(harmonics.front().degree()), radius_(radius) {
-    for (int m = 0; m <= degree_; ++m) {
+    for (int m = 0; m <= degree_; m += step) {
       for (int n = m; n <= degree_; ++n) {
-        Row row{n > m + 1 ? (Pair{} + ((n - 1.0) * (n - 1) - m * m) / (4.0 * (n - 1) * (n - 1) - 1)) : Pair{},
-                {}};
-        for (std::size_t i = 0; i < sums; ++i)
-          row.coefficients[i] = Pair{harmonics[i].at(n, m).C, harmonics[i].at(n, m).S};
+        Row row{};
+        for (std::size_t c = 0; c < columns; ++c) {
+          const int nc = n + static_cast<int>(c), mc = m + static_cast<int>(c);
+          if (nc > degree_) continue;  // the second column is shorter
+          const double k = (static_cast<double>(nc) * nc - mc * mc) / (4.0 * nc * nc - 1.0);
+          if (columns == 1)
+            row.k = Pair{k, k};
+          else
+            row.k[c] = k;
+          for (std::size_t i = 0; i < sums; ++i) {
+            const auto& pair = harmonics[i].at(nc, mc);
+            row.coefficients[c][i] = Pair{pair.C, pair.S};
+          }
+        }
         rows_.push_back(row);
       }
     }
   }
 
-  /// The sums at a point, m. In each column P_n = (a z/r^2) P_n-1 - k_nm (a/r)^2 P_n-2, times
+  /// The sums at a point, m. In each column P_n+1 = (a z/r^2) P_n - k_nm (a/r)^2 P_n-1, times
   /// (a (x + i y)/r^2)^m: no angle, and no singular point at the poles.
   [[nodiscard]] std::array<double, sums> at(const Eigen::Vector3d& r) const {
     const double square = r.squaredNorm();
     const Eigen::Vector3d scaled = radius_ / square * r;
-    const Pair z = Pair{} + scaled.z(), q2 = Pair{} + radius_ * radius_ / square;
+    const Pair z = both(scaled.z()), q2 = both(radius_ * radius_ / square);
     std::array<Pair, sums> total{};
     double cosine = 1.0, sine = 0.0;  // of the power of x + i y
     const Row* row = rows_.data();
-    for (int m = 0; m <= degree_; ++m) {
-      std::array<Pair, sums> column{};
-      Pair before{}, now = Pair{} + 1.0;
+    for (int m = 0; m <= degree_; m += step) {
+      std::array<std::array<Pair, sums>, columns> column{};
+      Pair before{}, now = both(1.0);
       for (int n = m; n <= degree_; ++n, ++row) {
-        if (n > m) {
-          const Pair next = z * now - row->k * q2 * before;
-          before = now;
-          now = next;
-        }
-        for (std::size_t i = 0; i < sums; ++i) column[i] += now * row->coefficients[i];
+        for_each<columns>([&]<std::size_t c>() {
+          const Pair function = columns == 1 ? now : both(now[c]);
+          for_each<sums>([&]<std::size_t i>() { column[c][i] += function * row->coefficients[c][i]; });
+        });
+        const Pair next = z * now - row->k * q2 * before;
+        before = now;
+        now = next;
       }
-      const Pair phase{cosine, sine};
-      for (std::size_t i = 0; i < sums; ++i) total[i] += phase * column[i];
-      const double turned = cosine * scaled.x() - sine * scaled.y();
-      sine = cosine * scaled.y() + sine * scaled.x();
-      cosine = turned;
+      for_each<columns>([&]<std::size_t c>() {
+        const Pair phase{cosine, sine};
+        for_each<sums>([&]<std::size_t i>() { total[i] += phase * column[c][i]; });
+        const double turned = cosine * scaled.x() - sine * scaled.y();
+        sine = cosine * scaled.y() + sine * scaled.x();
+        cosine = turned;
+      });
     }
     std::array<double, sums> result{};
     const double q = radius_ / std::sqrt(square);
@@ -61,10 +76,22 @@ template <std::size_t sums> class HarmonicSeries {
 
  private:
   using Pair = double __attribute__((vector_size(16)));
+  static constexpr std::size_t columns = sums > 4 ? 1 : 2;  // the registers hold the sums of so many
+  static constexpr int step = static_cast<int>(columns);
+
   struct Row {
-    Pair k;  // twice the same number
-    std::array<Pair, sums> coefficients;
+    Pair k;  // of both columns; of one, twice the same number
+    std::array<std::array<Pair, sums>, columns> coefficients;
   };
+
+  static Pair both(double x) { return Pair{x, x}; }
+  /// Written out, so that the sums stay in registers.
+  template <std::size_t count, class Function> static void for_each(const Function& function) {
+    [&]<std::size_t... i>(std::index_sequence<i...>) {
+      (function.template operator()<i>(), ...);
+    }
+    (std::make_index_sequence<count>{});
+  }
 
   int degree_;
   double radius_;
