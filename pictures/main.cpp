@@ -13,7 +13,8 @@ int main(int count, char** words) try {
       {"coning", pictures::coning},
       {"drift", pictures::drift},
       {"work_precision", pictures::work_precision},
-      {"polhodes", pictures::polhodes}};
+      {"polhodes", pictures::polhodes},
+      {"passes", pictures::passes}};
   const std::string_view first = count > 1 ? words[1] : "";
   const auto picture = all.find(first);
   if (count == 2 && picture != all.end()) {
@@ -29,7 +30,7 @@ int main(int count, char** words) try {
     }
     return 0;
   }
-  std::cerr << "usage: pictures coning|drift|work_precision|polhodes, or pictures --write <folder>\n";
+  std::cerr << "usage: pictures coning|drift|work_precision|polhodes|passes, or pictures --write <folder>\n";
   return 2;
 } catch (const std::exception& error) {
   std::cerr << error.what() << '\n';

@@ -2,12 +2,13 @@
 
 #include <string>
 
-/// The pictures of docs/explanation/theory.md, each an SVG file.
+/// The pictures of the docs, each an SVG file.
 namespace pictures {
 
 std::string coning();
 std::string drift();
 std::string work_precision();
 std::string polhodes();
+std::string passes();
 
 }  // namespace pictures
