@@ -7,44 +7,20 @@
 
 #include <vectrix/frames/dcm_doors.hpp>
 #include <vectrix/space/earth/earth_orientation.hpp>
+#include <vectrix/space/earth/intermediate_frames.hpp>
 
 #include "erfa_rotation.hpp"
 #include "finals2000a.hpp"
+#include "row_spline.hpp"
 
 namespace vectrix {
-namespace {
 
-struct Tirs : moving_frame {};  // Itrf before polar motion
-
-using detail::Rows, detail::matrix_of, detail::ut1_date, detail::set_polar_motion;
-
-// dERA/dUT1, rad/s (IERS Conventions 2010, equation 5.15).
-constexpr double earth_rotation_rate = ERFA_D2PI * 1.00273781191135448 / ERFA_DAYSEC;
-
-}  // namespace
+using detail::Rows, detail::matrix_of, detail::ut1_date;
 
 MovingDcm<earth::Gcrf, earth::Itrf> earth_rotation(const Epoch& epoch,
                                                    const EarthOrientationParameters& parameters) {
-  const JulianDate tt = epoch.tt_date();
-  const JulianDate ut1 = ut1_date(epoch, parameters);
-  double x = 0.0;
-  double y = 0.0;
-  eraXy06(tt.day, tt.fraction, &x, &y);
-  const double s = eraS06(tt.day, tt.fraction, x, y);
-  Rows cirs_from_gcrf;
-  eraC2ixys(x + parameters.dX.value(), y + parameters.dY.value(), s, cirs_from_gcrf);
-  Rows polar_motion;
-  set_polar_motion(tt, parameters, polar_motion);
-  Rows itrf_from_gcrf;
-  eraC2tcio(cirs_from_gcrf, eraEra00(ut1.day, ut1.fraction), polar_motion, itrf_from_gcrf);
-
-  // The celestial intermediate pole is the z axis of the frame before polar motion.
-  const Eigen::Vector3d pole = matrix_of(polar_motion).col(2);
-  const double rate = earth_rotation_rate * (1.0 + parameters.ut1_gain.value());
-  return moving_dcm(
-      inverse(trust_dcm(to<earth::Itrf>, from<earth::Gcrf>, matrix_of(itrf_from_gcrf))),
-      angular_velocity(of<earth::Itrf>, relative_to<earth::Gcrf>,
-                       vector<si::angular_velocity>(in<earth::Itrf>, Eigen::Vector3d(rate * pole))));
+  return gcrf_from_cirf(epoch, parameters) * cirf_from_tirf(epoch, parameters) *
+         tirf_from_itrf(epoch, parameters);
 }
 
 Dcm<earth::TrueOfDate, earth::Gcrf> true_of_date_from_gcrf(const Epoch& epoch) {
@@ -61,41 +37,50 @@ Dcm<earth::Itrf, earth::TrueOfDate> itrf_from_true_of_date(const Epoch& epoch,
   Rows true_of_date;
   eraPnm06a(tt.day, tt.fraction, true_of_date);
   const double sidereal_time = eraGst06(ut1.day, ut1.fraction, tt.day, tt.fraction, true_of_date);
-  Rows polar_motion;
-  set_polar_motion(tt, parameters, polar_motion);
-  return trust_dcm(to<earth::Itrf>, from<Tirs>, Eigen::Matrix3d(matrix_of(polar_motion))) *
-         turned_z(to<Tirs>, from<earth::TrueOfDate>, sidereal_time * si::radian);
+  return inverse(tirf_from_itrf(epoch, parameters).rotation) *
+         turned_z(to<earth::Tirf>, from<earth::TrueOfDate>, sidereal_time * si::radian);
 }
 
 EarthOrientation::EarthOrientation(std::vector<Epoch> epochs, std::vector<EarthOrientationParameters> rows)
-    : epochs_(std::move(epochs)), rows_(std::move(rows)) {}
+    : epochs_(std::move(epochs)), rows_(std::move(rows)) {
+  detail::set_rates(epochs_, rows_);
+}
 
 EarthOrientation EarthOrientation::read(const std::filesystem::path& finals2000A) {
   auto [epochs, rows] = detail::read_finals2000A(finals2000A);
   return {std::move(epochs), std::move(rows)};
 }
 
-EarthOrientationParameters EarthOrientation::parameters(const Epoch& epoch) const {
+void EarthOrientation::require(const Epoch& epoch) const {
   if (epoch < first() || epoch > last()) {
     throw BadInput("EarthOrientation: the epoch " + detail::shown(epoch) +
                    " is outside the data, which span " + detail::shown(first()) + " to " +
                    detail::shown(last()));
   }
-  const auto after = std::upper_bound(epochs_.begin(), epochs_.end() - 1, epoch) - epochs_.begin();
+}
+
+Eigen::Matrix<double, 5, 3> EarthOrientation::curves(const Epoch& epoch) const {
+  const auto after = std::upper_bound(epochs_.begin() + 1, epochs_.end() - 1, epoch) - epochs_.begin();
   const auto right = static_cast<std::size_t>(after);
   const std::size_t left = right - 1;
-  const auto day = epochs_[right] - epochs_[left];
-  const double part = (epoch - epochs_[left]) / day;
-  const auto between = [&](auto member) {
-    return rows_[left].*member + part * (rows_[right].*member - rows_[left].*member);
-  };
-  using P = EarthOrientationParameters;
-  return {between(&P::pole_x),
-          between(&P::pole_y),
-          between(&P::ut1_minus_tai),
-          (rows_[right].ut1_minus_tai - rows_[left].ut1_minus_tai) / day,
-          between(&P::dX),
-          between(&P::dY)};
+  return detail::cubic(rows_[left], rows_[right], epochs_[right] - epochs_[left], epoch - epochs_[left]);
+}
+
+EarthOrientationParameters EarthOrientation::parameters(const Epoch& epoch) const {
+  require(epoch);
+  const auto c = curves(epoch);
+  const auto angle = [&](Eigen::Index row) { return c(row, 0) * si::radian; };
+  const auto rate = [&](Eigen::Index row) { return c(row, 1) * (si::radian / si::second); };
+  return {angle(0),
+          angle(1),
+          c(2, 0) * si::second,
+          Quantity<si::dimensionless>{c(2, 1)},
+          angle(3),
+          angle(4),
+          rate(0),
+          rate(1),
+          rate(3),
+          rate(4)};
 }
 
 MovingDcm<earth::Gcrf, earth::Itrf> EarthOrientation::at(const Epoch& epoch) const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <erfa.h>
+#include <erfam.h>
 #include <Eigen/Core>
 #include <cmath>
 
@@ -31,11 +32,7 @@ inline JulianDate<scale::Ut1> ut1_date(const Epoch& epoch, const EarthOrientatio
   return epoch.julian_date(scale::Ut1::minus_tai(parameters.ut1_minus_tai));
 }
 
-/// The rotation to ITRF from the frame whose z axis is the celestial intermediate pole. Its column 2 is that
-/// pole in ITRF.
-inline void set_polar_motion(const JulianDate<scale::Tt>& tt, const EarthOrientationParameters& parameters,
-                             Rows& matrix) {
-  eraPom00(parameters.pole_x.value(), parameters.pole_y.value(), eraSp00(tt.day, tt.fraction), matrix);
-}
+/// dERA/dUT1, rad/s (IERS Conventions 2010, equation 5.15).
+constexpr double earth_rotation_rate = ERFA_D2PI * 1.00273781191135448 / ERFA_DAYSEC;
 
 }  // namespace vectrix::detail

@@ -117,18 +117,21 @@ class Reader {
     }
     days_.push_back({day, line_, {found[3], found[4]}});
     epochs_.push_back(epoch);
-    rows_.push_back({arcseconds(found[0]), arcseconds(found[1]), ut1_minus_tai,
-                     Quantity<si::dimensionless>{0.0}, arcseconds(1e-3 * found[3]),
-                     arcseconds(1e-3 * found[4])});
+    EarthOrientationParameters row{};
+    row.pole_x = arcseconds(found[0]);
+    row.pole_y = arcseconds(found[1]);
+    row.ut1_minus_tai = ut1_minus_tai;
+    row.dX = arcseconds(1e-3 * found[3]);
+    row.dY = arcseconds(1e-3 * found[4]);
+    rows_.push_back(row);
   }
 
   std::pair<std::vector<Epoch>, std::vector<EarthOrientationParameters>> result() {
-    if (rows_.size() >= 2) {
-      require_offsets_from_iau_2006();
-      return {std::move(epochs_), std::move(rows_)};
-    }
+    if (!rows_.empty()) require_offsets_from_iau_2006();
+    constexpr std::size_t fewest = 4;  // for a cubic spline
+    if (rows_.size() >= fewest) return {std::move(epochs_), std::move(rows_)};
     line_ = incomplete_line_;
-    const std::string few = text(rows_.size()) + " complete rows; there must be two";
+    const std::string few = text(rows_.size()) + " complete rows; there must be four";
     if (incomplete_field_ != nullptr) fail(*incomplete_field_, "the field is blank after " + few);
     fail(few);
   }

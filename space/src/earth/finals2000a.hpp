@@ -9,7 +9,8 @@
 
 namespace vectrix::detail {
 
-/// The complete rows of a file in the format finals2000A; see EarthOrientation::read.
+/// The complete rows of a file in the format finals2000A, at least four, without rates; see
+/// EarthOrientation::read.
 std::pair<std::vector<Epoch>, std::vector<EarthOrientationParameters>> read_finals2000A(
     const std::filesystem::path& file);
 

@@ -1,14 +1,13 @@
 #include <erfam.h>
 
 #include <vectrix/frames/dcm_doors.hpp>
+#include <vectrix/space/earth/intermediate_frames.hpp>
 #include <vectrix/space/earth/teme.hpp>
 
 #include "erfa_rotation.hpp"
 
 namespace vectrix {
 namespace {
-
-struct Tirs : moving_frame {};  // Itrf before polar motion
 
 // dGMST82/dUT1, rad/s: a turn a day, and the derivative of the polynomial of Aoki et al. (1982), which
 // eraGmst82 evaluates.
@@ -23,17 +22,14 @@ double sidereal_rate(const JulianDate<scale::Ut1>& ut1) {
 MovingDcm<earth::Teme, earth::Itrf> teme_from_itrf(const Epoch& epoch,
                                                    const EarthOrientationParameters& parameters) {
   const auto ut1 = detail::ut1_date(epoch, parameters);
-  detail::Rows polar_motion;
-  detail::set_polar_motion(epoch.tt_date(), parameters, polar_motion);
-  const Eigen::Matrix3d W = detail::matrix_of(polar_motion);
   const double rate = sidereal_rate(ut1) * (1.0 + parameters.ut1_gain.value());
-  const Dcm<earth::Itrf, earth::Teme> R_itrf_from_teme =
-      trust_dcm(to<earth::Itrf>, from<Tirs>, W) *
-      turned_z(to<Tirs>, from<earth::Teme>, eraGmst82(ut1.day, ut1.fraction) * si::radian);
-  return moving_dcm(
-      inverse(R_itrf_from_teme),
-      angular_velocity(of<earth::Itrf>, relative_to<earth::Teme>,
-                       vector<si::angular_velocity>(in<earth::Itrf>, Eigen::Vector3d(rate * W.col(2)))));
+  const auto R_tirf_from_teme =
+      turned_z(to<earth::Tirf>, from<earth::Teme>, eraGmst82(ut1.day, ut1.fraction) * si::radian);
+  return moving_dcm(inverse(R_tirf_from_teme),
+                    angular_velocity(
+                        of<earth::Tirf>, relative_to<earth::Teme>,
+                        vector<si::angular_velocity>(in<earth::Tirf>, Eigen::Vector3d(0.0, 0.0, rate)))) *
+         tirf_from_itrf(epoch, parameters);
 }
 
 }  // namespace vectrix

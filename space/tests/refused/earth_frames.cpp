@@ -2,7 +2,8 @@
 #include <vectrix/space.hpp>
 
 using namespace vectrix;
-using earth::Eme2000, earth::Gcrf, earth::Itrf, earth::Teme;
+using earth::Cirf, earth::Eme2000, earth::Gcrf, earth::Itrf, earth::MeanOfDate, earth::Teme, earth::Tirf;
+using earth::TrueOfDate;
 
 struct Satellite : moving_frame {};
 
@@ -34,3 +35,33 @@ auto between(const Vector<Eme2000, si::dimensionless>& n_eme, const Vector<Gcrf,
 #endif
 }
 }  // namespace eme2000_taken_for_gcrf
+
+namespace mean_of_date_taken_for_true_of_date {
+// mistake: a direction in the mean frame of date turned to ITRF without nutation: 0.6 km at the surface
+// expect: Left = (vectrix::)?Dcm<(vectrix::)?(earth::)?Itrf, (vectrix::)?(earth::)?TrueOfDate
+// expect: Right = (vectrix::)?Vector<(vectrix::)?(earth::)?MeanOfDate
+auto on_the_earth(const Dcm<Itrf, TrueOfDate>& R_itrf_from_tod, const Dcm<TrueOfDate, MeanOfDate>& nutation,
+                  const Vector<MeanOfDate, si::dimensionless>& n_mod) {
+#ifdef REPAIRED
+  return R_itrf_from_tod * nutation * n_mod;
+#else
+  static_cast<void>(nutation);
+  return R_itrf_from_tod * n_mod;
+#endif
+}
+}  // namespace mean_of_date_taken_for_true_of_date
+
+namespace polar_motion_without_the_turn_of_the_day {
+// mistake: polar motion applied to a position in the celestial intermediate frame
+// expect: Left = (vectrix::)?Dcm<(vectrix::)?(earth::)?Itrf, (vectrix::)?(earth::)?Tirf
+// expect: Right = (vectrix::)?Vector<(vectrix::)?(earth::)?Cirf
+auto on_the_earth(const Dcm<Itrf, Tirf>& R_itrf_from_tirf, const Dcm<Tirf, Cirf>& R_tirf_from_cirf,
+                  const Vector<Cirf, si::length>& r_cirf) {
+#ifdef REPAIRED
+  return R_itrf_from_tirf * R_tirf_from_cirf * r_cirf;
+#else
+  static_cast<void>(R_tirf_from_cirf);
+  return R_itrf_from_tirf * r_cirf;
+#endif
+}
+}  // namespace polar_motion_without_the_turn_of_the_day

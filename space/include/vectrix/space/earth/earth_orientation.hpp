@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <filesystem>
 #include <vector>
 
@@ -18,22 +19,31 @@ struct Gcrf : inertial_frame {};
 struct Itrf : moving_frame {};
 /// True equator and equinox of date: z along the celestial intermediate pole, x to the equinox.
 struct TrueOfDate : moving_frame {};
+/// Celestial Intermediate Reference Frame: z along the celestial intermediate pole, x to the celestial
+/// intermediate origin, so that it does not turn about its z axis.
+struct Cirf : moving_frame {};
+/// Terrestrial Intermediate Reference Frame: z along the same pole, x to the terrestrial intermediate origin:
+/// Itrf without polar motion.
+struct Tirf : moving_frame {};
 
 }  // namespace earth
 
-/// The observed parameters of the Earth's orientation at an instant (IERS Conventions 2010, chapter 5).
+/// The observed parameters of the Earth's orientation at an instant (IERS Conventions 2010, chapter 5), and
+/// their derivatives by TAI.
 struct EarthOrientationParameters {
   Quantity<si::angle> pole_x, pole_y;    ///< polar motion
   Quantity<si::time> ut1_minus_tai;      ///< UT1-UTC minus the leap seconds, so that it has no jumps
   Quantity<si::dimensionless> ut1_gain;  ///< d(UT1-TAI)/dTAI
   Quantity<si::angle> dX, dY;            ///< offsets of the celestial pole from IAU 2006/2000A
+  Quantity<si::angular_velocity> pole_x_rate, pole_y_rate, dX_rate, dY_rate;
 };
 
 /// The rotation of the Earth by IAU 2006/2000A, with the pole's observed offsets and polar motion:
 ///     R_itrf^gcrf = Q(X + dX, Y + dY, s) R3(-ERA(UT1)) W(x, y, s')
-///     w_gi^i = dERA/dUT1 (1 + d(UT1-TAI)/dTAI), along the celestial intermediate pole
-/// The rate omits the motion of the pole: precession-nutation (below 1e-11 rad/s) and polar motion (1e-13
-/// rad/s). A call takes about 0.1 ms, most of it for the series of X and Y.
+///     w_gi^i = dERA/dUT1 (1 + d(UT1-TAI)/dTAI) along the celestial intermediate pole, and the motion of that
+///              pole in Gcrf (below 1e-11 rad/s) and in Itrf (1e-13 rad/s)
+/// It is gcrf_from_cirf(epoch, p) * cirf_from_tirf(epoch, p) * tirf_from_itrf(epoch, p). A call takes about
+/// 0.2 ms, most of it for the series of X and Y; EarthMotion is a thousand times faster.
 VECTRIX_EXPORT MovingDcm<earth::Gcrf, earth::Itrf> earth_rotation(
     const Epoch& epoch, const EarthOrientationParameters& parameters);
 
@@ -46,8 +56,11 @@ VECTRIX_EXPORT Dcm<earth::Itrf, earth::TrueOfDate> itrf_from_true_of_date(
 
 /// The observed orientation of the Earth, one row per day, from the IERS series finals2000A:
 ///     graph edge    edge([&](const Epoch& t) { return orientation.at(t); })
-/// Parameters are interpolated linearly between days. The series omits tides of a day and half a day (below 1
-/// milliarcsecond). Outside the rows: BadInput with the epoch and the time interval of the rows.
+/// Between rows each parameter is a cubic spline: twice continuously differentiable, and one cubic over the
+/// first two days and over the last two. UT1 is interpolated as UT1-TAI, so that a leap second does not
+/// matter. A row changes the curve by 27 % of that a day further, 7 % two days further. The series omits
+/// tides of a day and half a day (below 1 milliarcsecond). Outside the rows: BadInput with the epoch and the
+/// time interval of the rows.
 class VECTRIX_EXPORT EarthOrientation {
  public:
   /// Reads fixed columns: MJD 8-15, x 19-27 and y 38-46 (arcsec), UT1-UTC 59-68 (s), dX 98-106 and dY 117-125
@@ -55,9 +68,9 @@ class VECTRIX_EXPORT EarthOrientation {
   /// values: rows after the last complete one are not used. Throws BadInput with file, line, columns and
   /// reason if a field is no number, a complete row follows an incomplete one, rows are not a day apart,
   /// UT1-TAI jumps as at a leap second that ERFA does not know, the file ends within a line, or fewer than
-  /// two rows are complete; and if dX and dY are nearer to the offsets from IAU 1980, which finals.all has in
-  /// the same columns, than to zero. Between 1981 and 1988 both are a few milliarcsec, as are the errors of
-  /// that time, so that an excerpt of those years alone may be mistaken.
+  /// four rows are complete; and if dX and dY are nearer to the offsets from IAU 1980, which finals.all has
+  /// in the same columns, than to zero. Between 1981 and 1988 both are a few milliarcsec, as are the errors
+  /// of that time, so that an excerpt of those years alone may be mistaken.
   static EarthOrientation read(const std::filesystem::path& finals2000A);
 
   [[nodiscard]] const Epoch& first() const { return epochs_.front(); }
@@ -68,10 +81,17 @@ class VECTRIX_EXPORT EarthOrientation {
   [[nodiscard]] MovingDcm<earth::Gcrf, earth::Itrf> at(const Epoch& epoch) const;
 
  private:
+  friend class EarthMotion;
+
   EarthOrientation(std::vector<Epoch> epochs, std::vector<EarthOrientationParameters> rows);
 
+  /// x, y, UT1-TAI, dX, dY, rad and s, and in the other columns their first and second derivatives by TAI,
+  /// 1/s. Outside the rows the nearest cubic is continued.
+  [[nodiscard]] Eigen::Matrix<double, 5, 3> curves(const Epoch& epoch) const;
+  void require(const Epoch& epoch) const;
+
   std::vector<Epoch> epochs_;
-  std::vector<EarthOrientationParameters> rows_;  // their ut1_gain is left at 0
+  std::vector<EarthOrientationParameters> rows_;
 };
 
 }  // namespace vectrix

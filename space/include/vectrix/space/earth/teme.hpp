@@ -18,10 +18,9 @@ struct Teme : inertial_frame {};
 
 /// The rotation of the Earth in TEME, by the sidereal time of 1982, as SGP4 has it:
 ///     R_teme^itrf = W(x, y, s') R3(GMST82(UT1))
-///     w_ti^i = dGMST82/dUT1 (1 + d(UT1-TAI)/dTAI), along the celestial intermediate pole
+///     w_ti^i = dGMST82/dUT1 (1 + d(UT1-TAI)/dTAI) along the celestial intermediate pole, and polar motion
 /// (Vallado, Crawford, Hujsak, Kelso: Revisiting Spacetrack Report #3, 2006, appendix C). An edge between
-/// Teme and Itrf by edge([&](const Epoch& t) { return teme_from_itrf(t, orientation.parameters(t)); }). As in
-/// earth_rotation(), the rate omits the motion of the pole.
+/// Teme and Itrf by edge([&](const Epoch& t) { return teme_from_itrf(t, orientation.parameters(t)); }).
 VECTRIX_EXPORT MovingDcm<earth::Teme, earth::Itrf> teme_from_itrf(
     const Epoch& epoch, const EarthOrientationParameters& parameters);
 

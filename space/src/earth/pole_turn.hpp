@@ -1,0 +1,42 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cmath>
+
+namespace vectrix::detail {
+
+/// A number and its first and second derivative by time.
+struct Varying {
+  double value, rate, second;
+};
+
+/// The turn of a frame c relative to g whose z axis is at p = (X, Y, Z) in g, by the shortest arc:
+///     R_g^c = R3(-E) R2(d) R3(E) = [1 - aX^2, -aXY, -X; -aXY, 1 - aY^2, -Y; X, Y, Z],    a = 1 / (1 + Z)
+/// With u = R_g^c dp/dt the angular velocity in c is (-u2, u1, -a (X dY/dt - Y dX/dt)).
+struct PoleTurn {
+  Eigen::Matrix3d R_c_from_g;
+  Eigen::Vector3d w_gc_c, alpha_gc_c;
+};
+
+inline PoleTurn pole_turn(const Varying& x, const Varying& y) {
+  const auto [X, Xd, Xdd] = x;
+  const auto [Y, Yd, Ydd] = y;
+  const double Z = std::sqrt(1.0 - (X * X + Y * Y));
+  const double a = 1.0 / (1.0 + Z), per_z = 1.0 / Z;
+  PoleTurn turn;
+  turn.R_c_from_g << 1.0 - a * X * X, -a * X * Y, -X, -a * X * Y, 1.0 - a * Y * Y, -Y, X, Y, Z;
+
+  const double b = X * Xd + Y * Yd;
+  const double bd = Xd * Xd + Yd * Yd + X * Xdd + Y * Ydd;
+  const double Zd = -b * per_z;
+  const double ad = -a * a * Zd;
+  // u1 = dX/dt + k X, u2 = dY/dt + k Y
+  const double k = a * b * per_z;
+  const double kd = (ad * b + a * bd) * per_z - k * per_z * Zd;
+  const double area = X * Yd - Y * Xd;
+  turn.w_gc_c = {-(Yd + k * Y), Xd + k * X, -a * area};
+  turn.alpha_gc_c = {-(Ydd + kd * Y + k * Yd), Xdd + kd * X + k * Xd, -ad * area - a * (X * Ydd - Y * Xdd)};
+  return turn;
+}
+
+}  // namespace vectrix::detail
