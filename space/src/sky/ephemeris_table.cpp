@@ -9,28 +9,34 @@
 namespace vectrix::detail {
 namespace {
 
+std::string name_of(Body body) {
+  return std::string{"Ephemeris<"} + series_of(body).name + ">";
+}
+
 // The pieces begin earlier than the span by the longest light time.
-constexpr Quantity<si::time> longest_light_time = 1000.0 * si::second;
+Quantity<si::time> longest_light_time(Body body) {
+  return (body == Body::sun || body == Body::moon ? 1e3 : 2e4) * si::second;
+}
+
+ChebyshevPieces pieces_of(Body body, const TimeSpan& span) {
+  const bool fast = body == Body::moon;
+  return {series_of(body).motion, fast ? 4 : 16, fast ? 12 : 14, span.start() - longest_light_time(body),
+          span.end()};
+}
 
 }  // namespace
 
-EphemerisTable::EphemerisTable(Of<sky::Sun>, const TimeSpan& span)
-    : EphemerisTable("Ephemeris<Sun>", sun_motion, 16, 14, span) {}
-EphemerisTable::EphemerisTable(Of<sky::Moon>, const TimeSpan& span)
-    : EphemerisTable("Ephemeris<Moon>", moon_motion, 4, 12, span) {}
-
-EphemerisTable::EphemerisTable(const char* body, ChebyshevPieces::Series series, int piece_days,
-                               int coefficients, const TimeSpan& span)
+EphemerisTable::EphemerisTable(Body body, const TimeSpan& span)
     : body_(body),
-      span_((require_series(body, span.start()), require_series(body, span.end()), span)),
-      body_pieces_(series, piece_days, coefficients, span.start() - longest_light_time, span.end()),
-      earth_pieces_(earth_motion, 16, 14, span.start() - longest_light_time, span.end()) {}
+      span_((require_series(name_of(body), span.start()), require_series(name_of(body), span.end()), span)),
+      body_pieces_(pieces_of(body, span)),
+      earth_pieces_(earth_motion, 16, 14, span.start() - longest_light_time(body), span.end()) {}
 
 void EphemerisTable::require(const Epoch& epoch) const {
   if (span_.contains(epoch)) [[likely]]
     return;
   std::ostringstream out;
-  out << body_ << ": the epoch " << epoch << " is outside the span, " << span_.start() << " to "
+  out << name_of(body_) << ": the epoch " << epoch << " is outside the span, " << span_.start() << " to "
       << span_.end();
   throw BadInput(out.str());
 }
@@ -62,9 +68,10 @@ Eigen::Vector3d EphemerisTable::line(const Epoch& epoch, const Eigen::Vector3d& 
                                      const PlainMotion& earth) const {
   const double c = speed_of_light.value();
   const double first = (body_pieces_.at(epoch.tai()).position - r).norm() / c;
-  if (!(first <= longest_light_time.value())) {
-    throw BadInput(std::string{body_} + ": the light takes " + text(first) +
-                   " s to the observer; at most 1000 s are allowed");
+  const double longest = longest_light_time(body_).value();
+  if (!(first <= longest)) {
+    throw BadInput(name_of(body_) + ": the light takes " + text(first) + " s to the observer; at most " +
+                   text(longest) + " s are allowed");
   }
   const Epoch left = epoch - first * si::second;
   const PlainMotion body = body_pieces_.at(left.tai());

@@ -9,8 +9,7 @@ namespace vectrix::detail {
 /// observer's position and velocity are r and v. All throw BadInput for an epoch outside the span.
 class VECTRIX_EXPORT EphemerisTable {
  public:
-  EphemerisTable(Of<sky::Sun>, const TimeSpan& span);
-  EphemerisTable(Of<sky::Moon>, const TimeSpan& span);
+  EphemerisTable(Body body, const TimeSpan& span);
 
   [[nodiscard]] const TimeSpan& span() const { return span_; }
   [[nodiscard]] PlainMotion motion(const Epoch& epoch) const;
@@ -23,13 +22,11 @@ class VECTRIX_EXPORT EphemerisTable {
                                      const Eigen::Vector3d& v) const;
 
  private:
-  EphemerisTable(const char* body, ChebyshevPieces::Series series, int piece_days, int coefficients,
-                 const TimeSpan& span);
   [[nodiscard]] Eigen::Vector3d line(const Epoch& epoch, const Eigen::Vector3d& r,
                                      const PlainMotion& earth) const;
   void require(const Epoch& epoch) const;
 
-  const char* body_;
+  Body body_;
   TimeSpan span_;
   ChebyshevPieces body_pieces_, earth_pieces_;
 };
