@@ -24,6 +24,8 @@
 #include <vectrix/space/sky/geocentric.hpp>
 #include <vectrix/space/sky/illumination.hpp>
 #include <vectrix/space/sky/right_ascension.hpp>
+#include <vectrix/space/sky/star.hpp>
+#include <vectrix/space/sky/stars.hpp>
 #include <vectrix/space/time/epoch.hpp>
 #include <vectrix/space/time/events.hpp>
 #include <vectrix/space/time/time_span.hpp>

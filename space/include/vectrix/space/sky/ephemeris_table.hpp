@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include <vectrix/space/sky/chebyshev.hpp>
 #include <vectrix/space/time/time_span.hpp>
 
@@ -10,9 +12,13 @@ namespace vectrix::detail {
 class VECTRIX_EXPORT EphemerisTable {
  public:
   EphemerisTable(Body body, const TimeSpan& span);
+  /// With another name in errors than Ephemeris<...>.
+  EphemerisTable(std::string name, Body body, const TimeSpan& span);
 
   [[nodiscard]] const TimeSpan& span() const { return span_; }
   [[nodiscard]] PlainMotion motion(const Epoch& epoch) const;
+  /// Of the centre of the Earth relative to the barycentre of the solar system.
+  [[nodiscard]] PlainMotion earth(const Epoch& epoch) const;
 
   // The body from the observer. With light time: r_body(t - |d|/c) - r_observer(t), both relative to the
   // barycentre of the solar system.
@@ -23,9 +29,10 @@ class VECTRIX_EXPORT EphemerisTable {
 
  private:
   [[nodiscard]] Eigen::Vector3d line(const Epoch& epoch, const Eigen::Vector3d& r,
-                                     const PlainMotion& earth) const;
+                                     const PlainMotion& earth_now) const;
   void require(const Epoch& epoch) const;
 
+  std::string name_;
   Body body_;
   TimeSpan span_;
   ChebyshevPieces body_pieces_, earth_pieces_;
