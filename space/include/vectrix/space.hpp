@@ -23,6 +23,7 @@
 #include <vectrix/space/sky/ephemeris.hpp>
 #include <vectrix/space/sky/geocentric.hpp>
 #include <vectrix/space/sky/illumination.hpp>
+#include <vectrix/space/sky/limb.hpp>
 #include <vectrix/space/sky/right_ascension.hpp>
 #include <vectrix/space/sky/star.hpp>
 #include <vectrix/space/sky/stars.hpp>

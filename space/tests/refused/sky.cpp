@@ -80,6 +80,21 @@ double seen(const ToSun& r_ps, const ToMoon& r_pm) {
 }
 }  // namespace sun_and_body_exchanged
 
+namespace limb_in_two_frames {
+// mistake: a boresight in the camera, and the Moon along the axes of GCRF
+// expect: Camera
+// expect: in one frame
+auto keep_out(const Dcm<Camera, Gcrf>& R_camera_from_gcrf, const Vector<Camera, si::dimensionless>& n_camera,
+              const Displacement<Satellite, sky::Moon, In<Gcrf>>& r_pm) {
+#ifdef REPAIRED
+  return angle_from_limb(n_camera, R_camera_from_gcrf * r_pm, sky::moon_radius);
+#else
+  static_cast<void>(R_camera_from_gcrf);
+  return angle_from_limb(n_camera, r_pm, sky::moon_radius);
+#endif
+}
+}  // namespace limb_in_two_frames
+
 namespace ellipsoid_without_its_axis {
 // mistake: the Earth's ellipsoid, with lines along the axes of GCRF
 // expect: in earth::Itrf

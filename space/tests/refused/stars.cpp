@@ -10,7 +10,7 @@ using Rate = Quantity<si::angular_velocity>;
 using Motion = PointMotion<Gcrf, Tracker, Gcrf>;
 
 namespace proper_motion_without_a_word {
-// mistake: does not say whether the rate of right ascension has the cosine of the declination: for Polaris a factor of 78
+// mistake: does not say whether the rate of right ascension has the cosine of the declination
 // expect: proper_motion_with_cos_declination
 // expect: ProperMotion
 ProperMotion of_a_catalogue(const Rate& right_ascension, const Rate& declination) {

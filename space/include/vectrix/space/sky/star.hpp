@@ -19,8 +19,7 @@ inline constexpr Quantity<si::time> julian_year = 31557600.0 * si::second;
 class ProperMotion {
  public:
   template <class Any>
-  ProperMotion(  // proper_motion_with_cos_declination(ra, dec) or proper_motion_without_cos_declination(ra,
-                 // dec)
+  ProperMotion(  // proper_motion_with_cos_declination or proper_motion_without_cos_declination
       const Quantity<si::angular_velocity>&, const Any&) = delete;
 
   [[nodiscard]] const Quantity<si::angular_velocity>& right_ascension() const { return right_ascension_; }
@@ -60,8 +59,7 @@ class VECTRIX_EXPORT Star {
        const Quantity<si::angle>& parallax, const Quantity<si::velocity>& radial_velocity,
        const Epoch& epoch);
   template <class Frame, class... Given>
-  Star(  // in<earth::Gcrf>, RightAscensionDeclination, ProperMotion, parallax, radial velocity, catalogue's
-         // Epoch
+  Star(  // in<earth::Gcrf>, place, ProperMotion, parallax, radial velocity, Epoch
       In<Frame>, const Given&...) = delete;
 
   /// n(t), as seen from the barycentre of the solar system.

@@ -89,8 +89,7 @@ class Stars {
   }
   template <class... Given>
     requires(!detail::HasStarDirection<Given...>)
-  auto direction(  // light_time or apparent: (star, now, seen_from<P>, apparent, in<A>), (star, epoch,
-                   // motion, apparent)
+  auto direction(  // light_time or apparent: (star, now, seen_from<P>, apparent, in<A>)
       const Given&...) const -> Refused = delete;
 
  private:
