@@ -22,6 +22,7 @@
 #include <vectrix/space/sky/aberration.hpp>
 #include <vectrix/space/sky/ephemeris.hpp>
 #include <vectrix/space/sky/geocentric.hpp>
+#include <vectrix/space/sky/iau_frames.hpp>
 #include <vectrix/space/sky/illumination.hpp>
 #include <vectrix/space/sky/limb.hpp>
 #include <vectrix/space/sky/right_ascension.hpp>

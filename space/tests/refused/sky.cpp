@@ -80,6 +80,19 @@ double seen(const ToSun& r_ps, const ToMoon& r_pm) {
 }
 }  // namespace sun_and_body_exchanged
 
+namespace centre_taken_for_axes {
+// mistake: asks for the rotation of the centre of Mars, a point without axes
+// expect: sky::Mars
+// expect: a frame fixed to a body
+auto of_mars(const Epoch& t) {
+#ifdef REPAIRED
+  return iau_rotation(of<mars::Iau>, t);
+#else
+  return iau_rotation(of<sky::Mars>, t);
+#endif
+}
+}  // namespace centre_taken_for_axes
+
 namespace limb_in_two_frames {
 // mistake: a boresight in the camera, and the Moon along the axes of GCRF
 // expect: Camera
