@@ -28,8 +28,12 @@
 #include <vectrix/space/sky/aberration.hpp>
 #include <vectrix/space/sky/ephemeris.hpp>
 #include <vectrix/space/sky/geocentric.hpp>
+#include <vectrix/space/sky/iau_frames.hpp>
 #include <vectrix/space/sky/illumination.hpp>
+#include <vectrix/space/sky/limb.hpp>
 #include <vectrix/space/sky/right_ascension.hpp>
+#include <vectrix/space/sky/star.hpp>
+#include <vectrix/space/sky/stars.hpp>
 #include <vectrix/space/time/epoch.hpp>
 #include <vectrix/space/time/events.hpp>
 #include <vectrix/space/time/time_span.hpp>

@@ -1,4 +1,5 @@
 #include <sstream>
+#include <utility>
 
 #include <vectrix/frames/errors.hpp>
 #include <vectrix/space/sky/aberration.hpp>
@@ -10,27 +11,33 @@ namespace vectrix::detail {
 namespace {
 
 // The pieces begin earlier than the span by the longest light time.
-constexpr Quantity<si::time> longest_light_time = 1000.0 * si::second;
+Quantity<si::time> longest_light_time(Body body) {
+  return (body == Body::sun || body == Body::moon ? 1e3 : 2e4) * si::second;
+}
+
+ChebyshevPieces pieces_of(Body body, const TimeSpan& span) {
+  const bool fast = body == Body::moon;
+  return {series_of(body).motion, fast ? 4 : 16, fast ? 12 : 14, span.start() - longest_light_time(body),
+          span.end()};
+}
 
 }  // namespace
 
-EphemerisTable::EphemerisTable(Of<sky::Sun>, const TimeSpan& span)
-    : EphemerisTable("Ephemeris<Sun>", sun_motion, 16, 14, span) {}
-EphemerisTable::EphemerisTable(Of<sky::Moon>, const TimeSpan& span)
-    : EphemerisTable("Ephemeris<Moon>", moon_motion, 4, 12, span) {}
+EphemerisTable::EphemerisTable(Body body, const TimeSpan& span)
+    : EphemerisTable(std::string{"Ephemeris<"} + series_of(body).name + ">", body, span) {}
 
-EphemerisTable::EphemerisTable(const char* body, ChebyshevPieces::Series series, int piece_days,
-                               int coefficients, const TimeSpan& span)
-    : body_(body),
-      span_((require_series(body, span.start()), require_series(body, span.end()), span)),
-      body_pieces_(series, piece_days, coefficients, span.start() - longest_light_time, span.end()),
-      earth_pieces_(earth_motion, 16, 14, span.start() - longest_light_time, span.end()) {}
+EphemerisTable::EphemerisTable(std::string name, Body body, const TimeSpan& span)
+    : name_(std::move(name)),
+      body_(body),
+      span_((require_series(name_, span.start()), require_series(name_, span.end()), span)),
+      body_pieces_(pieces_of(body, span)),
+      earth_pieces_(earth_motion, 16, 14, span.start() - longest_light_time(body), span.end()) {}
 
 void EphemerisTable::require(const Epoch& epoch) const {
   if (span_.contains(epoch)) [[likely]]
     return;
   std::ostringstream out;
-  out << body_ << ": the epoch " << epoch << " is outside the span, " << span_.start() << " to "
+  out << name_ << ": the epoch " << epoch << " is outside the span, " << span_.start() << " to "
       << span_.end();
   throw BadInput(out.str());
 }
@@ -40,37 +47,41 @@ PlainMotion EphemerisTable::motion(const Epoch& epoch) const {
   return body_pieces_.at(epoch.tai());
 }
 
+PlainMotion EphemerisTable::earth(const Epoch& epoch) const {
+  require(epoch);
+  return earth_pieces_.at(epoch.tai());
+}
+
 Eigen::Vector3d EphemerisTable::line(Geometric, const Epoch& epoch, const Eigen::Vector3d& r) const {
   return motion(epoch).position - r;
 }
 
 Eigen::Vector3d EphemerisTable::line(LightTime, const Epoch& epoch, const Eigen::Vector3d& r) const {
-  require(epoch);
-  return line(epoch, r, earth_pieces_.at(epoch.tai()));
+  return line(epoch, r, earth(epoch));
 }
 
 Eigen::Vector3d EphemerisTable::line(Apparent, const Epoch& epoch, const Eigen::Vector3d& r,
                                      const Eigen::Vector3d& v) const {
-  require(epoch);
-  const PlainMotion earth = earth_pieces_.at(epoch.tai());
-  const Eigen::Vector3d d = line(epoch, r, earth);
+  const PlainMotion now = earth(epoch);
+  const Eigen::Vector3d d = line(epoch, r, now);
   const double distance = d.norm();
-  return distance * aberrated(d / distance, earth.velocity + v);
+  return distance * aberrated(d / distance, now.velocity + v);
 }
 
 Eigen::Vector3d EphemerisTable::line(const Epoch& epoch, const Eigen::Vector3d& r,
-                                     const PlainMotion& earth) const {
+                                     const PlainMotion& earth_now) const {
   const double c = speed_of_light.value();
   const double first = (body_pieces_.at(epoch.tai()).position - r).norm() / c;
-  if (!(first <= longest_light_time.value())) {
-    throw BadInput(std::string{body_} + ": the light takes " + text(first) +
-                   " s to the observer; at most 1000 s are allowed");
+  const double longest = longest_light_time(body_).value();
+  if (!(first <= longest)) {
+    throw BadInput(name_ + ": the light takes " + text(first) + " s to the observer; at most " +
+                   text(longest) + " s are allowed");
   }
   const Epoch left = epoch - first * si::second;
   const PlainMotion body = body_pieces_.at(left.tai());
   const PlainMotion earth_then = earth_pieces_.at(left.tai());
   const Eigen::Vector3d velocity = earth_then.velocity + body.velocity;
-  const Eigen::Vector3d at_first = (earth_then.position - earth.position) + body.position - r;
+  const Eigen::Vector3d at_first = (earth_then.position - earth_now.position) + body.position - r;
   // Each iteration reduces the error of the light time by v/c, 1e-4; the velocity is constant meanwhile.
   Eigen::Vector3d d = at_first;
   for (int i = 0; i < 3; ++i) d = at_first - (d.norm() / c - first) * velocity;

@@ -1,9 +1,8 @@
-#include <Eigen/Geometry>
 #include <cmath>
 #include <numbers>
 
-#include <vectrix/frames/errors.hpp>
 #include <vectrix/space/sky/illumination.hpp>
+#include <vectrix/space/sky/limb.hpp>
 
 namespace vectrix::detail {
 namespace {
@@ -12,31 +11,6 @@ namespace {
 double versine(double x) {
   const double half = std::sin(0.5 * x);
   return 2.0 * half * half;
-}
-
-double angle_between(const Eigen::Vector3d& x, const Eigen::Vector3d& y) {
-  return std::atan2(x.cross(y).norm(), x.dot(y));
-}
-
-double radius_of_sun(const Eigen::Vector3d& to_sun, double sun_radius) {
-  const double distance = to_sun.norm();
-  if (!(sun_radius > 0.0 && distance > sun_radius)) {
-    throw BadInput("visible_sun: the Sun, of radius " + text(sun_radius) + " m, is " + text(distance) +
-                   " m away");
-  }
-  return std::asin(sun_radius / distance);
-}
-
-// The angle from the centre of the ellipsoid to its limb, seen from s, in the plane of s and p, on the side
-// of p. Along u = cos(t) n + sin(t) p, where n is to the centre and p across, a tangent obeys (u.As)^2 =
-// (u.Au)(s.As - 1), A = diag(1/a^2, 1/a^2, 1/b^2), which is a quadratic equation for cot(t).
-double limb(const Eigen::Vector3d& s, const Eigen::Vector3d& p, const Eigen::Vector3d& A) {
-  const Eigen::Vector3d As = A.cwiseProduct(s);
-  const double outside = s.dot(As) - 1.0;
-  const double pAs = p.dot(As);
-  const double pAp = p.dot(A.cwiseProduct(p));
-  const double root = std::sqrt(outside * ((outside + 1.0) * pAp - pAs * pAs));
-  return std::atan2(outside + 1.0, s.norm() * (pAs + root));
 }
 
 // The solid angle that two caps on the unit sphere share, of angular radii a and b, their centres c apart,
@@ -70,32 +44,20 @@ double free_part(double a, double b, double c) {
 
 double visible_past_sphere(const Eigen::Vector3d& to_sun, const Eigen::Vector3d& to_body, double radius,
                            double sun_radius) {
-  const double distance = to_body.norm();
-  if (!(radius > 0.0 && distance >= radius)) {
-    throw BadInput("visible_sun: the body, of radius " + text(radius) + " m, is " + text(distance) +
-                   " m away");
-  }
-  const double a = radius_of_sun(to_sun, sun_radius);
-  if (distance >= to_sun.norm()) return 1.0;
-  return free_part(a, std::asin(radius / distance), angle_between(to_sun, to_body));
+  const double b = angular_radius("visible_sun: the body", to_body, radius);
+  const double a = angular_radius("visible_sun: the Sun", to_sun, sun_radius);
+  const double distance = to_body.norm(), sun_distance = to_sun.norm();
+  if (distance >= sun_distance) return 1.0;
+  return free_part(a, b, angle_of_units<double>(to_sun / sun_distance, to_body / distance));
 }
 
 double visible_past_ellipsoid(const Eigen::Vector3d& to_sun, const Eigen::Vector3d& to_centre,
                               double equatorial, double polar, double sun_radius) {
-  const Eigen::Vector3d A = Eigen::Vector3d(equatorial, equatorial, polar).cwiseAbs2().cwiseInverse();
-  const double distance = to_centre.norm();
-  if (!(to_centre.dot(A.cwiseProduct(to_centre)) >= 1.0)) {
-    throw BadInput("visible_sun: the point is inside the ellipsoid, " + text(distance) +
-                   " m from its centre");
-  }
-  const double a = radius_of_sun(to_sun, sun_radius);
-  if (distance >= to_sun.norm()) return 1.0;
-  const Eigen::Vector3d n = to_centre / distance;
-  const Eigen::Vector3d across = to_sun - to_sun.dot(n) * n;
-  // On the axis through the centre every plane will do.
-  const Eigen::Vector3d p =
-      across.norm() > 1e-12 * to_sun.norm() ? Eigen::Vector3d(across.normalized()) : n.unitOrthogonal();
-  return free_part(a, limb(-to_centre, p, A), angle_between(to_sun, to_centre));
+  const double b = angular_radius_towards("visible_sun", to_sun, to_centre, equatorial, polar);
+  const double a = angular_radius("visible_sun: the Sun", to_sun, sun_radius);
+  const double distance = to_centre.norm(), sun_distance = to_sun.norm();
+  if (distance >= sun_distance) return 1.0;
+  return free_part(a, b, angle_of_units<double>(to_sun / sun_distance, to_centre / distance));
 }
 
 }  // namespace vectrix::detail

@@ -80,6 +80,34 @@ double seen(const ToSun& r_ps, const ToMoon& r_pm) {
 }
 }  // namespace sun_and_body_exchanged
 
+namespace centre_taken_for_axes {
+// mistake: asks for the rotation of the centre of Mars, a point without axes
+// expect: sky::Mars
+// expect: a frame fixed to a body
+auto of_mars(const Epoch& t) {
+#ifdef REPAIRED
+  return iau_rotation(of<mars::Iau>, t);
+#else
+  return iau_rotation(of<sky::Mars>, t);
+#endif
+}
+}  // namespace centre_taken_for_axes
+
+namespace limb_in_two_frames {
+// mistake: a boresight in the camera, and the Moon along the axes of GCRF
+// expect: Camera
+// expect: in one frame
+auto keep_out(const Dcm<Camera, Gcrf>& R_camera_from_gcrf, const Vector<Camera, si::dimensionless>& n_camera,
+              const Displacement<Satellite, sky::Moon, In<Gcrf>>& r_pm) {
+#ifdef REPAIRED
+  return angle_from_limb(n_camera, R_camera_from_gcrf * r_pm, sky::moon_radius);
+#else
+  static_cast<void>(R_camera_from_gcrf);
+  return angle_from_limb(n_camera, r_pm, sky::moon_radius);
+#endif
+}
+}  // namespace limb_in_two_frames
+
 namespace ellipsoid_without_its_axis {
 // mistake: the Earth's ellipsoid, with lines along the axes of GCRF
 // expect: in earth::Itrf

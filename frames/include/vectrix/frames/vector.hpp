@@ -239,11 +239,16 @@ template <class F, class U, class S> Vector<F, si::dimensionless, S> direction(c
 
 namespace detail {
 
+/// The angle between two unit vectors, by Kahan's formula.
+template <class S> S angle_of_units(const Column<S>& u, const Column<S>& v) {
+  return S(2) * arc_tangent<S>(scaled_norm(u - v), scaled_norm(u + v));
+}
+
 /// angle_between() of two vectors.
 template <class F, class U, class V, class S>
 Quantity<si::angle, S> angle_of(const Vector<F, U, S>& r, const Vector<F, V, S>& s) {
-  const Column<S> u = direction(r).coordinates(), v = direction(s).coordinates();
-  return Quantity<si::angle, S>::from_value(S(2) * arc_tangent<S>(scaled_norm(u - v), scaled_norm(u + v)));
+  return Quantity<si::angle, S>::from_value(
+      angle_of_units<S>(direction(r).coordinates(), direction(s).coordinates()));
 }
 
 }  // namespace detail

@@ -32,6 +32,15 @@ namespace sky {
 struct Sun : named_point {};
 /// The centre of the Moon.
 struct Moon : named_point {};
+/// The centres of the planets. Those of Jupiter to Neptune stand for the centres of mass with their moons,
+/// up to 300 km away.
+struct Mercury : named_point {};
+struct Venus : named_point {};
+struct Mars : named_point {};
+struct Jupiter : named_point {};
+struct Saturn : named_point {};
+struct Uranus : named_point {};
+struct Neptune : named_point {};
 
 /// Where a body is seen: another point than where it is.
 template <class Body, class Correction> struct Image : named_point {};
@@ -43,8 +52,28 @@ inline constexpr Quantity<si::length> moon_radius = 1.7374e6 * si::metre;
 
 }  // namespace sky
 
+namespace detail {
+
+/// The bodies where they have no types.
+enum class Body { none, sun, moon, mercury, venus, mars, jupiter, saturn, uranus, neptune };
+
+template <class P> inline constexpr Body body_of = Body::none;
+template <> inline constexpr Body body_of<sky::Sun> = Body::sun;
+template <> inline constexpr Body body_of<sky::Moon> = Body::moon;
+template <> inline constexpr Body body_of<sky::Mercury> = Body::mercury;
+template <> inline constexpr Body body_of<sky::Venus> = Body::venus;
+template <> inline constexpr Body body_of<sky::Mars> = Body::mars;
+template <> inline constexpr Body body_of<sky::Jupiter> = Body::jupiter;
+template <> inline constexpr Body body_of<sky::Saturn> = Body::saturn;
+template <> inline constexpr Body body_of<sky::Uranus> = Body::uranus;
+template <> inline constexpr Body body_of<sky::Neptune> = Body::neptune;
+
+}  // namespace detail
+
+/// The Sun, the Moon and the planets from Mercury to Neptune, but for the Earth: that is earth::Gcrf.
 template <class B>
-concept SkyBody = std::same_as<B, sky::Sun> || std::same_as<B, sky::Moon>;
+concept SkyBody = detail::body_of<B>
+!= detail::Body::none;
 
 namespace detail {
 

@@ -4,10 +4,12 @@
 
 namespace vectrix {
 
-/// The Sun or the Moon over a span of time, from Chebyshev series through ERFA's: Ephemeris<sky::Sun>(span).
-/// A call takes a thousandth of eraEpv00's time, and a year 20 kB for the Sun, 45 kB for the Moon; the Sun is
-/// 10 m from eraEpv00, the Moon 1 cm from eraMoon98. It never changes, so threads may share it. Throws
-/// BadInput for a span outside the years 1900 to 2099, and for an epoch outside the span.
+/// The Sun, the Moon or a planet over a span of time, from Chebyshev series through those of geocentric(),
+/// whose accuracy it has: Ephemeris<sky::Sun>(span). A call takes a thousandth of eraEpv00's time, and a year
+/// 20 kB, for the Moon 45 kB. The position is within 10 m of geocentric()'s, for the Moon within 1 cm; the
+/// velocity is the derivative of the position, for a planet up to 30 m/s from eraPlan94's. It never changes,
+/// so threads may share it. Throws BadInput for a span outside the years 1900 to 2099, and for an epoch
+/// outside the span.
 ///
 /// How the body is seen from a point is a question with a correction, geometric, light_time or apparent:
 ///     sun.line_of_sight(now, seen_from<Satellite>, apparent, in<Camera>)       r_pb, m, from p to the body
@@ -15,13 +17,14 @@ namespace vectrix {
 /// where `now` is a snapshot at an epoch of a frame graph that knows the satellite relative to earth::Gcrf.
 /// Without a graph, in earth::Gcrf, from a PointMotion or, unless apparent, a Displacement of the satellite:
 ///     sun.line_of_sight(epoch, motion, apparent)
-/// Throws BadInput if the light takes more than 1000 s. The deflection of light by gravity is left out: below
-/// 1e-4 arcsec for these two bodies.
+/// Throws BadInput if the light takes more than 1000 s, from a planet 20,000 s. The deflection of light by
+/// gravity is left out: below 1e-4 arcsec for the Sun and the Moon, 1.8 arcsec for a planet at the Sun's
+/// limb.
 template <SkyBody B> class Ephemeris {
   using Gcrf = earth::Gcrf;
 
  public:
-  explicit Ephemeris(const TimeSpan& span) : table_(of<B>, span) {}
+  explicit Ephemeris(const TimeSpan& span) : table_(detail::body_of<B>, span) {}
 
   [[nodiscard]] const TimeSpan& span() const { return table_.span(); }
 

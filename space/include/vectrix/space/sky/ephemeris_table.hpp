@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include <vectrix/space/sky/chebyshev.hpp>
 #include <vectrix/space/time/time_span.hpp>
 
@@ -9,11 +11,14 @@ namespace vectrix::detail {
 /// observer's position and velocity are r and v. All throw BadInput for an epoch outside the span.
 class VECTRIX_EXPORT EphemerisTable {
  public:
-  EphemerisTable(Of<sky::Sun>, const TimeSpan& span);
-  EphemerisTable(Of<sky::Moon>, const TimeSpan& span);
+  EphemerisTable(Body body, const TimeSpan& span);
+  /// With another name in errors than Ephemeris<...>.
+  EphemerisTable(std::string name, Body body, const TimeSpan& span);
 
   [[nodiscard]] const TimeSpan& span() const { return span_; }
   [[nodiscard]] PlainMotion motion(const Epoch& epoch) const;
+  /// Of the centre of the Earth relative to the barycentre of the solar system.
+  [[nodiscard]] PlainMotion earth(const Epoch& epoch) const;
 
   // The body from the observer. With light time: r_body(t - |d|/c) - r_observer(t), both relative to the
   // barycentre of the solar system.
@@ -23,13 +28,12 @@ class VECTRIX_EXPORT EphemerisTable {
                                      const Eigen::Vector3d& v) const;
 
  private:
-  EphemerisTable(const char* body, ChebyshevPieces::Series series, int piece_days, int coefficients,
-                 const TimeSpan& span);
   [[nodiscard]] Eigen::Vector3d line(const Epoch& epoch, const Eigen::Vector3d& r,
-                                     const PlainMotion& earth) const;
+                                     const PlainMotion& earth_now) const;
   void require(const Epoch& epoch) const;
 
-  const char* body_;
+  std::string name_;
+  Body body_;
   TimeSpan span_;
   ChebyshevPieces body_pieces_, earth_pieces_;
 };

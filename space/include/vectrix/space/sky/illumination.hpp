@@ -2,10 +2,9 @@
 
 #include <Eigen/Core>
 
-#include <vectrix/frames/displacement.hpp>
 #include <vectrix/frames/export.hpp>
-#include <vectrix/space/earth/ellipsoid.hpp>
 #include <vectrix/space/sky/bodies.hpp>
+#include <vectrix/space/sky/limb.hpp>
 
 namespace vectrix {
 namespace detail {
@@ -18,8 +17,6 @@ VECTRIX_EXPORT double visible_past_ellipsoid(const Eigen::Vector3d& to_sun, cons
 template <class S> inline constexpr bool is_sun = false;
 template <> inline constexpr bool is_sun<sky::Sun> = true;
 template <class C> inline constexpr bool is_sun<sky::Image<sky::Sun, C>> = true;
-template <class P>
-inline constexpr bool is_earth = std::same_as<P, earth::Itrf> || std::same_as<P, earth::Gcrf>;
 
 }  // namespace detail
 

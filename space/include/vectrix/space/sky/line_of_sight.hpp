@@ -2,8 +2,8 @@
 
 #include <utility>
 
-#include <vectrix/frames/graph/snapshot.hpp>
 #include <vectrix/space/sky/ephemeris_table.hpp>
+#include <vectrix/space/sky/observer.hpp>
 
 namespace vectrix::detail {
 
@@ -28,34 +28,17 @@ LineOfSight<B, P, C> line_of_sight(Of<B> body, const EphemerisTable& table, cons
   }
 }
 
-template <class B, class P, class Snapshot, class C>
-LineOfSight<B, P, C> line_in_gcrf(Of<B> body, const EphemerisTable& table, const Snapshot& now,
-                                  C correction) {
-  using earth::Gcrf;
-  const Epoch& epoch = now.instant();
-  if constexpr (std::same_as<P, Gcrf> && std::same_as<C, Apparent>) {
-    const Eigen::Vector3d zero = Eigen::Vector3d::Zero();
-    return LineOfSight<B, P, C>{trusted, table.line(correction, epoch, zero, zero)};
-  } else if constexpr (std::same_as<P, Gcrf>) {
-    return LineOfSight<B, P, C>{trusted, table.line(correction, epoch, Eigen::Vector3d::Zero())};
-  } else if constexpr (std::same_as<C, Apparent>) {
-    const PointMotion<Gcrf, P, Gcrf> motion{
-        now.position(of<P>, relative_to<Gcrf>, in<Gcrf>),
-        now.velocity(of<P>, relative_to<Gcrf>, observed_from<Gcrf>, in<Gcrf>)};
-    return line_of_sight(body, table, epoch, motion, correction);
-  } else {
-    return line_of_sight(body, table, epoch, now.position(of<P>, relative_to<Gcrf>, in<Gcrf>), correction);
-  }
-}
 template <class B, class P, class... Edges, Correction C, class A>
-Displacement<P, Seen<B, C>, In<A>> line_of_sight(Of<B> body, const EphemerisTable& table,
+Displacement<P, Seen<B, C>, In<A>> line_of_sight(Of<B>, const EphemerisTable& table,
                                                  const GraphSnapshot<Epoch, Edges...>& now, SeenFrom<P>,
                                                  C correction, In<A>) {
-  const auto line = line_in_gcrf<B, P>(body, table, now, correction);
-  if constexpr (std::same_as<A, earth::Gcrf>) {
-    return line;
+  const Epoch& epoch = now.instant();
+  const auto r = observer_position<P>(now);
+  if constexpr (std::same_as<C, Apparent>) {
+    const auto v = observer_velocity<P>(now);
+    return seen_in(in<A>, now, LineOfSight<B, P, C>{trusted, table.line(correction, epoch, r, v)});
   } else {
-    return now.rotation(to<A>, from<earth::Gcrf>) * line;
+    return seen_in(in<A>, now, LineOfSight<B, P, C>{trusted, table.line(correction, epoch, r)});
   }
 }
 

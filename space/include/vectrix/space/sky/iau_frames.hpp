@@ -1,0 +1,97 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include <vectrix/frames/export.hpp>
+#include <vectrix/kinematics/attitude/euler_angles.hpp>
+#include <vectrix/kinematics/rates/euler_rates.hpp>
+#include <vectrix/kinematics/rates/moving_dcm.hpp>
+#include <vectrix/space/earth/earth_orientation.hpp>
+#include <vectrix/space/sky/bodies.hpp>
+
+namespace vectrix {
+
+// The frames fixed to Sun, Moon and planets by the IAU's elements: z to the pole on the north side of the
+// invariable plane, x to the prime meridian. Venus and Uranus turn about -z.
+
+namespace sun {
+/// x to the prime meridian of Carrington.
+struct Iau : moving_frame {};
+}  // namespace sun
+namespace mercury {
+/// The crater Hun Kal is at 20 degrees west.
+struct Iau : moving_frame {};
+}  // namespace mercury
+namespace venus {
+struct Iau : moving_frame {};
+}  // namespace venus
+namespace moon {
+/// z to the mean pole, x to the mean Earth: within 150 m on the surface of the mean-Earth frame of JPL's
+/// ephemerides, and 1 km of their frame of principal axes.
+struct Iau : moving_frame {};
+}  // namespace moon
+namespace mars {
+struct Iau : moving_frame {};
+}  // namespace mars
+namespace jupiter {
+/// System III, of the magnetic field. So are those of Saturn, Uranus and Neptune.
+struct Iau : moving_frame {};
+}  // namespace jupiter
+namespace saturn {
+struct Iau : moving_frame {};
+}  // namespace saturn
+namespace uranus {
+struct Iau : moving_frame {};
+}  // namespace uranus
+namespace neptune {
+struct Iau : moving_frame {};
+}  // namespace neptune
+
+namespace detail {
+
+template <class F> inline constexpr Body iau_body_of = Body::none;
+template <> inline constexpr Body iau_body_of<sun::Iau> = Body::sun;
+template <> inline constexpr Body iau_body_of<mercury::Iau> = Body::mercury;
+template <> inline constexpr Body iau_body_of<venus::Iau> = Body::venus;
+template <> inline constexpr Body iau_body_of<moon::Iau> = Body::moon;
+template <> inline constexpr Body iau_body_of<mars::Iau> = Body::mars;
+template <> inline constexpr Body iau_body_of<jupiter::Iau> = Body::jupiter;
+template <> inline constexpr Body iau_body_of<saturn::Iau> = Body::saturn;
+template <> inline constexpr Body iau_body_of<uranus::Iau> = Body::uranus;
+template <> inline constexpr Body iau_body_of<neptune::Iau> = Body::neptune;
+
+/// The angles of the sequence 3-1-3 from GCRF to the body, rad, and their derivatives, rad/s and rad/s^2.
+struct IauAngles {
+  Eigen::Vector3d angles, rates, second_rates;
+};
+VECTRIX_EXPORT IauAngles iau_angles(Body body, const Epoch& epoch);
+
+}  // namespace detail
+
+/// A frame fixed to the Sun, the Moon or a planet by the IAU's elements.
+template <class F>
+concept IauFrame = detail::iau_body_of<F>
+!= detail::Body::none;
+
+/// The rotation of the Sun, the Moon or a planet, its rate and its acceleration, by the elements of the IAU's
+/// working group on cartographic coordinates: right ascension and declination of the pole, and the angle W of
+/// the prime meridian along the equator, with their trigonometric terms, at a date in TDB:
+///     R_body^gcrf = R3(alpha + 90 deg) R1(90 deg - delta) R3(W)
+/// From the report of 2015 (Archinal and others 2018), the Moon from that of 2009 (Archinal and others 2011).
+/// An edge: edge([](const Epoch& t) { return iau_rotation(of<mars::Iau>, t); }). No year is refused, but the
+/// elements were found from observations of the last centuries. A call takes 10 microseconds, most of it for
+/// TDB.
+template <IauFrame F> AcceleratingDcm<earth::Gcrf, F> iau_rotation(Of<F>, const Epoch& epoch) {
+  using Angles = EulerAngles<Intrinsic<3, 1, 3>, earth::Gcrf, F>;
+  const auto plain = detail::iau_angles(detail::iau_body_of<F>, epoch);
+  const Angles x{detail::trusted, plain.angles};
+  const ParameterRate<Angles> xdot{detail::trusted, plain.rates};
+  const SecondParameterRate<Angles> xddot{detail::trusted, plain.second_rates};
+  return {dcm(x), angular_velocity_from(x, xdot, in<F>), angular_acceleration_from(x, xdot, xddot, in<F>)};
+}
+template <class F>
+  requires(!IauFrame<F>)
+auto iau_rotation(  // of<mars::Iau>, a frame fixed to a body, not its centre
+    Of<F>, const Epoch&) -> Refused = delete;
+
+}  // namespace vectrix
