@@ -1,6 +1,7 @@
 #pragma once
 
 #include <vectrix/kinematics.hpp>
+#include <vectrix/space/earth/earth_motion.hpp>
 #include <vectrix/space/earth/earth_orientation.hpp>
 #include <vectrix/space/earth/ellipsoid.hpp>
 #include <vectrix/space/earth/eme2000.hpp>

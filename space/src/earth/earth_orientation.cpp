@@ -2,6 +2,7 @@
 #include <erfam.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <utility>
 
@@ -11,6 +12,7 @@
 
 #include "erfa_rotation.hpp"
 #include "finals2000a.hpp"
+#include "ocean_tides.hpp"
 #include "row_spline.hpp"
 
 namespace vectrix {
@@ -51,6 +53,25 @@ EarthOrientation EarthOrientation::read(const std::filesystem::path& finals2000A
   return {std::move(epochs), std::move(rows)};
 }
 
+EarthOrientation EarthOrientation::unobserved(const TimeSpan& span, const Quantity<si::time>& ut1_minus_utc) {
+  if (!(std::abs(ut1_minus_utc.value()) <= 1.0)) {
+    throw BadInput("EarthOrientation::unobserved: UT1-UTC is " + detail::text(ut1_minus_utc.value()) +
+                   " s; UTC keeps it below 0.9 s");
+  }
+  constexpr int steps = 3;  // four rows, as a spline needs
+  const auto step = (span.end() - span.start()) / double{steps};
+  if (!(step.value() > 0.0)) {
+    throw BadInput("EarthOrientation::unobserved: the span at " + detail::shown(span.start()) +
+                   " has no duration");
+  }
+  EarthOrientationParameters row{};
+  row.ut1_minus_tai = ut1_minus_utc - span.start().tai_minus_utc();
+  std::vector<Epoch> epochs;
+  for (int i = 0; i < steps; ++i) epochs.push_back(span.start() + static_cast<double>(i) * step);
+  epochs.push_back(span.end());
+  return {std::move(epochs), std::vector<EarthOrientationParameters>(steps + 1, row)};
+}
+
 void EarthOrientation::require(const Epoch& epoch) const {
   if (epoch < first() || epoch > last()) {
     throw BadInput("EarthOrientation: the epoch " + detail::shown(epoch) +
@@ -81,6 +102,18 @@ EarthOrientationParameters EarthOrientation::parameters(const Epoch& epoch) cons
           rate(1),
           rate(3),
           rate(4)};
+}
+
+EarthOrientationParameters EarthOrientation::parameters(const Epoch& epoch, SubdailyTides) const {
+  EarthOrientationParameters p = parameters(epoch);
+  const Eigen::Matrix3d tides = detail::ocean_tides(epoch, p.ut1_minus_tai);
+  p.pole_x = p.pole_x + tides(0, 0) * si::radian;
+  p.pole_y = p.pole_y + tides(1, 0) * si::radian;
+  p.ut1_minus_tai = p.ut1_minus_tai + tides(2, 0) * si::second;
+  p.pole_x_rate = p.pole_x_rate + tides(0, 1) * (si::radian / si::second);
+  p.pole_y_rate = p.pole_y_rate + tides(1, 1) * (si::radian / si::second);
+  p.ut1_gain = p.ut1_gain + Quantity<si::dimensionless>{tides(2, 1)};
+  return p;
 }
 
 MovingDcm<earth::Gcrf, earth::Itrf> EarthOrientation::at(const Epoch& epoch) const {

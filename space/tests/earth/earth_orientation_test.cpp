@@ -208,6 +208,62 @@ TEST(EarthOrientation, IsAnEdgeOfAGraph) {
   EXPECT_EQ(w.coordinates(), orientation.at(epoch).angular_velocity.coordinates());
 }
 
+// Twenty rows of real data, 1973 to 2023: how far the Earth without data is off, in arcsec.
+TEST(EarthOrientation, UnobservedIsOffByWhatItsDocumentationSays) {
+  const auto table = CsvTable::read(source / "space/tests/data/gcrs_to_itrs_20_epochs.csv", {});
+  constexpr double of_the_pole = 0.61, of_the_offsets = 0.01, of_the_day = 4.1e-3 * 15.05;  // arcsec
+  constexpr double of_ut1 = 0.9 * 15.05;
+  double with_ut1 = 0.0, without_ut1 = 0.0;
+  for (std::size_t i = 0; i < table.rows(); ++i) {
+    const auto epoch = Epoch::from_utc_mjd(static_cast<int>(table.number(i, "mjd_utc_int")),
+                                           table.number(i, "frac_day_utc"));
+    // UT1-UTC is known a day before.
+    const auto span = from_until(epoch - 86400.0 * si::second, epoch);
+    const auto off = [&](const EarthOrientation& orientation) {
+      const Eigen::Matrix3d turn = matrix(table, i, "C") * orientation.at(epoch).rotation.matrix();
+      return std::asin((turn - turn.transpose()).norm() / std::sqrt(8.0)) / arcsecond;
+    };
+    using vectrix::detail::larger;
+    with_ut1 =
+        larger(with_ut1, off(EarthOrientation::unobserved(span, table.number(i, "dut1_s") * si::second)));
+    without_ut1 = larger(without_ut1, off(EarthOrientation::unobserved(span, 0.0 * si::second)));
+  }
+  EXPECT_LT(with_ut1, of_the_pole + of_the_offsets + of_the_day);
+  EXPECT_GT(with_ut1, 0.5 * of_the_pole);
+  EXPECT_LT(without_ut1, of_ut1 + of_the_pole + of_the_offsets);
+  EXPECT_GT(without_ut1, 0.5 * of_ut1);
+}
+
+TEST(EarthOrientation, UnobservedStandsStillOverALeapSecond) {
+  const auto span =
+      from_until(Epoch::from_utc("2016-12-31T12:00:00"), Epoch::from_utc("2017-01-01T12:00:00"));
+  const auto orientation = EarthOrientation::unobserved(span, -0.4 * si::second);
+  EXPECT_EQ(orientation.first(), span.start());
+  EXPECT_EQ(orientation.last(), span.end());
+  for (const Epoch& t : every(3600.0 * si::second, span)) {
+    const auto p = orientation.parameters(t);
+    EXPECT_NEAR(p.ut1_minus_tai.value(), -36.4, 37.0 * parameter_rounding);
+    EXPECT_NEAR(p.ut1_gain.value(), 0.0, 37.0 * parameter_rounding / 3600.0);
+    EXPECT_EQ(p.pole_x.value(), 0.0);
+    EXPECT_EQ(p.dY_rate.value(), 0.0);
+  }
+}
+
+TEST(EarthOrientation, UnobservedRefusesBadInput) {
+  const auto start = Epoch::from_utc("2030-01-01T00:00:00");
+  const auto day = from_until(start, 86400.0 * si::second);
+  EXPECT_EQ(complaint([&] { (void)EarthOrientation::unobserved(day, -37.1 * si::second); }),
+            "EarthOrientation::unobserved: UT1-UTC is -37.1 s; UTC keeps it below 0.9 s");
+  EXPECT_THROW((void)EarthOrientation::unobserved(day, std::nan("") * si::second), BadInput);
+  EXPECT_EQ(
+      complaint([&] { (void)EarthOrientation::unobserved(from_until(start, start), 0.0 * si::second); }),
+      "EarthOrientation::unobserved: the span at 2030-01-01T00:00:00.000000 UTC has no duration");
+  const auto early = from_until(Epoch::from_tt("1950-01-01T00:00:00"), 86400.0 * si::second);
+  EXPECT_THROW((void)EarthOrientation::unobserved(early, 0.0 * si::second), BadInput);
+  const auto orientation = EarthOrientation::unobserved(day, 0.0 * si::second);
+  EXPECT_THROW((void)orientation.at(day.end() + 1.0 * si::second), BadInput);
+}
+
 TEST(EarthRotation, RefusesUt1MinusUtcForUt1MinusTai) {
   const auto epoch = Epoch::from_utc("2022-04-14T00:00:00");
   EarthOrientationParameters parameters = EarthOrientation::read(april_2022).parameters(epoch);

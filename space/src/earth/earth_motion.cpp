@@ -1,0 +1,232 @@
+#include <erfa.h>
+#include <erfam.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include <vectrix/space/earth/earth_motion.hpp>
+
+#include "celestial_pole.hpp"
+#include "erfa_rotation.hpp"
+#include "finals2000a.hpp"
+#include "ocean_tides.hpp"
+
+namespace vectrix {
+namespace {
+
+constexpr int degree = 5, columns = 6, cell_size = (degree + 1) * columns;
+using Numbers = Eigen::Array<double, columns, 1>;        // X, Y, angle, x, y, and zero for pairs
+using Cell = Eigen::Array<double, columns, degree + 1>;  // their coefficients
+using Node = Eigen::Array<double, columns, 3>;           // their values and derivatives at an end, unit: cell
+
+// The quintic with the values, slopes and second derivatives of both ends; the value at the end is `moved`
+// more than at the start.
+Cell quintic(const Node& start, const Node& end, const Numbers& moved) {
+  const Numbers slope = start.col(1), bend = start.col(2);
+  const Numbers value_left = moved - slope - 0.5 * bend, slope_left = end.col(1) - slope - bend,
+                bend_left = end.col(2) - bend;
+  Cell cell;
+  cell << start.col(0), slope, 0.5 * bend, 10.0 * value_left - 4.0 * slope_left + 0.5 * bend_left,
+      -15.0 * value_left + 7.0 * slope_left - bend_left,
+      6.0 * value_left - 3.0 * slope_left + 0.5 * bend_left;
+  return cell;
+}
+
+struct Motion {
+  Numbers value, slope, half_bend;
+};
+Eigen::Map<const Numbers> coefficients(const double* cell, int power) {
+  return Eigen::Map<const Numbers>(cell + power * columns);
+}
+Motion motion(const double* cell, double time) {
+  Motion p{coefficients(cell, degree), Numbers::Zero(), Numbers::Zero()};
+  for (int power = degree - 1; power >= 0; --power) {
+    p.half_bend = p.half_bend * time + p.slope;
+    p.slope = p.slope * time + p.value;
+    p.value = p.value * time + coefficients(cell, power);
+  }
+  return p;
+}
+Motion at_rest(const double* cell, double time) {
+  Motion p{coefficients(cell, degree), Numbers::Zero(), Numbers::Zero()};
+  for (int power = degree - 1; power >= 0; --power) p.value = p.value * time + coefficients(cell, power);
+  return p;
+}
+
+// At midnight, in days; and the locators, which the angle has in it.
+struct Midnight {
+  Node node;
+  double ut1_minus_tai, locators;  // s; s' - s, rad
+};
+Midnight midnight(const Epoch& epoch, const Eigen::Matrix<double, 5, 3>& observed) {
+  const JulianDate tt = epoch.tt_date();
+  const JulianDate ut1 = epoch.julian_date(scale::Ut1::minus_tai(observed(2, 0) * si::second));
+  const auto [X, Y, s] = detail::celestial_pole(tt);
+  const double locators = eraSp00(tt.day, tt.fraction) - s.value;  // s' changes by 1e-19 rad/s
+  const double rate = detail::earth_rotation_rate;
+  Node node;
+  node.row(0) << X.value + observed(3, 0), X.rate + observed(3, 1), X.second + observed(3, 2);
+  node.row(1) << Y.value + observed(4, 0), Y.rate + observed(4, 1), Y.second + observed(4, 2);
+  node.row(2) << eraEra00(ut1.day, ut1.fraction) + locators, rate * (1.0 + observed(2, 1)) - s.rate,
+      rate * observed(2, 2) - s.second;
+  node.row(3) = observed.row(0);
+  node.row(4) = observed.row(1);
+  node.row(5).setZero();
+  node.col(1) *= ERFA_DAYSEC;
+  node.col(2) *= ERFA_DAYSEC * ERFA_DAYSEC;
+  return {node, observed(2, 0), locators};
+}
+
+Cell day_between(const Midnight& start, const Midnight& end) {
+  Numbers moved = end.node.col(0) - start.node.col(0);
+  moved[2] = detail::earth_rotation_rate * (ERFA_DAYSEC + (end.ut1_minus_tai - start.ut1_minus_tai)) +
+             (end.locators - start.locators);
+  return quintic(start.node, end.node, moved);
+}
+
+// The motion of a day and the tides at a time of it, in parts of the day.
+Node with_tides(const Cell& day, double time, double part, const Eigen::Matrix3d& tides) {
+  const Motion m = motion(day.data(), time);
+  Node node;
+  node << m.value, part * m.slope, (2.0 * part * part) * m.half_bend;
+  Eigen::Array33d added = tides.array();
+  added.row(2) *= detail::earth_rotation_rate;
+  const double seconds = part * ERFA_DAYSEC;
+  added.col(1) *= seconds;
+  added.col(2) *= seconds * seconds;
+  node.row(2) += added.row(2);
+  node.row(3) += added.row(0);
+  node.row(4) += added.row(1);
+  return node;
+}
+
+// x and y are below 5e-4 rad, as the columns of the file have room for: to rounding.
+double small_sine(double angle) {
+  return angle * (1.0 - angle * angle / 6.0);
+}
+double small_cosine(double angle) {
+  const double square = angle * angle;
+  return 1.0 - 0.5 * square * (1.0 - square / 12.0);
+}
+
+// With R_itrf^tirf = R1(-y) R2(-x) and n = R3(angle) w_gc^c + (0, 0, d angle/dt), the rate of Tirf in its
+// axes,
+//     w_gi^i = R_i^t n + p,    p = (-dy/dt, -dx/dt cos y, -dx/dt sin y)
+//     alpha_gi^i = R_i^t dn/dt - p x (R_i^t n) + dp/dt
+struct Turn {
+  Eigen::Matrix3d R_gcrf_from_itrf;
+  Eigen::Vector3d w, alpha;
+};
+// always_inline: what a caller does not use of the result is not computed.
+[[gnu::always_inline]] inline Turn turn(const Motion& m, double per_second) {
+  const auto varying = [&](Eigen::Index i) {
+    return detail::Varying{m.value[i], per_second * m.slope[i],
+                           2.0 * per_second * per_second * m.half_bend[i]};
+  };
+  const detail::Varying angle = varying(2), x = varying(3), y = varying(4);
+  const auto pole = detail::pole_turn(varying(0), varying(1));
+  const double c = std::cos(angle.value), s = std::sin(angle.value);
+  const double cx = small_cosine(x.value), sx = small_sine(x.value), cy = small_cosine(y.value),
+               sy = small_sine(y.value);
+  const auto R3 = [&](const auto& v) {
+    return Eigen::Vector3d(c * v[0] + s * v[1], c * v[1] - s * v[0], v[2]);
+  };
+  const auto to_itrf = [&](const Eigen::Vector3d& v) {
+    const double z = cx * v[2] - sx * v[0];
+    return Eigen::Vector3d(cx * v[0] + sx * v[2], cy * v[1] - sy * z, sy * v[1] + cy * z);
+  };
+  Turn found;
+  for (int i = 0; i < 3; ++i) {
+    found.R_gcrf_from_itrf.row(i) = to_itrf(R3(pole.R_c_from_g.col(i))).transpose();
+  }
+  const Eigen::Vector3d across = R3(pole.w_gc_c), change = R3(pole.alpha_gc_c);
+  const Eigen::Vector3d n(across[0], across[1], across[2] + angle.rate);
+  const Eigen::Vector3d nd(change[0] + angle.rate * across[1], change[1] - angle.rate * across[0],
+                           change[2] + angle.second);
+  const Eigen::Vector3d turning = to_itrf(n);
+  const Eigen::Vector3d p(-y.rate, -x.rate * cy, -x.rate * sy);
+  const Eigen::Vector3d pd(-y.second, -x.second * cy + x.rate * y.rate * sy,
+                           -x.second * sy - x.rate * y.rate * cy);
+  found.w = turning + p;
+  found.alpha = to_itrf(nd) - p.cross(turning) + pd;
+  return found;
+}
+
+}  // namespace
+
+EarthMotion::EarthMotion(const EarthOrientation& orientation, const TimeSpan& span)
+    : EarthMotion(orientation, span, false) {}
+EarthMotion::EarthMotion(const EarthOrientation& orientation, const TimeSpan& span, SubdailyTides)
+    : EarthMotion(orientation, span, true) {}
+
+EarthMotion::EarthMotion(const EarthOrientation& orientation, const TimeSpan& span, bool with_tides)
+    : span_(span), first_day_(span.start().tai().day), cells_of_a_day_(with_tides ? 16 : 1) {
+  orientation.require(span.start());
+  orientation.require(span.end());
+  const auto days = static_cast<std::size_t>(span.end().tai().day - first_day_) + 1;
+  cells_.resize(days * static_cast<std::size_t>(cells_of_a_day_ * cell_size));
+  const auto at = [&](std::size_t day, double fraction) {
+    return Epoch::from_julian_date(scale::tai, first_day_ + static_cast<double>(day), fraction);
+  };
+  const auto midnight_of = [&](std::size_t day) {
+    return midnight(at(day, 0.0), orientation.curves(at(day, 0.0)));
+  };
+  auto next = cells_.begin();
+  const auto add = [&](const Cell& cell) { next = std::copy(cell.data(), cell.data() + cell_size, next); };
+  Midnight start = midnight_of(0);
+  for (std::size_t day = 0; day < days; ++day) {
+    const Midnight end = midnight_of(day + 1);
+    const Cell whole = day_between(start, end);
+    if (with_tides) {
+      const double part = 1.0 / cells_of_a_day_;
+      const auto node = [&](int i) {
+        const Epoch epoch = at(day, i * part);
+        const auto ut1_minus_tai = orientation.curves(epoch)(2, 0) * si::second;
+        return vectrix::with_tides(whole, i * part, part, detail::ocean_tides(epoch, ut1_minus_tai));
+      };
+      Node before = node(0);
+      for (int i = 1; i <= cells_of_a_day_; ++i) {
+        const Node after = node(i);
+        add(quintic(before, after, after.col(0) - before.col(0)));
+        before = after;
+      }
+    } else {
+      add(whole);
+    }
+    start = end;
+  }
+}
+
+const double* EarthMotion::cell(const Epoch& epoch, double& time) const {
+  if (!span_.contains(epoch)) [[unlikely]] {
+    throw BadInput("EarthMotion: the epoch " + detail::shown(epoch) + " is outside the span, " +
+                   detail::shown(span_.start()) + " to " + detail::shown(span_.end()));
+  }
+  const auto& tai = epoch.tai();
+  const double of_day = tai.fraction * cells_of_a_day_;
+  const int in_day = static_cast<int>(of_day);
+  time = of_day - in_day;
+  const auto index =
+      static_cast<std::size_t>(tai.day - first_day_) * static_cast<std::size_t>(cells_of_a_day_) +
+      static_cast<std::size_t>(in_day);
+  return &cells_[index * cell_size];
+}
+
+AcceleratingDcm<earth::Gcrf, earth::Itrf> EarthMotion::at(const Epoch& epoch) const {
+  using earth::Gcrf, earth::Itrf;
+  double time = 0.0;
+  const double* const c = cell(epoch, time);
+  const Turn found = turn(motion(c, time), cells_of_a_day_ / ERFA_DAYSEC);
+  return {Dcm<Gcrf, Itrf>{detail::trusted, found.R_gcrf_from_itrf},
+          AngularVelocity<Gcrf, Itrf, In<Itrf>>{detail::trusted, found.w},
+          AngularAcceleration<Gcrf, Itrf, In<Itrf>>{detail::trusted, found.alpha}};
+}
+
+Dcm<earth::Gcrf, earth::Itrf> EarthMotion::rotation(const Epoch& epoch) const {
+  double time = 0.0;
+  const double* const c = cell(epoch, time);
+  return {detail::trusted, turn(at_rest(c, time), 0.0).R_gcrf_from_itrf};
+}
+
+}  // namespace vectrix
