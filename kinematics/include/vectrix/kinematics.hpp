@@ -32,6 +32,7 @@
 #include <vectrix/kinematics/rates/rate.hpp>
 #include <vectrix/kinematics/samples/attitude_sample.hpp>
 #include <vectrix/kinematics/samples/hermite.hpp>
+#include <vectrix/kinematics/samples/interpolated_position.hpp>
 #include <vectrix/kinematics/samples/rotation_spline.hpp>
 #include <vectrix/kinematics/samples/sampled_attitude.hpp>
 #include <vectrix/kinematics/samples/sampled_position.hpp>

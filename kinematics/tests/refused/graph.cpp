@@ -55,6 +55,19 @@ auto acceleration(const std::vector<AttitudeSample<Gcrf, Body>>& samples, const 
 }
 }  // namespace graph_acceleration_of_sampled_edge
 
+namespace graph_acceleration_of_positions_joined_by_cubics {
+// mistake: the acceleration of a place across samples joined by cubics: it jumps from one to the next
+// expect: AccelerationOn<(vectrix::)?Link<Gcrf, Body
+auto acceleration(const std::vector<PositionSample<Gcrf, Body>>& samples, const Quantity<si::time>& t) {
+#ifdef REPAIRED
+  const auto graph = frame_graph(sampled_edge(samples, Hermite{7}, 10.0 * si::second));
+#else
+  const auto graph = frame_graph(sampled_edge(samples, 10.0 * si::second));
+#endif
+  return graph.at(t).acceleration(of<Body>, relative_to<Gcrf>, observed_from<Gcrf>, in<Gcrf>);
+}
+}  // namespace graph_acceleration_of_positions_joined_by_cubics
+
 namespace graph_place_across_turning_edge {
 // mistake: the place of a frame of which the rotation alone is known
 // expect: PlaceOn<(vectrix::)?Link<Body, Camera>

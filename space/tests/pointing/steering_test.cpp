@@ -6,8 +6,8 @@
 
 #include <vectrix/frames/graph/frame_graph.hpp>
 #include <vectrix/kinematics/attitude/euler_angles.hpp>
+#include <vectrix/kinematics/samples/interpolated_position.hpp>
 #include <vectrix/kinematics/samples/sampled_attitude.hpp>
-#include <vectrix/kinematics/samples/sampled_position.hpp>
 #include <vectrix/space/earth/earth_orientation.hpp>
 #include <vectrix/space/files/csv_table.hpp>
 #include <vectrix/space/orbit/orbit_frames.hpp>
@@ -191,14 +191,9 @@ TEST(ZeroDopplerSteering, RateAndAccelerationAreDerivatives) {
   EXPECT_EQ(moving.angular_velocity.coordinates(), now.angular_velocity.coordinates());
 }
 
-// A real pass of Sentinel-1A ("Contains Copernicus Sentinel data [2022]"; the files and their conventions are
-// described in examples/data): the satellite is steered as the law says, and rolled by about -30 deg.
-TEST(ZeroDopplerSteering, OfSentinel1) {
-  struct QuaternionAxes : moving_frame {};
-  struct Real : moving_frame {};
-  constexpr double steering_error = 2e-3;  // deg; the satellite's own, 1e-3 along the velocity
-  const std::filesystem::path data = source / "examples/data";
-  const auto orbit = CsvTable::read(data / "S1A_IW_20220414T102211_orbit.csv", {"time_utc", "x_m", "vx_mps"});
+std::vector<PositionSample<Itrf, Satellite, Epoch>> sentinel1_orbit() {
+  const auto orbit = CsvTable::read(source / "examples/data/S1A_IW_20220414T102211_orbit.csv",
+                                    {"time_utc", "x_m", "vx_mps"});
   std::vector<PositionSample<Itrf, Satellite, Epoch>> places;
   for (std::size_t i = 0; i < orbit.rows(); ++i) {
     const auto r = read_vector<si::length>(in<Itrf>, orbit, i, {"x_m", "y_m", "z_m"});
@@ -206,6 +201,18 @@ TEST(ZeroDopplerSteering, OfSentinel1) {
     places.push_back({Epoch::from_utc(orbit.text(i, "time_utc")),
                       point_motion(of<Satellite>, relative_to<Itrf>, observed_from<Itrf>, r, v)});
   }
+  return places;
+}
+
+// A real pass of Sentinel-1A ("Contains Copernicus Sentinel data [2022]"; the files and their conventions are
+// described in examples/data): the satellite is steered as the law says, and rolled by about -30 deg.
+TEST(ZeroDopplerSteering, OfSentinel1) {
+  struct QuaternionAxes : moving_frame {};
+  struct Real : moving_frame {};
+  constexpr double steering_error = 2e-3;  // deg; the satellite's own, 1e-3 along the velocity
+  constexpr double gyro_error = 6e-6;      // rad/s; three times their noise
+  const std::filesystem::path data = source / "examples/data";
+  const auto places = sentinel1_orbit();
   const auto table = CsvTable::read(data / "S1A_IW_20220414T102211_attitude.csv", {"time_utc", "q0"});
   std::vector<AttitudeSample<Gcrf, QuaternionAxes, Epoch>> attitude;
   for (std::size_t i = 0; i < table.rows(); ++i) {
@@ -218,20 +225,57 @@ TEST(ZeroDopplerSteering, OfSentinel1) {
   const auto orientation = EarthOrientation::read(data / "finals2000A_april_2022.txt");
   using Place = Displacement<Itrf, Satellite, In<Itrf>>;
   using Speed = Velocity<Itrf, Satellite, ObservedFrom<Itrf>, In<Itrf>>;
+  using Change = Acceleration<Itrf, Satellite, ObservedFrom<Itrf>, In<Itrf>>;
   const auto graph = frame_graph(
-      edge([&](const Epoch& t) { return orientation.at(t); }), sampled_edge(places, 20.0 * si::second),
-      sampled_edge(attitude, 2.0 * si::second),
+      edge([&](const Epoch& t) { return orientation.at(t); }),
+      sampled_edge(places, Hermite{7}, 20.0 * si::second), sampled_edge(attitude, 2.0 * si::second),
       static_edge(dcm_from_axes(to<Real>, -unit_y(in<QuaternionAxes>), -unit_x(in<QuaternionAxes>),
                                 -unit_z(in<QuaternionAxes>))),
-      edge([](const Place& r, const Speed& v) { return zero_doppler_steering(from<Body>, r, v); }));
+      edge([](const Place& r, const Speed& v, const Change& a) {
+        return zero_doppler_steering(from<Body>, r, v, a);
+      }));
   ASSERT_GT(attitude.size(), 20u);
-  for (const auto& sample : attitude) {
-    const auto angles =
-        euler_angles(intrinsic<3, 2, 1>, graph.at(sample.time).rotation(to<Body>, from<Real>));
+  const auto turn_of = [&](const auto& now) {
+    return euler_angles(intrinsic<3, 2, 1>, now.rotation(to<Body>, from<Real>));
+  };
+  const Epoch &first = attitude.front().time, &last = attitude.back().time;
+  const double roll_rate =
+      (turn_of(graph.at(last)).third() - turn_of(graph.at(first)).third()).value() / (last - first).value();
+  for (std::size_t i = 0; i < attitude.size(); ++i) {
+    const auto now = graph.at(attitude[i].time);
+    const auto angles = turn_of(now);
     EXPECT_NEAR(angles.first().in(si::degree), 0.0, steering_error);
     EXPECT_NEAR(angles.second().in(si::degree), 0.0, steering_error);
     EXPECT_NEAR(angles.third().in(si::degree), -30.0, 1.0);
+    // The gyros of the satellite measure the rate of the law, and about x that of the roll, which follows the
+    // height above the ground.
+    const auto w_real = now.angular_velocity(of<Body>, relative_to<Gcrf>, in<Real>);
+    const Vector3d gyro(table.number(i, "wx"), table.number(i, "wy"), table.number(i, "wz"));
+    const Vector3d off = gyro - w_real.coordinates();
+    EXPECT_LE(off.tail<2>().norm(), gyro_error) << i;
+    EXPECT_NEAR(off.x(), roll_rate, gyro_error) << i;
   }
+}
+
+// Of every second sample of the orbit: the others are 10 s from the nearest. The file has 1e-6 m.
+TEST(InterpolatedPosition, OfSentinel1) {
+  constexpr double noise = 0.05,
+                   noise_of_velocity = 2e-3;  // m, m/s: of the solution on board, twice at the ends
+  const auto all = sentinel1_orbit();
+  std::vector<PositionSample<Itrf, Satellite, Epoch>> half;
+  for (std::size_t i = 0; i < all.size(); i += 2) half.push_back(all[i]);
+  const auto expect_others = [&](const auto& method, double metres, double metres_per_second) {
+    const InterpolatedPosition position(half, method, 25.0 * si::second);
+    for (std::size_t i = 1; i + 1 < all.size(); i += 2) {
+      const auto found = position(all[i].time);
+      EXPECT_LE((found.translation.coordinates() - all[i].motion.position.coordinates()).norm(), metres) << i;
+      EXPECT_LE((found.velocity.coordinates() - all[i].motion.velocity.coordinates()).norm(),
+                metres_per_second)
+          << i;
+    }
+  };
+  expect_others(Hermite{7}, noise, noise_of_velocity);
+  expect_others(Lagrange{7}, noise, noise_of_velocity);
 }
 
 }  // namespace
