@@ -159,6 +159,39 @@ int run() {
   std::vector<Row> rows;
   const auto span = from_until(start, 5.0 * 86400.0 * si::second);
 
+  const auto orientation = EarthOrientation::read(VECTRIX_EXAMPLE_DATA "/finals2000A_april_2022.txt");
+  const EarthMotion earth(orientation, span), with_tides(orientation, span, subdaily_tides);
+  const auto era_rotation = [&](std::size_t i) {
+    const auto p = orientation.parameters(epochs[i]);
+    const auto ut1 = epochs[i].julian_date(scale::tai);
+    double matrix[3][3];
+    eraC2t06a(tt[i][0], tt[i][1], ut1.day, ut1.fraction + p.ut1_minus_tai.value() / 86400.0, p.pole_x.value(),
+              p.pole_y.value(), matrix);
+    return Eigen::Matrix3d(Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(&matrix[0][0]));
+  };
+  const Task era_earth{"eraC2t06a", [&](std::size_t i) { keep(era_rotation(i)); }};
+  const auto earth_difference = [&] {
+    return largest_over_inputs([&](std::size_t i) {
+      return (earth.rotation(epochs[i]).matrix().transpose() - era_rotation(i)).cwiseAbs().maxCoeff();
+    });
+  };
+  constexpr double left_out = 5e-9;  // eraC2t06a has no dX and dY
+  rows.push_back({{"Earth, R", [&](std::size_t i) { keep(earth.rotation(epochs[i])); }},
+                  era_earth,
+                  1.0 / 800.0,
+                  earth_difference,
+                  left_out});
+  rows.push_back({{"Earth, R, w and alpha", [&](std::size_t i) { keep(earth.at(epochs[i])); }},
+                  era_earth,
+                  1.0 / 450.0,
+                  nullptr,
+                  0.0});
+  rows.push_back({{"the same with sub-daily tides", [&](std::size_t i) { keep(with_tides.at(epochs[i])); }},
+                  era_earth,
+                  1.0 / 300.0,
+                  nullptr,
+                  0.0});
+
   const Ephemeris<sky::Sun> sun(span);
   const auto era_sun = [&](std::size_t i) {
     double heliocentric[2][3], barycentric[2][3];
