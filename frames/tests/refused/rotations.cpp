@@ -147,6 +147,19 @@ auto reverse(const Dcm<Body, Gcrf>& R_body_from_gcrf) {
 }
 }  // namespace dcm_negated
 
+namespace dcm_transposed {
+// mistake: the transpose, as of a matrix without frames
+// expect: Dcm<Body, Gcrf
+// expect: inverse\(R_b_from_a\)
+Dcm<Gcrf, Body> back(const Dcm<Body, Gcrf>& R_body_from_gcrf) {
+#ifdef REPAIRED
+  return inverse(R_body_from_gcrf);
+#else
+  return R_body_from_gcrf.transpose();
+#endif
+}
+}  // namespace dcm_transposed
+
 namespace dcm_of_one_frame {
 // mistake: one frame at two instants, under one name
 // expect: ToFrame = (vectrix::)?To<Body>

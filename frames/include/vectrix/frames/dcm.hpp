@@ -56,6 +56,8 @@ template <Frame ToFrame, Frame FromFrame, class S = double> class Dcm {
 
   template <class Operand = Dcm>
   auto operator-() const -> Refused = delete;  // a rotation has no negative: inverse(R_b_from_a)
+  template <class Operand = Dcm>
+  auto transpose() const -> Refused = delete;  // its frames change places: inverse(R_b_from_a)
 
  private:
   detail::Square<S> matrix_;
