@@ -24,6 +24,7 @@ using Rows = std::vector<Row>;
 Rows exact_rows(const std::string& data);
 Rows nasa_rows(const std::string& data);
 Rows basilisk_rows(const std::string& data);
+Rows erfa_rows(const std::string& data);
 Rows simbody_rows(const std::string& data);
 
 /// The table in Markdown, one section per group.
