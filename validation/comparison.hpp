@@ -24,6 +24,7 @@ using Rows = std::vector<Row>;
 Rows exact_rows(const std::string& data);
 Rows nasa_rows(const std::string& data);
 Rows basilisk_rows(const std::string& data);
+Rows erfa_rows(const std::string& data);
 Rows simbody_rows(const std::string& data);
 Rows space_rows(const std::string& data);  // its figures are those of the tests of space/
 

@@ -41,6 +41,7 @@ class Direction(unittest.TestCase):
             ("dynamics/tests/h_test.cpp", "sundials/sundials_types.h"),
             ("accuracy/i.cpp", "arkode/arkode.h"),
             ("validation/j.cpp", "Simbody.h"),
+            ("validation/earth.cpp", "erfa.h"),
             ("bench/k.cpp", "SimTKcommon.h"),
         ):
             self.assertEqual(found_in({file: f"  # include <{header}>\n"}),
@@ -53,6 +54,7 @@ class Direction(unittest.TestCase):
             "space/tests/e_test.cpp": "#include <erfa.h>\n",
             "dynamics/src/f.cpp": "#include <cvode/cvode.h>\n",
             "validation/simbody_reference.cpp": "#include <Simbody.h>\n",
+            "validation/erfa.cpp": "#include <erfa.h>\n",
             "validation/tests/simbody_conventions_test.cpp": "#include <Simbody.h>\n",
             "bench/peer_simbody.cpp": "#include <SimTKcommon.h>\n",
             "frames/tests/a_test.cpp": "// #include <vectrix/dynamics.hpp>\n",

@@ -6,6 +6,8 @@
 
 #include <vectrix/space/earth/ellipsoid.hpp>
 
+#include "latitude.hpp"
+
 namespace vectrix::wgs84 {
 namespace {
 
@@ -112,11 +114,7 @@ Geodetic geodetic(const Vector<earth::Itrf, si::length>& r_itrf) {
 }
 
 Vector<earth::Itrf, si::length> position(const Geodetic& geodetic) {
-  const double latitude = geodetic.latitude.value();
-  if (!(std::abs(latitude) <= ERFA_DPI / 2.0)) {
-    throw BadInput("wgs84::position: the latitude " + detail::text(latitude) +
-                   " rad is not in [-pi/2, pi/2]");
-  }
+  const double latitude = detail::checked_latitude("wgs84::position", geodetic);
   if (!std::isfinite(geodetic.longitude.value()) || !std::isfinite(geodetic.height.value())) {
     throw BadInput("wgs84::position: the longitude is " + detail::text(geodetic.longitude.value()) +
                    " rad, the height " + detail::text(geodetic.height.value()) + " m");

@@ -18,7 +18,8 @@ struct PoleTurn {
   Eigen::Vector3d w_gc_c, alpha_gc_c;
 };
 
-inline PoleTurn pole_turn(const Varying& x, const Varying& y) {
+// always_inline: what a caller does not use of the result is not computed.
+[[gnu::always_inline]] inline PoleTurn pole_turn(const Varying& x, const Varying& y) {
   const auto [X, Xd, Xdd] = x;
   const auto [Y, Yd, Ydd] = y;
   const double Z = std::sqrt(1.0 - (X * X + Y * Y));

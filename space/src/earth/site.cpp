@@ -1,15 +1,13 @@
 #include <cmath>
-#include <numbers>
 
 #include <vectrix/space/earth/site.hpp>
+
+#include "latitude.hpp"
 
 namespace vectrix::detail {
 
 SiteNumbers east_north_up_site(const std::string& name, const Geodetic& place) {
-  const double latitude = place.latitude.value(), longitude = place.longitude.value();
-  if (!(std::abs(latitude) <= std::numbers::pi / 2.0)) {
-    throw BadInput(name + ": the latitude " + text(latitude) + " rad is not in [-pi/2, pi/2]");
-  }
+  const double latitude = checked_latitude(name, place), longitude = place.longitude.value();
   if (!std::isfinite(longitude)) {
     throw BadInput(name + ": the longitude " + text(longitude) + " rad is not finite");
   }

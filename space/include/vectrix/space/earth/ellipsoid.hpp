@@ -32,6 +32,25 @@ VECTRIX_EXPORT Vector<earth::Itrf, si::length> position(const Geodetic& geodetic
 /// The unit normal of the ellipsoid at the latitude and longitude of r; it points up.
 VECTRIX_EXPORT Vector<earth::Itrf, si::dimensionless> up(const Vector<earth::Itrf, si::length>& r_itrf);
 
+/// The radii of curvature of the ellipsoid below a place, along the meridian and across it:
+///     M = a (1 - e^2) / (1 - e^2 sin^2 phi)^(3/2)       N = a / (1 - e^2 sin^2 phi)^(1/2)
+/// with e^2 = f (2 - f). They do not depend on the height. Throws BadInput if |latitude| exceeds pi/2.
+struct RadiiOfCurvature {
+  Quantity<si::length> meridian, prime_vertical;
+};
+VECTRIX_EXPORT RadiiOfCurvature radii_of_curvature(const Geodetic& place);
+
+/// The radius of the normal section in an azimuth, counted from the north over the east (Euler):
+///     1/R = cos^2(azimuth) / M + sin^2(azimuth) / N
+/// Throws BadInput if the azimuth is not finite, or as radii_of_curvature().
+VECTRIX_EXPORT Quantity<si::length> radius_of_curvature(const Geodetic& place,
+                                                        const Quantity<si::angle>& azimuth);
+
+/// The angle by which the horizon of the ellipsoid lies below the horizontal plane, in an azimuth: of the ray
+/// that touches the ellipsoid. Without refraction. On a sphere its cosine is R / (R + h). Throws BadInput if
+/// the height is negative or a number is not finite, or |latitude| exceeds pi/2.
+VECTRIX_EXPORT Quantity<si::angle> horizon_dip(const Geodetic& place, const Quantity<si::angle>& azimuth);
+
 /// The first intersection of the ray r + t d, t >= 0, with the ellipsoid; nothing if there is none. d is any
 /// vector but zero. If the origin is within about 10 micrometres of the surface, the result is the origin.
 /// Throws BadInput if the origin is inside, or d is zero.
