@@ -2,13 +2,16 @@
 
 #include <charconv>
 #include <fstream>
+#include <istream>
+#include <sstream>
 #include <system_error>
+#include <utility>
 
 namespace vectrix::detail {
 
-std::optional<TextFile> read_lines(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  if (!in) return std::nullopt;
+namespace {
+
+TextFile lines_from(std::istream& in) {
   TextFile result;
   for (std::string line; std::getline(in, line);) {
     result.whole = !in.eof();
@@ -19,13 +22,32 @@ std::optional<TextFile> read_lines(const std::filesystem::path& file) {
   if (!result.lines.empty() && result.lines.front().starts_with(byte_order_mark)) {
     result.lines.front().erase(0, byte_order_mark.size());
   }
-  return in.bad() ? std::nullopt : std::optional{result};
+  return result;
+}
+
+}  // namespace
+
+TextFile lines_of(std::string_view text) {
+  std::istringstream in{std::string{text}};
+  return lines_from(in);
+}
+
+std::optional<TextFile> read_lines(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  if (!in) return std::nullopt;
+  auto result = lines_from(in);
+  return in.bad() ? std::nullopt : std::optional{std::move(result)};
 }
 
 std::string_view trimmed(std::string_view text) {
   const auto first = text.find_first_not_of(" \t");
   if (first == std::string_view::npos) return {};
   return text.substr(first, text.find_last_not_of(" \t") - first + 1);
+}
+
+std::string excerpt(std::string_view text) {
+  constexpr std::size_t longest = 60;
+  return text.size() <= longest ? std::string{text} : std::string{text.substr(0, longest)} + "...";
 }
 
 std::optional<double> parse_number(std::string_view text) {

@@ -15,11 +15,16 @@ struct TextFile {
   bool whole = true;
 };
 
-/// Nothing if the file cannot be read.
+/// The lines of a text.
+TextFile lines_of(std::string_view text);
+/// The lines of a file. Nothing if it cannot be read.
 std::optional<TextFile> read_lines(const std::filesystem::path& file);
 
 /// The text without the blanks around it.
 std::string_view trimmed(std::string_view text);
+
+/// The text for a message: its beginning, if it is long.
+std::string excerpt(std::string_view text);
 
 /// The number if the whole text is one, including infinities and NaN; nothing for any other text.
 std::optional<double> parse_number(std::string_view text);

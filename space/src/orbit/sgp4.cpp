@@ -19,6 +19,7 @@ using sgp4::Elements, sgp4::J2, sgp4::J3, sgp4::J4, sgp4::ke, sgp4::earth_radius
 constexpr double two_pi = 2.0 * std::numbers::pi;
 constexpr double least_eccentricity = 1e-6;      // a smaller one is raised to it
 constexpr double negative_eccentricity = -1e-3;  // what drag may make of a circle
+constexpr double largest_orbit = 1.5e6;          // km; the radius of the Hill sphere of the Earth
 constexpr double rounding_of_the_clock = 1e-9;   // s
 
 /// The functions of the inclination in the periodic terms of J2 and J3.
@@ -252,6 +253,12 @@ Elements checked(const std::string& name, const MeanElements& x) {
   finite("argument of perigee", x.argument_of_perigee.value(), " rad");
   finite("mean anomaly", x.mean_anomaly.value(), " rad");
   finite("B*", x.bstar.value(), " 1/m");
+  const double a = sgp4::semi_major_axis(n), kilometres = a * earth_radius;
+  const auto orbit = [&] { return " rad/s, its semi-major axis " + text(kilometres) + " km; "; };
+  if (!(a * (1.0 + e) >= 1.0))
+    require(false, name, "mean motion", n / 60.0, (orbit() + "the orbit is inside the Earth").c_str());
+  if (!(kilometres <= largest_orbit))
+    require(false, name, "mean motion", n / 60.0, (orbit() + "the Earth holds no satellite there").c_str());
   return {brouwer_mean_motion(n, e, i), e, i, x.ascending_node.value(), x.argument_of_perigee.value(),
           x.mean_anomaly.value()};
 }

@@ -7,11 +7,13 @@
 
 #include "../files/text_file.hpp"
 #include "element_line.hpp"
+#include "mean_motion.hpp"
 
 namespace vectrix {
 namespace {
 
-using detail::Columns, detail::ElementLine;
+using detail::Columns, detail::ElementLine, detail::rev_per_hour;
+constexpr double hours = detail::hours_of_a_day;
 
 namespace line1 {
 constexpr Columns classification{8, 8, "classification"}, designator{10, 17, "designator"},
@@ -26,10 +28,6 @@ constexpr Columns catalogue{3, 7, "catalogue number"}, inclination{9, 16, "incli
     perigee{35, 42, "argument of perigee"}, mean_anomaly{44, 51, "mean anomaly"},
     mean_motion{53, 63, "mean motion"}, revolution{64, 68, "revolution"};
 }  // namespace line2
-
-// Revolutions per hour, divided by 24, which rounds once.
-constexpr double hours = 24.0;  // of a day
-constexpr auto rev_per_hour = si::revolution / si::hour;
 
 // The modified Julian day of January 1.
 int new_year(int of_year) {
@@ -78,14 +76,12 @@ TwoLineElements TwoLineElements::of(std::string_view title, const ElementLine& f
   const auto degrees = [&](const Columns& columns, double most) {
     return convert<si::angle>(second.number(columns, 0.0, most) * si::degree);
   };
-  constexpr double fastest = 20.0;  // rev/day: below the surface
-  const double revolutions = second.number(line2::mean_motion, 0.0, fastest);
+  const double revolutions = second.number(line2::mean_motion, 0.0, detail::fastest_mean_motion);
   if (revolutions == 0.0) second.fail(line2::mean_motion, "it must be positive");
-  TwoLineElements set(title,
-                      {epoch_of(first), convert<si::angular_velocity>(revolutions / hours * rev_per_hour),
-                       second.decimals(line2::eccentricity), degrees(line2::inclination, 180.0),
-                       degrees(line2::node, 360.0), degrees(line2::perigee, 360.0),
-                       degrees(line2::mean_anomaly, 360.0), first.with_exponent(line1::bstar) * bstar_unit});
+  TwoLineElements set(
+      title, {epoch_of(first), detail::mean_motion(revolutions), second.decimals(line2::eccentricity),
+              degrees(line2::inclination, 180.0), degrees(line2::node, 360.0), degrees(line2::perigee, 360.0),
+              degrees(line2::mean_anomaly, 360.0), first.with_exponent(line1::bstar) * bstar_unit});
   set.catalogue_number_ = number;
   set.classification_ = secrecy;
   set.designator_ = detail::trimmed(first.text(line1::designator));

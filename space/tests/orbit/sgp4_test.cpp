@@ -211,6 +211,16 @@ TEST(Sgp4, ElementsOutOfRange) {
             std::string::npos);
   EXPECT_NE(refused([&](auto& x) { x.mean_anomaly = bad * si::radian; }).find("anomaly"), std::string::npos);
   EXPECT_NE(refused([&](auto& x) { x.bstar = bad * bstar_unit; }).find("B*"), std::string::npos);
+  // 15 rev/day written as rad/s, rad/min, rad/h; and a unit too slow.
+  for (const double n : {15.0, 15.0 / 60, 15.0 / 3600})
+    EXPECT_NE(refused([&](auto& x) { x.mean_motion = rate(n); }).find("; the orbit is inside the Earth"),
+              std::string::npos);
+  EXPECT_NE(
+      refused([&](auto& x) { x.mean_motion = rate(1.1e-3 / 3600); }).find("; the Earth holds no satellite"),
+      std::string::npos);
+  for (const double n : {1.24e-3, 4e-7})
+    EXPECT_EQ(refused([&](auto& x) { x.mean_motion = rate(n), x.eccentricity = 0.01; }), "nothing was thrown")
+        << n;
   EXPECT_EQ(refused([](auto& x) { x.eccentricity = 1.5; }),
             "Sgp4(" + frame_name<Ship>() + "): the eccentricity of the elements is 1.5, not in [0, 1)");
 }

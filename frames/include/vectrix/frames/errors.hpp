@@ -11,11 +11,30 @@
 
 namespace vectrix {
 
-/// Wrong data at a door. The text names the action, the operands and the wrong number. Exported, so that
-/// other shared libraries can catch it by its type.
+namespace detail {
+
+/// The text with its control characters, but for tabs and line ends, as \x00: what() would end at a zero.
+inline std::string printable(const std::string& text) {
+  constexpr char digits[] = "0123456789abcdef";
+  std::string shown;
+  for (const char c : text) {
+    const auto code = static_cast<unsigned char>(c);
+    if ((code >= ' ' && code != 127) || c == '\t' || c == '\n') {
+      shown += c;
+    } else {
+      shown += {'\\', 'x', digits[code / 16], digits[code % 16]};
+    }
+  }
+  return shown;
+}
+
+}  // namespace detail
+
+/// Wrong data at a door. The text names the action, the operands and the wrong number; control characters of
+/// a file appear in it as \x00. Exported, so that other shared libraries can catch it by its type.
 class VECTRIX_EXPORT BadInput : public std::invalid_argument {
  public:
-  using std::invalid_argument::invalid_argument;
+  explicit BadInput(const std::string& text) : std::invalid_argument(detail::printable(text)) {}
 };
 
 namespace detail {

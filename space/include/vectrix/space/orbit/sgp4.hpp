@@ -5,6 +5,7 @@
 #include <type_traits>
 #include <vectrix/space/earth/teme.hpp>
 #include <vectrix/space/orbit/mean_elements.hpp>
+#include <vectrix/space/orbit/orbit_mean_elements_message.hpp>
 #include <vectrix/space/orbit/two_body.hpp>
 #include <vectrix/space/orbit/two_line_elements.hpp>
 
@@ -53,15 +54,19 @@ class VECTRIX_EXPORT Sgp4Model {
 /// a day, so the longest age is a mandatory word:
 ///     const Sgp4<Satellite> orbit(TwoLineElements::parse(line1, line2), at_most(72.0 * si::hour));
 /// A call depends on its epoch alone, whatever was asked before, and threads may share an object. Throws
-/// BadInput for elements out of range and an age that is not positive and finite.
+/// BadInput for elements out of range, also a mean motion of an orbit inside the Earth or farther than 1.5
+/// million km, and an age that is not positive and finite.
 template <Point Q> class Sgp4 {
  public:
   Sgp4(const MeanElements& elements, const AtMost& longest) : model_(name(), elements, longest) {}
   Sgp4(const TwoLineElements& set, const AtMost& longest)
       : model_(name() + "catalogue number " + detail::text(set.catalogue_number()) + ", ",
                set.mean_elements(), longest) {}
+  Sgp4(const OrbitMeanElementsMessage& message, const AtMost& longest)
+      : model_(name() + message.object_name() + " " + message.object_id() + ", ", message.mean_elements(),
+               longest) {}
   template <class... Given>
-  Sgp4(  // mean elements or a set of two lines, and the longest age: Sgp4<Q>(set, at_most(72.0 * si::hour))
+  Sgp4(  // mean elements, two lines or a message, and the longest age: Sgp4<Q>(set, at_most(72.0 * si::hour))
       const Given&...) = delete;
 
   [[nodiscard]] const MeanElements& elements() const { return model_.elements(); }

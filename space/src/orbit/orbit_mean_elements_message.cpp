@@ -1,0 +1,243 @@
+#include <vectrix/space/orbit/orbit_mean_elements_message.hpp>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <set>
+
+#include <vectrix/frames/errors.hpp>
+
+#include "../files/kvn.hpp"
+#include "../files/text_file.hpp"
+#include "mean_motion.hpp"
+
+namespace vectrix {
+namespace {
+
+using detail::KvnLine;
+
+constexpr std::string_view version_keyword = "CCSDS_OMM_VERS";
+
+// Without CCSDS_OMM_VERS, which begins a message, and the entries of the covariance.
+const std::set<std::string_view> keywords{"CLASSIFICATION",
+                                          "CREATION_DATE",
+                                          "ORIGINATOR",
+                                          "MESSAGE_ID",
+                                          "OBJECT_NAME",
+                                          "OBJECT_ID",
+                                          "CENTER_NAME",
+                                          "REF_FRAME",
+                                          "REF_FRAME_EPOCH",
+                                          "TIME_SYSTEM",
+                                          "MEAN_ELEMENT_THEORY",
+                                          "EPOCH",
+                                          "SEMI_MAJOR_AXIS",
+                                          "MEAN_MOTION",
+                                          "ECCENTRICITY",
+                                          "INCLINATION",
+                                          "RA_OF_ASC_NODE",
+                                          "ARG_OF_PERICENTER",
+                                          "MEAN_ANOMALY",
+                                          "GM",
+                                          "MASS",
+                                          "SOLAR_RAD_AREA",
+                                          "SOLAR_RAD_COEFF",
+                                          "DRAG_AREA",
+                                          "DRAG_COEFF",
+                                          "EPHEMERIS_TYPE",
+                                          "CLASSIFICATION_TYPE",
+                                          "NORAD_CAT_ID",
+                                          "ELEMENT_SET_NO",
+                                          "REV_AT_EPOCH",
+                                          "BSTAR",
+                                          "BTERM",
+                                          "MEAN_MOTION_DOT",
+                                          "MEAN_MOTION_DDOT",
+                                          "AGOM",
+                                          "COV_REF_FRAME"};
+
+// CX_X, CY_X, ..., CZ_DOT_Z_DOT: the row, then a column that is not behind it.
+bool of_covariance(std::string_view keyword) {
+  constexpr std::array<std::string_view, 6> names{"X", "Y", "Z", "X_DOT", "Y_DOT", "Z_DOT"};
+  for (std::size_t row = 0; row < names.size(); ++row) {
+    for (std::size_t column = 0; column <= row; ++column) {
+      if (keyword == "C" + std::string{names[row]} + "_" + std::string{names[column]}) return true;
+    }
+  }
+  return false;
+}
+bool of_the_standard(std::string_view keyword) {
+  return keywords.count(keyword) > 0 || keyword.starts_with("USER_DEFINED_") || of_covariance(keyword);
+}
+
+std::string upper_case(std::string text) {
+  for (char& c : text) {
+    if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
+  }
+  return text;
+}
+
+}  // namespace
+
+namespace detail {
+
+/// The lines of one message. Every error is a BadInput with the place.
+class OrbitMeanElementsReader {
+ public:
+  OrbitMeanElementsReader(std::string place, KvnLine version)
+      : place_(std::move(place)), version_(std::move(version)) {
+    if (version_.value != "2.0" && version_.value != "3.0") fail(version_, "the versions are 2.0 and 3.0");
+  }
+
+  void add(KvnLine line) {
+    if (!of_the_standard(line.keyword)) fail(line, "the keyword is not of an orbit mean-elements message");
+    const auto [entry, is_new] = lines_.try_emplace(line.keyword, line);
+    if (!is_new)
+      fail(line, "the keyword is there for the second time, after line " + detail::text(entry->second.line));
+  }
+
+  OrbitMeanElementsMessage message() const {
+    require("CENTER_NAME", {"EARTH"});
+    require("REF_FRAME", {"TEME"});
+    require("TIME_SYSTEM", {"UTC"});
+    require("MEAN_ELEMENT_THEORY", {"SGP4", "SGP/SGP4"});
+    if (const KvnLine* type = find("EPHEMERIS_TYPE");
+        type && type->value != "0" && type->value != "2" && !(type->value == "3" && version_.value == "2.0"))
+      fail(*type, "the elements are of another theory than SGP4");
+    if (const KvnLine* axis = find("SEMI_MAJOR_AXIS"))
+      fail(*axis, "the elements of SGP4 have MEAN_MOTION instead");
+    constexpr double wgs72 = 398600.8;
+    if (const KvnLine* gm = find("GM"); gm && number(*gm, "km**3/s**2") != wgs72)
+      fail(*gm, "SGP4 has 398600.8 km^3/s^2, of WGS-72");
+
+    const KvnLine& motion = line("MEAN_MOTION");
+    const double revolutions = number(motion, "rev/day");
+    if (!(revolutions > 0.0 && revolutions <= detail::fastest_mean_motion))
+      fail(motion, "not in (0, " + detail::text(detail::fastest_mean_motion) + "] rev/day");
+    const KvnLine& ellipse = line("ECCENTRICITY");
+    const double e = number(ellipse, "");
+    if (!(e >= 0.0 && e < 1.0)) fail(ellipse, "not in [0, 1)");
+    OrbitMeanElementsMessage message({epoch(), detail::mean_motion(revolutions), e,
+                                      degrees("INCLINATION", 180.0), degrees("RA_OF_ASC_NODE", 360.0),
+                                      degrees("ARG_OF_PERICENTER", 360.0), degrees("MEAN_ANOMALY", 360.0),
+                                      number(line("BSTAR"), "1/ER") * bstar_unit});
+    for (const char* keyword : {"OBJECT_NAME", "OBJECT_ID"}) static_cast<void>(line(keyword));
+    if (const KvnLine* catalogue = find("NORAD_CAT_ID")) message.catalogue_number_ = whole(*catalogue);
+    for (const auto& [keyword, entry] : lines_) message.values_.emplace(keyword, entry.value);
+    message.values_.emplace(version_keyword, version_.value);
+    return message;
+  }
+
+  [[noreturn]] static void fail(const std::string& place, const KvnLine& line, const std::string& reason) {
+    throw BadInput(place + ", line " + detail::text(line.line) + ", column " + detail::text(line.column) +
+                   " (" + detail::excerpt(line.keyword) + "): '" + detail::excerpt(line.value) +
+                   "': " + reason);
+  }
+
+ private:
+  [[noreturn]] void fail(const KvnLine& line, const std::string& reason) const { fail(place_, line, reason); }
+
+  [[nodiscard]] const KvnLine* find(const char* keyword) const {
+    const auto found = lines_.find(keyword);
+    return found == lines_.end() ? nullptr : &found->second;
+  }
+  [[nodiscard]] const KvnLine& line(const char* keyword) const {
+    if (const KvnLine* found = find(keyword)) return *found;
+    throw BadInput(place_ + ", the message from line " + detail::text(version_.line) + " on: there is no " +
+                   keyword);
+  }
+  void require(const char* keyword, std::initializer_list<std::string_view> allowed) const {
+    const KvnLine& given = line(keyword);
+    if (std::find(allowed.begin(), allowed.end(), upper_case(given.value)) == allowed.end())
+      fail(given, "it must be " + std::string{*allowed.begin()} + " for the elements of SGP4");
+  }
+  /// The number, with this unit or without.
+  [[nodiscard]] double number(const KvnLine& line, std::string_view unit) const {
+    std::string_view written = line.value;
+    if (const auto bracket = written.find('['); bracket != std::string_view::npos) {
+      if (unit.empty() ||
+          upper_case(std::string{written.substr(bracket)}) != upper_case("[" + std::string{unit} + "]"))
+        fail(line, unit.empty() ? "it has no unit" : "the unit is [" + std::string{unit} + "]");
+      written = detail::trimmed(written.substr(0, bracket));
+    }
+    const auto value = detail::parse_number(written);
+    if (!value || !std::isfinite(*value)) fail(line, "not a finite number");
+    return *value;
+  }
+  [[nodiscard]] Quantity<si::angle> degrees(const char* keyword, double most) const {
+    const KvnLine& given = line(keyword);
+    const double value = number(given, "deg");
+    if (!(value >= 0.0 && value <= most)) fail(given, "not in [0, " + detail::text(most) + "] deg");
+    return convert<si::angle>(value * si::degree);
+  }
+  [[nodiscard]] std::int64_t whole(const KvnLine& line) const {
+    std::int64_t value = 0;
+    const char *begin = line.value.data(), *end = begin + line.value.size();
+    const auto [stop, error] = std::from_chars(begin, end, value);
+    if (error != std::errc{} || stop != end || value < 0) fail(line, "not a whole number");
+    return value;
+  }
+  [[nodiscard]] Epoch epoch() const {
+    const KvnLine& given = line("EPOCH");
+    constexpr std::size_t longest = 40;
+    if (given.value.size() > longest) fail(given, "too long for an epoch");
+    try {
+      return Epoch::from_utc(given.value);
+    } catch (const BadInput& error) {
+      fail(given, error.what());
+    }
+  }
+
+  std::string place_;
+  KvnLine version_;
+  std::map<std::string, KvnLine, std::less<>> lines_;
+};
+
+}  // namespace detail
+
+namespace {
+
+using detail::OrbitMeanElementsReader;
+
+std::vector<OrbitMeanElementsMessage> messages(const std::string& place,
+                                               const std::vector<std::string>& lines) {
+  std::vector<OrbitMeanElementsMessage> all;
+  std::optional<OrbitMeanElementsReader> reader;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    if (!reader && detail::trimmed(lines[i]).starts_with('<'))
+      throw BadInput(place + ", line " + detail::text(i + 1) +
+                     ": XML is not supported, only keyword = value");
+    auto line = detail::read_kvn_line(place, i + 1, lines[i]);
+    if (!line) continue;
+    if (line->keyword == version_keyword) {
+      if (reader) all.push_back(reader->message());
+      reader.emplace(place, std::move(*line));
+    } else if (reader) {
+      reader->add(std::move(*line));
+    } else {
+      OrbitMeanElementsReader::fail(place, *line, "a message begins with " + std::string{version_keyword});
+    }
+  }
+  if (!reader) throw BadInput(place + ": there is no message");
+  all.push_back(reader->message());
+  return all;
+}
+
+}  // namespace
+
+OrbitMeanElementsMessage OrbitMeanElementsMessage::parse(std::string_view text) {
+  const std::string place = "orbit mean-elements message";
+  auto all = messages(place, detail::lines_of(text).lines);
+  if (all.size() > 1) throw BadInput(place + ": there are " + detail::text(all.size()) + " messages");
+  return std::move(all.front());
+}
+
+std::vector<OrbitMeanElementsMessage> OrbitMeanElementsMessage::read(const std::filesystem::path& file) {
+  const std::string place = "orbit mean-elements message " + file.string();
+  const auto content = detail::read_lines(file);
+  if (!content) throw BadInput(place + ": cannot be read");
+  return messages(place, content->lines);
+}
+
+}  // namespace vectrix
