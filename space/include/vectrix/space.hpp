@@ -10,8 +10,10 @@
 #include <vectrix/space/earth/mean_of_date.hpp>
 #include <vectrix/space/earth/site.hpp>
 #include <vectrix/space/earth/teme.hpp>
+#include <vectrix/space/fields/exponential_atmosphere.hpp>
 #include <vectrix/space/fields/gravity_field.hpp>
 #include <vectrix/space/fields/gravity_gradient.hpp>
+#include <vectrix/space/fields/harris_priester.hpp>
 #include <vectrix/space/fields/magnetic_field.hpp>
 #include <vectrix/space/files/csv_table.hpp>
 #include <vectrix/space/orbit/elements.hpp>

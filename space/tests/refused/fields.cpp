@@ -21,6 +21,33 @@ Vector<Itrf, si::acceleration> gravity(const GravityField& field, const Dcm<Itrf
 }
 }  // namespace gravity_at_inertial_position
 
+namespace bulge_without_an_exponent {
+// mistake: does not say how far the bulge of the atmosphere reaches to the poles
+// expect: HarrisPriester\(exponent\)
+auto over_the_poles() {
+#ifdef REPAIRED
+  return HarrisPriester(6.0);
+#else
+  return HarrisPriester();
+#endif
+}
+}  // namespace bulge_without_an_exponent
+
+namespace bulge_of_an_inertial_sun {
+// mistake: a position in axes of the Earth, and the Sun along the axes of GCRF: the bulge is hours away
+// expect: Gcrf
+// expect: r_itrf, to_the_sun
+auto density(const HarrisPriester& model, const Dcm<Itrf, Gcrf>& R_itrf_from_gcrf,
+             const Vector<Itrf, si::length>& r_itrf, const Displacement<Gcrf, sky::Sun, In<Gcrf>>& r_es) {
+#ifdef REPAIRED
+  return model.density(r_itrf, R_itrf_from_gcrf * r_es);
+#else
+  static_cast<void>(R_itrf_from_gcrf);
+  return model.density(r_itrf, r_es);
+#endif
+}
+}  // namespace bulge_of_an_inertial_sun
+
 namespace gravity_gradient_across_frames {
 // mistake: the gradient in axes of the Earth times a distance in axes of the body
 // expect: Left = (vectrix::)?GravityGradient<(vectrix::)?(earth::)?Itrf

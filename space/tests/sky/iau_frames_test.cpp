@@ -79,7 +79,8 @@ template <class B> void turns(double obliquity, double hours) {
   const auto now = iau_rotation(of<typename B::Frame>, t);
   if constexpr (!std::same_as<B, Sun>) {
     const auto about = [&](auto centre) { return geocentric(centre, t); };
-    const auto body = about(of<typename B::Centre>), sun = about(of<sky::Sun>);
+    const auto body = about(of<typename B::Centre>);
+    const auto sun = about(of<sky::Sun>);
     const Eigen::Vector3d r = body.position.coordinates() - sun.position.coordinates();
     const Eigen::Vector3d v = body.velocity.coordinates() - sun.velocity.coordinates();
     const Eigen::Vector3d pole = now.rotation.matrix().col(2);

@@ -33,6 +33,7 @@ template <> inline constexpr const char* unit_symbol<si::area> = "m^2";
 template <> inline constexpr const char* unit_symbol<si::magnetic_flux_density> = "T";
 template <> inline constexpr const char* unit_symbol<si::magnetic_dipole_moment> = "A m^2";
 template <> inline constexpr const char* unit_symbol<si::gravitational_parameter> = "m^3/s^2";
+template <> inline constexpr const char* unit_symbol<si::density> = "kg/m^3";
 template <> inline constexpr const char* unit_symbol<si::kilometre_unit> = "km";
 template <> inline constexpr const char* unit_symbol<si::millisecond_unit> = "ms";
 template <> inline constexpr const char* unit_symbol<si::minute_unit> = "min";

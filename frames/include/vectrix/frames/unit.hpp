@@ -84,6 +84,8 @@ struct magnetic_flux_density : unit<0, 1, -2, 0, -1> {};
 struct magnetic_dipole_moment : unit<2, 0, 0, 0, 1> {};
 /// mu = G M of a central body, m^3/s^2.
 struct gravitational_parameter : unit<3, 0, -2> {};
+/// Of mass.
+struct density : unit<-3, 1, 0> {};
 
 // Not coherent with SI: convert<U>() takes them in, nothing else does.
 struct kilometre_unit : detail::UnitTag {};
@@ -163,7 +165,7 @@ using CoherentTags =
                   si::acceleration, si::jerk, si::momentum, si::force, si::energy, si::power,
                   si::angular_velocity, si::angular_acceleration, si::moment_of_inertia, si::angular_momentum,
                   si::torque, si::area, si::magnetic_flux_density, si::magnetic_dipole_moment,
-                  si::gravitational_parameter>;
+                  si::gravitational_parameter, si::density>;
 template <class... Tags> struct ScaledTable : Row<BoostUnitOf<Tags>, Tags>... {};
 using ScaledTags =
     ScaledTable<si::kilometre_unit, si::millisecond_unit, si::minute_unit, si::hour_unit, si::degree_unit,
