@@ -3,7 +3,7 @@
 
 1. The direction of dependence:  frames <- kinematics <- space <- dynamics <- examples, pictures, validation, accuracy.
    ERFA is known in space/src and space/tests alone, SUNDIALS in dynamics/src alone, Simbody in validation/**/simbody_* and
-   bench/peer_simbody.cpp alone.
+   bench/peer_simbody.cpp alone. The multibody engine works on plain numbers: it includes nothing of ours but the scalars.
 2. Public headers do not use a name of these engines either (an enumerator such as cvode_adams is ours).
 3. A public header that says std::x or Eigen::x includes the header that declares it, itself or through headers of ours.
    Boost is not to be reached through others: a header that says boost:: includes it itself.
@@ -32,6 +32,8 @@ FORBIDDEN = (
     ("vectrix/kinematics|vectrix/space|vectrix/dynamics", ("frames",)),
     ("vectrix/space|vectrix/dynamics", ("kinematics",)),
     ("vectrix/dynamics", ("space", "testing")),
+    (r"vectrix/(?!dynamics/multibody/|frames/(scalar/|errors\.hpp|export\.hpp))",
+     ("dynamics/include/vectrix/dynamics/multibody", "dynamics/src/multibody")),
     (ERFA, ("frames", "kinematics", "space/include", "dynamics", *ABOVE)),
     (SOLVERS, ("frames", "kinematics", "space", "dynamics/include", "dynamics/tests", *ABOVE)),
     (SIMBODY, (*LAYERS, *ABOVE, "bench")),
