@@ -25,6 +25,7 @@ Rows exact_rows(const std::string& data);
 Rows nasa_rows(const std::string& data);
 Rows basilisk_rows(const std::string& data);
 Rows simbody_rows(const std::string& data);
+Rows multibody_rows(const std::string& data);
 
 /// The table in Markdown, one section per group.
 std::string markdown(const Rows& rows);

@@ -130,6 +130,9 @@ const PlainSpacecraft& NamedSpacecraft::plain() const& {
 PlainSpacecraft NamedSpacecraft::plain() && {
   return core_->plain();
 }
+std::size_t NamedSpacecraft::state_size() const {
+  return core_->tree().layout().size();
+}
 NamedFrame NamedSpacecraft::frame(std::string_view name) const {
   return core_->frame(name);
 }

@@ -52,6 +52,8 @@ class VECTRIX_EXPORT NamedSpacecraft {
                                  const std::vector<NamedStart>& starts) const;
   [[nodiscard]] NamedState state(const NamedMovingDcm& R_i_from_hub,
                                  const std::vector<NamedStart>& starts) const;
+  /// How many numbers a state has.
+  [[nodiscard]] std::size_t state_size() const;
   /// Claims that the numbers are a state. Throws BadInput if their count is wrong or one is not finite.
   [[nodiscard]] NamedState state(std::span<const double> numbers) const;
 
