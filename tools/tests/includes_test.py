@@ -37,6 +37,8 @@ class Direction(unittest.TestCase):
             ("testing/d.hpp", "vectrix/dynamics.hpp"),
             ("space/include/vectrix/space/e.hpp", "erfa.h"),
             ("dynamics/src/f.cpp", "erfam.h"),
+            ("dynamics/include/vectrix/dynamics/multibody/l.hpp", "vectrix/frames/vector.hpp"),
+            ("dynamics/src/multibody/m.cpp", "vectrix/dynamics/mass/inertia.hpp"),
             ("space/src/g.cpp", "cvode/cvode.h"),
             ("dynamics/tests/h_test.cpp", "sundials/sundials_types.h"),
             ("accuracy/i.cpp", "arkode/arkode.h"),
@@ -53,6 +55,8 @@ class Direction(unittest.TestCase):
             "space/src/c.cpp": "#include <erfa.h>\n#include <vectrix/kinematics.hpp>\n",
             "space/tests/e_test.cpp": "#include <erfa.h>\n",
             "dynamics/src/f.cpp": "#include <cvode/cvode.h>\n",
+            "dynamics/src/multibody/g.cpp": "#include <vectrix/frames/scalar/batch.hpp>\n#include <vectrix/frames/errors.hpp>\n"
+                                            "#include <vectrix/dynamics/multibody/tree.hpp>\n",
             "validation/simbody_reference.cpp": "#include <Simbody.h>\n",
             "validation/erfa.cpp": "#include <erfa.h>\n",
             "validation/tests/simbody_conventions_test.cpp": "#include <Simbody.h>\n",

@@ -8,6 +8,7 @@
 #include <vectrix/dynamics/mass/join.hpp>
 #include <vectrix/dynamics/mass/mass_properties.hpp>
 #include <vectrix/dynamics/mass/parallel_axes.hpp>
+#include <vectrix/dynamics/multibody/tree.hpp>
 #include <vectrix/dynamics/ode/solve.hpp>
 #include <vectrix/dynamics/rigid/euler.hpp>
 #include <vectrix/dynamics/rigid/torque_free.hpp>

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <utility>
+#include <vectrix/frames/units.hpp>
+
+namespace vectrix {
+
+/// A joint whose motion is given: its acceleration, a function of time. Its position and speed stay in the
+/// state and follow from their start. Made by locked() and prescribed().
+class NamedHeld {
+ public:
+  enum class Of { any, hinge, slider };
+  NamedHeld(detail::Trusted, std::string body, Of of, std::function<double(double)> acceleration)
+      : body_(std::move(body)), of_(of), acceleration_(std::move(acceleration)) {}
+
+  const std::string& body() const { return body_; }
+  Of of() const { return of_; }
+  /// At the time t, s, in rad/s^2 or m/s^2.
+  double acceleration(double t) const { return acceleration_(t); }
+
+ private:
+  std::string body_;
+  Of of_;
+  std::function<double(double)> acceleration_;
+};
+
+/// The joint of a body keeps its speed: a joint that starts at rest stays where it is.
+inline NamedHeld locked(std::string body) {
+  return {detail::trusted, std::move(body), NamedHeld::Of::any, [](double) { return 0.0; }};
+}
+/// A hinge, or a slider, with the given acceleration.
+inline NamedHeld prescribed(
+    std::string body,
+    std::function<Quantity<si::angular_acceleration>(const Quantity<si::time>&)> acceleration) {
+  return {detail::trusted, std::move(body), NamedHeld::Of::hinge,
+          [given = std::move(acceleration)](double t) { return given(t * si::second).value(); }};
+}
+inline NamedHeld prescribed(
+    std::string body, std::function<Quantity<si::acceleration>(const Quantity<si::time>&)> acceleration) {
+  return {detail::trusted, std::move(body), NamedHeld::Of::slider,
+          [given = std::move(acceleration)](double t) { return given(t * si::second).value(); }};
+}
+
+}  // namespace vectrix

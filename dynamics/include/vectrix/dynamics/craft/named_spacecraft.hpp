@@ -1,0 +1,78 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string_view>
+#include <vectrix/dynamics/craft/named_body.hpp>
+#include <vectrix/dynamics/craft/named_motion.hpp>
+#include <vectrix/dynamics/ode/solve.hpp>
+#include <vectrix/kinematics/named/quaternion.hpp>
+#include <vectrix/kinematics/named/transform_doors.hpp>
+
+namespace vectrix {
+
+/// Tolerances by unit: of unit quaternions and angles, of rates, lengths, velocities, and modes, kg^1/2 m and
+/// kg^1/2 m/s. There is no default.
+struct NamedTolerances {
+  Quantity<si::angle> angle;
+  Quantity<si::angular_velocity> rate;
+  Quantity<si::length> length;
+  Quantity<si::velocity> velocity;
+  double mode;
+};
+
+/// A spacecraft whose bodies, joints, rotors and modes have their names at run time, for example from a file:
+/// a tree of any number of bodies. Its equations of motion are those of multibody::Tree; the state is
+///     [ q_h^i 4 | w_ih^h 3 | r_i 3 | v_i 3 | joints' positions | joints' speeds | rotors | eta | eta' ]
+/// with joints in the order of the bodies, parents first. Where the typed form would not compile, it throws
+/// BadInput with the names. Immutable and cheap to copy; threads may share it.
+class VECTRIX_EXPORT NamedSpacecraft {
+ public:
+  /// Throws BadInput with the name of the part: a mass or an inertia that no body has; an axis that is not a
+  /// unit vector; a number that is not finite; a name that is empty, twice used or unknown; bodies that hang
+  /// on each other in a loop; a rotor with more inertia than its body; modes with more than their craft; a
+  /// joint about which nothing has inertia.
+  explicit NamedSpacecraft(const PlainSpacecraft& plain);
+  NamedSpacecraft(const NamedHub& hub, const std::vector<NamedBody>& bodies,
+                  const std::vector<NamedRotor>& rotors = {}, const std::vector<NamedMode>& modes = {});
+
+  /// As it was given, the bodies in the order of the state.
+  [[nodiscard]] const PlainSpacecraft& plain() const&;
+  [[nodiscard]] PlainSpacecraft plain() &&;
+
+  /// The frame of a body, or the inertial one. It belongs to this craft and its copies. Throws BadInput with
+  /// the nearest name if there is none.
+  [[nodiscard]] NamedFrame frame(std::string_view name) const;
+  [[nodiscard]] NamedFrame hub() const;
+  [[nodiscard]] NamedFrame inertial() const;
+
+  /// The state from the motion of the hub, and the starts of all joints, rotors and modes: none is zero by
+  /// default. Throws BadInput if one is missing, twice given, of another kind, or not finite.
+  [[nodiscard]] NamedState state(const NamedMovingTransform& X_i_from_hub,
+                                 const std::vector<NamedStart>& starts) const;
+  [[nodiscard]] NamedState state(const NamedMovingDcm& R_i_from_hub,
+                                 const std::vector<NamedStart>& starts) const;
+  /// How many numbers a state has.
+  [[nodiscard]] std::size_t state_size() const;
+  /// Claims that the numbers are a state. Throws BadInput if their count is wrong or one is not finite.
+  [[nodiscard]] NamedState state(std::span<const double> numbers) const;
+
+  /// The state at a time with its accelerations and what its joints transmit. Throws BadInput if a result is
+  /// not finite.
+  [[nodiscard]] NamedMotion motion(const NamedState& state, const Quantity<si::time>& time,
+                                   const NamedLoads& loads = {},
+                                   const std::vector<NamedHeld>& held = {}) const;
+
+  /// The problem from a state at the time `start` to `end`: right-hand side, initial state, tolerances and
+  /// names of components. The method and the rest are the caller's. A result is a state again:
+  ///     craft.state(ode::solve(problem).at(t))
+  [[nodiscard]] ode::Problem problem(const NamedState& state, const Quantity<si::time>& start,
+                                     const Quantity<si::time>& end, double relative_tolerance,
+                                     const NamedTolerances& absolute, const NamedLoads& loads = {},
+                                     const std::vector<NamedHeld>& held = {}) const;
+
+ private:
+  std::shared_ptr<const detail::NamedCraftCore> core_;
+};
+
+}  // namespace vectrix

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <deque>
+#include <vectrix/dynamics/craft/named_spacecraft.hpp>
+
+namespace vectrix::detail {
+
+using Column3 = multibody::Column<double>;
+using Square3 = multibody::Square<double>;
+
+inline Column3 numbers(const Eigen::Vector3d& v) {
+  return {v.x(), v.y(), v.z()};
+}
+inline Square3 numbers(const Eigen::Matrix3d& m) {
+  return {numbers(Eigen::Vector3d(m.col(0))), numbers(Eigen::Vector3d(m.col(1))),
+          numbers(Eigen::Vector3d(m.col(2)))};
+}
+inline Eigen::Vector3d eigen(const Column3& v) {
+  return {v.x, v.y, v.z};
+}
+inline Eigen::Matrix3d eigen(const Square3& m) {
+  Eigen::Matrix3d matrix;
+  matrix << m.x.x, m.y.x, m.z.x, m.x.y, m.y.y, m.z.y, m.x.z, m.y.z, m.z.z;
+  return matrix;
+}
+
+/// A NamedSpacecraft: what it is, its tree, and where each name is.
+class NamedCraftCore {
+ public:
+  explicit NamedCraftCore(PlainSpacecraft given);
+  NamedCraftCore(const NamedCraftCore&) = delete;
+
+  const PlainSpacecraft& plain() const { return plain_; }
+  const multibody::Tree<double>& tree() const { return tree_; }
+
+  /// 0: the inertial frame; 1: the hub; then the bodies.
+  NamedFrame frame(std::size_t number) const { return NamedFrame{frames_[number]}; }
+  NamedFrame frame(std::string_view name) const;
+  NamedFrame own(NamedFrame frame) const;
+  /// The link of the tree that is this body; 0 for the hub. Throws BadInput for the inertial frame.
+  int link(NamedFrame body, const char* action) const;
+
+  struct Joint {
+    const PlainBody* body;
+    std::size_t link;  ///< from 0; of a gimbal its first
+  };
+  Joint joint(std::string_view body) const;
+  std::size_t rotor(std::string_view name) const;
+  std::size_t mode(std::string_view name) const;
+
+  /// Where the position (from the start of the state) and the speed (from the first speed) of an axis are.
+  std::size_t position_at(const Joint& joint, int axis) const;
+  std::size_t speed_at(const Joint& joint, int axis) const;
+
+  std::vector<std::string> component_names() const;
+
+ private:
+  PlainSpacecraft plain_;
+  std::vector<int> links_;  // by body, the hub first
+  multibody::Tree<double> tree_;
+  std::deque<FrameRecord> frames_;
+};
+
+const char* name_of(JointKind kind);
+/// Checks the craft, and puts parents before the bodies that hang on them.
+PlainSpacecraft checked_craft(PlainSpacecraft craft);
+/// Numbers of axes: position and speed numbers of a joint.
+std::size_t positions_of(JointKind kind);
+std::size_t speeds_of(JointKind kind);
+
+}  // namespace vectrix::detail

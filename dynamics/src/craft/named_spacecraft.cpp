@@ -1,0 +1,182 @@
+#include <vectrix/dynamics/craft/named_spacecraft.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+#include "named_craft_core.hpp"
+
+namespace vectrix {
+namespace {
+
+using detail::in_quotes;
+using detail::NamedCraftCore;
+
+PlainSpacecraft plain_of(const NamedHub& hub, const std::vector<NamedBody>& bodies,
+                         const std::vector<NamedRotor>& rotors, const std::vector<NamedMode>& modes) {
+  const auto centre = [](const auto& mass) { return mass.centre().coordinates(); };
+  PlainSpacecraft craft{hub.inertial,
+                        hub.name,
+                        hub.motion,
+                        hub.mass.mass().value(),
+                        centre(hub.mass),
+                        hub.mass.inertia().matrix(),
+                        {},
+                        {},
+                        {}};
+  for (const NamedBody& body : bodies) {
+    std::vector<Eigen::Vector3d> axes;
+    for (const auto& axis : body.joint.axes_b) axes.push_back(axis.coordinates());
+    const auto& X = body.joint.X_p_from_b;
+    craft.bodies.push_back({body.name, body.parent, body.joint.kind, axes, X.rotation.matrix(),
+                            X.translation.coordinates(), body.mass.mass().value(), centre(body.mass),
+                            body.mass.inertia().matrix()});
+  }
+  for (const NamedRotor& rotor : rotors)
+    craft.rotors.push_back({rotor.name, rotor.body, rotor.axis_b.coordinates(), rotor.inertia.value()});
+  for (const NamedMode& mode : modes)
+    craft.modes.push_back({mode.name, mode.body, mode.rotation_b, mode.translation_b, mode.frequency.value(),
+                           mode.damping_ratio});
+  return craft;
+}
+
+/// A joint that is held, resolved to a link and its place among the speeds.
+struct Held {
+  NamedHeld how;
+  std::size_t first_link, links, first_speed, speeds;
+};
+
+std::vector<Held> resolved(const NamedCraftCore& core, const std::vector<NamedHeld>& held) {
+  std::vector<Held> list;
+  for (const NamedHeld& how : held) {
+    const auto joint = core.joint(how.body());
+    const JointKind kind = joint.body->joint;
+    const bool fits = how.of() == NamedHeld::Of::any ||
+                      (how.of() == NamedHeld::Of::hinge && kind == JointKind::hinge) ||
+                      (how.of() == NamedHeld::Of::slider && kind == JointKind::slider);
+    if (!fits) {
+      throw BadInput("prescribed(" + in_quotes(how.body()) + "): its joint is a " + detail::name_of(kind) +
+                     ", and the acceleration that of a " +
+                     (how.of() == NamedHeld::Of::hinge ? "hinge" : "slider"));
+    }
+    for (const Held& other : list)
+      if (other.how.body() == how.body())
+        throw BadInput("the joint of " + in_quotes(how.body()) + " is held twice");
+    list.push_back({how, joint.link, kind == JointKind::gimbal ? 2U : 1U, core.speed_at(joint, 1),
+                    detail::speeds_of(kind)});
+  }
+  return list;
+}
+
+/// ydot = f(t, y), with the loads and the held joints.
+struct Evaluation {
+  std::shared_ptr<const NamedCraftCore> core;
+  NamedLoads loads;
+  std::vector<Held> held;
+  multibody::Work<double> work;
+
+  Evaluation(std::shared_ptr<const NamedCraftCore> of, NamedLoads given, const std::vector<NamedHeld>& joints)
+      : core(std::move(of)),
+        loads(std::move(given)),
+        held(resolved(*core, joints)),
+        work(core->tree().work()) {
+    for (const Held& joint : held)
+      std::fill_n(work.held.begin() + static_cast<std::ptrdiff_t>(joint.first_link), joint.links, char{1});
+  }
+
+  void operator()(double t, const double* y, double* ydot) {
+    for (const Held& joint : held)
+      std::fill_n(work.given.begin() + static_cast<std::ptrdiff_t>(joint.first_speed), joint.speeds,
+                  joint.how.acceleration(t));
+    core->tree().place(y, work);
+    if (loads) {
+      NamedForces forces{detail::trusted, *core, work};
+      loads(NamedNow{detail::trusted, *core, t, y, work}, forces);
+    }
+    core->tree().solve(y, ydot, work);
+  }
+};
+
+std::vector<double> absolute(const NamedCraftCore& core, const NamedTolerances& by) {
+  const double angle = by.angle.value(), rate = by.rate.value(), length = by.length.value(),
+               velocity = by.velocity.value();
+  std::vector<double> list{angle, angle, angle, angle, rate, rate, rate};
+  if (core.plain().motion == HubMotion::free)
+    list.insert(list.end(), {length, length, length, velocity, velocity, velocity});
+  const auto add = [&](std::size_t (*count)(JointKind), double turning, double moving, std::size_t turns) {
+    for (const PlainBody& body : core.plain().bodies) {
+      const std::size_t all = count(body.joint);
+      for (std::size_t i = 0; i < all; ++i)
+        list.push_back(body.joint == JointKind::slider || i >= turns ? moving : turning);
+    }
+  };
+  add(detail::positions_of, angle, length, 4);
+  add(detail::speeds_of, rate, velocity, 3);
+  list.insert(list.end(), core.plain().rotors.size(), rate);
+  list.insert(list.end(), 2 * core.plain().modes.size(), by.mode);
+  return list;
+}
+
+}  // namespace
+
+NamedSpacecraft::NamedSpacecraft(const PlainSpacecraft& plain)
+    : core_(std::make_shared<NamedCraftCore>(plain)) {}
+NamedSpacecraft::NamedSpacecraft(const NamedHub& hub, const std::vector<NamedBody>& bodies,
+                                 const std::vector<NamedRotor>& rotors, const std::vector<NamedMode>& modes)
+    : NamedSpacecraft(plain_of(hub, bodies, rotors, modes)) {}
+
+const PlainSpacecraft& NamedSpacecraft::plain() const& {
+  return core_->plain();
+}
+PlainSpacecraft NamedSpacecraft::plain() && {
+  return core_->plain();
+}
+std::size_t NamedSpacecraft::state_size() const {
+  return core_->tree().layout().size();
+}
+NamedFrame NamedSpacecraft::frame(std::string_view name) const {
+  return core_->frame(name);
+}
+NamedFrame NamedSpacecraft::hub() const {
+  return core_->frame(std::size_t{1});
+}
+NamedFrame NamedSpacecraft::inertial() const {
+  return core_->frame(std::size_t{0});
+}
+
+NamedMotion NamedSpacecraft::motion(const NamedState& state, const Quantity<si::time>& time,
+                                    const NamedLoads& loads, const std::vector<NamedHeld>& held) const {
+  if (state.view().core != core_.get()) throw BadInput("motion: the state is of another craft");
+  if (!std::isfinite(time.value()))
+    throw BadInput("motion: the time is " + detail::text(time.value()) + " s");
+  Evaluation evaluate(core_, loads, held);
+  std::vector<double> ydot(state.numbers().size());
+  evaluate(time.value(), state.numbers().data(), ydot.data());
+  for (std::size_t i = 0; i < ydot.size(); ++i) {
+    if (std::isfinite(ydot[i])) continue;
+    throw BadInput("motion at " + detail::text(time.value()) + " s: the derivative of " +
+                   core_->component_names()[i] + " is " + detail::text(ydot[i]));
+  }
+  return {detail::trusted, core_, time.value(), state.numbers(), std::move(ydot), std::move(evaluate.work)};
+}
+
+ode::Problem NamedSpacecraft::problem(const NamedState& state, const Quantity<si::time>& start,
+                                      const Quantity<si::time>& end, double relative_tolerance,
+                                      const NamedTolerances& tolerances, const NamedLoads& loads,
+                                      const std::vector<NamedHeld>& held) const {
+  if (state.view().core != core_.get()) throw BadInput("problem: the state is of another craft");
+  ode::Problem problem;
+  problem.rhs = [evaluate = Evaluation(core_, loads, held)](double, double t, std::span<const double> y,
+                                                            std::span<double> ydot) mutable {
+    evaluate(t, y.data(), ydot.data());
+  };
+  problem.initial_state = state.numbers();
+  problem.start = start.value();
+  problem.end = end.value();
+  problem.relative_tolerance = relative_tolerance;
+  problem.absolute_tolerances = absolute(*core_, tolerances);
+  problem.caller = "NamedSpacecraft " + in_quotes(core_->plain().hub);
+  problem.component_names = core_->component_names();
+  return problem;
+}
+
+}  // namespace vectrix

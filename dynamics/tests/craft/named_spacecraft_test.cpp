@@ -1,0 +1,381 @@
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <sstream>
+#include <vectrix/dynamics/craft/named_spacecraft.hpp>
+
+#include "multibody/random_craft.hpp"
+#include "testing/attitudes.hpp"
+
+// NamedSpacecraft: the same numbers as the engine, what is refused, and runs.
+namespace vectrix_test::named_spacecraft_test {
+namespace {
+
+using namespace vectrix;
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+/// The same craft in names: body 3 is "body 3", the hub "hub".
+PlainSpacecraft named(const DescribedCraft& craft) {
+  const auto name = [](int number) { return number == 0 ? "hub" : "body " + std::to_string(number); };
+  const auto eigen = [](const mb::Column<double>& v) { return Vector3d(v.x, v.y, v.z); };
+  PlainSpacecraft plain{"gcrf", "hub", HubMotion::free, craft.hub.m, craft.hub.c, craft.hub.J, {}, {}, {}};
+  for (const Described& b : craft.bodies) {
+    std::vector<Vector3d> axes;
+    if (b.word == Word::hinge || b.word == Word::slider || b.word == Word::gimbal) axes.push_back(b.axis_1);
+    if (b.word == Word::gimbal) axes.push_back(b.axis_2);
+    plain.bodies.push_back({name(int(plain.bodies.size()) + 1), name(b.parent), JointKind(int(b.word)), axes,
+                            b.R_p_from_b, b.r_pb_p, b.m, b.c, b.J});
+  }
+  for (const auto& rotor : craft.rotors)
+    plain.rotors.push_back(
+        {"rotor " + std::to_string(plain.rotors.size()), name(rotor.body), eigen(rotor.axis), rotor.inertia});
+  for (const auto& mode : craft.modes)
+    plain.modes.push_back({"mode " + std::to_string(plain.modes.size()), name(mode.body),
+                           eigen(mode.rotation), eigen(mode.translation), mode.frequency,
+                           mode.damping_ratio});
+  return plain;
+}
+
+/// A hub with a hinged boom, on it a wheel with an antenna on two axes, a mass on a slider and a gyro.
+PlainSpacecraft five() {
+  const Matrix3d unit = Matrix3d::Identity();
+  const auto body = [&](const char* name, const char* parent, JointKind kind, std::vector<Vector3d> axes) {
+    return PlainBody{name, parent, kind, axes, unit, {1.0, 0.2, 0.0}, 2.0, {0.1, 0.0, 0.3}, 0.5 * unit};
+  };
+  return {
+      "gcrf",
+      "hub",
+      HubMotion::free,
+      100.0,
+      Vector3d::Zero(),
+      50.0 * unit,
+      {body("antenna", "boom", JointKind::gimbal, {Vector3d::UnitX(), Vector3d::UnitY()}),
+       body("boom", "hub", JointKind::hinge, {Vector3d::UnitZ()}),
+       body("mass", "hub", JointKind::slider, {Vector3d::UnitX()}), body("gyro", "boom", JointKind::ball, {}),
+       body("box", "mass", JointKind::fixed, {}), body("probe", "box", JointKind::free, {})},
+      {{"wheel", "boom", Vector3d::UnitY(), 0.1}},
+      {{"first", "antenna", {0.1, 0.0, 0.0}, {0.0, 0.2, 0.0}, 3.0, 0.01}}};
+}
+
+const auto rad = si::radian;
+const auto rad_s = si::radian / si::second;
+const auto m_s = si::metre / si::second;
+
+NamedMovingTransform at_origin(NamedFrame a, NamedFrame b, const Matrix3d& R,
+                               const Vector3d& r = Vector3d::Zero()) {
+  return {
+      moving_dcm(dcm(To(a), From(b), R),
+                 angular_velocity(Of(b), RelativeTo(a),
+                                  vector<si::angular_velocity>(In(b), Vector3d(0.1, -0.2, 0.3)))),
+      displacement(Of(b), RelativeTo(a), vector<si::length>(In(a), r)),
+      velocity(Of(b), RelativeTo(a), ObservedFrom(a), vector<si::velocity>(In(a), Vector3d(0.4, 0.5, -0.6)))};
+}
+
+std::vector<NamedStart> starts_of_five(const NamedSpacecraft& craft, const Matrix3d& R) {
+  const NamedFrame boom = craft.frame("boom"), gyro = craft.frame("gyro"), box = craft.frame("box"),
+                   probe = craft.frame("probe");
+  return {starts("antenna", 0.1 * rad, 0.2 * rad_s, 0.3 * rad, 0.4 * rad_s),
+          starts("boom", 0.5 * rad, 0.6 * rad_s),
+          starts("mass", 0.7 * si::metre, 0.8 * m_s),
+          starts(at_origin(boom, gyro, R).turning()),
+          starts(at_origin(box, probe, R, {3.0, 2.0, 1.0})),
+          spins("wheel", 9.0 * rad_s),
+          deflects("first", 0.01, -0.02)};
+}
+NamedState state_of_five(const NamedSpacecraft& craft, const Matrix3d& R) {
+  return craft.state(at_origin(craft.inertial(), craft.hub(), R, {7e6, 0.0, 0.0}), starts_of_five(craft, R));
+}
+
+TEST(NamedSpacecraft, GivesTheNumbersOfTheEngine) {
+  RandomCraft random(20260320);
+  for (int trial = 0; trial < 30; ++trial) {
+    const DescribedCraft described = random.craft(random.below(20));
+    const Lowered<double> made = lowered<double>(described, HubMotion::free);
+    const mb::Tree<double> tree(made.numbers);
+    const auto y = random.state(tree);
+    std::vector<double> ydot(y.size());
+    auto k = tree.work();
+    tree.place(y.data(), k);
+    tree.solve(y.data(), ydot.data(), k);
+    const NamedSpacecraft craft(named(described));
+    const auto motion = craft.motion(craft.state(y), 0.0 * si::second);
+    double scale = 1.0;
+    for (const double number : ydot) scale = std::max(scale, std::abs(number));
+    for (std::size_t i = 0; i < y.size(); ++i) EXPECT_NEAR(motion.rates()[i], ydot[i], 1e-10 * scale);
+  }
+}
+
+TEST(NamedSpacecraft, AStateSaysWhatItWasGiven) {
+  RandomCraft random(20260321);
+  const NamedSpacecraft craft(five());
+  const Matrix3d R = random.rotation();
+  const NamedState state = state_of_five(craft, R);
+  EXPECT_EQ(state.angle("antenna").value(), 0.1);
+  EXPECT_EQ(state.angle_rate("antenna", 1).value(), 0.2);
+  EXPECT_EQ(state.angle("antenna", 2).value(), 0.3);
+  EXPECT_EQ(state.angle_rate("antenna", 2).value(), 0.4);
+  EXPECT_EQ(state.angle("boom").value(), 0.5);
+  EXPECT_EQ(state.length("mass").value(), 0.7);
+  EXPECT_EQ(state.length_rate("mass").value(), 0.8);
+  EXPECT_EQ(state.spin("wheel").value(), 9.0);
+  EXPECT_EQ(state.deflection("first"), 0.01);
+  EXPECT_EQ(state.deflection_rate("first"), -0.02);
+  EXPECT_LE(distance(state.hub_motion().turning().rotation().matrix(), R), rounding);
+  EXPECT_EQ(state.hub_motion().translation().coordinates(), Vector3d(7e6, 0.0, 0.0));
+
+  const auto motion = craft.motion(state, 2.0 * si::second);
+  const NamedNow now = motion.now();
+  EXPECT_EQ(now.time().value(), 2.0);
+  EXPECT_LE(distance(now.rotation(To("boom"), From("gyro")).matrix(), R), rounding);
+  EXPECT_LE(distance(now.rotation(To("gcrf"), From("hub")).matrix(), R), rounding);
+  const auto close = [](const auto& found, const Vector3d& wanted) {
+    EXPECT_LE((found.coordinates() - wanted).norm(), 1e-14) << found;
+  };
+  close(now.position(Of("probe"), RelativeTo("box"), In("box")), {3.0, 2.0, 1.0});
+  close(now.angular_velocity(Of("gyro"), RelativeTo("boom"), In("gyro")), {0.1, -0.2, 0.3});
+  close(now.velocity(Of("probe"), RelativeTo("box"), ObservedFrom("box"), In("box")), {0.4, 0.5, -0.6});
+  close(now.velocity(Of("mass"), RelativeTo("hub"), ObservedFrom("hub"), In("hub")), {0.8, 0.0, 0.0});
+  close(now.angular_velocity(Of("hub"), RelativeTo("gcrf"), In("hub")), {0.1, -0.2, 0.3});
+  close(now.velocity(Of("hub"), RelativeTo("gcrf"), ObservedFrom("gcrf"), In("gcrf")), {0.4, 0.5, -0.6});
+  close(now.position(Of("hub"), RelativeTo("gcrf"), In("gcrf")) +
+            -now.position(Of("hub"), RelativeTo("gcrf"), In("gcrf")),
+        {0, 0, 0});
+}
+
+TEST(NamedSpacecraft, LoadsActOnWhatTheyName) {
+  RandomCraft random(20260322);
+  const NamedSpacecraft craft(five());
+  const Matrix3d R = random.rotation();
+  const NamedState state = state_of_five(craft, R);
+  const Vector3d F(1.0, -2.0, 0.5), r(0.2, 0.1, 0.7);
+  const auto through = [&](const NamedLoads& loads) { return craft.motion(state, 0.0 * si::second, loads); };
+  const auto pushed = through([&](const NamedNow& now, NamedForces& forces) {
+    const NamedFrame boom = now.frame("boom");
+    forces.force(boom, vector<si::length>(In(boom), r), vector<si::force>(In(now.frame("gcrf")), F));
+  });
+  const auto split = through([&](const NamedNow& now, NamedForces& forces) {
+    const NamedFrame boom = now.frame("boom"), gcrf = now.frame("gcrf");
+    const Vector3d F_b = now.rotation(To(boom), From(gcrf)).matrix() * F;
+    forces.force(boom, vector<si::force>(In(boom), F_b));
+    forces.torque(boom, vector<si::torque>(In(boom), Vector3d(r.cross(F_b))));
+  });
+  const auto alone = through({});
+  double moved = 0.0;
+  for (std::size_t i = 0; i < pushed.rates().size(); ++i) {
+    EXPECT_NEAR(pushed.rates()[i], split.rates()[i], 1e-13);
+    moved = std::max(moved, std::abs(pushed.rates()[i] - alone.rates()[i]));
+  }
+  EXPECT_GT(moved, 1e-3);
+
+  // An effort is what the joint transmits about its axis; the field moves all alike.
+  const auto held = through([&](const NamedNow& now, NamedForces& forces) {
+    forces.effort("boom", 0.3 * si::newton_metre);
+    forces.effort("mass", 0.4 * si::newton);
+    forces.effort("antenna", 0.5 * si::newton_metre, 2);
+    forces.effort("gyro", vector<si::torque>(In(now.frame("gyro")), F));
+    forces.field(vector<si::acceleration>(In(now.frame("gcrf")), F));
+  });
+  EXPECT_NEAR(held.joint_torque(Of("boom"), In("hub")).coordinates().z(), 0.3, 1e-13);
+  EXPECT_NEAR(held.joint_force(Of("mass"), In("hub")).coordinates().x(), 0.4, 1e-13);
+  EXPECT_NEAR(held.joint_torque(Of("antenna"), In("antenna")).coordinates().y(), 0.5, 1e-13);
+  EXPECT_LE((held.joint_torque(Of("gyro"), In("gyro")).coordinates() - F).norm(), 1e-13);
+  const auto free = through([&](const NamedNow& now, NamedForces& forces) {
+    forces.field(vector<si::acceleration>(In(now.frame("gcrf")), F));
+  });
+  const Vector3d difference = free.acceleration(Of("probe"), In("gcrf")).coordinates() -
+                              alone.acceleration(Of("probe"), In("gcrf")).coordinates();
+  EXPECT_LE((difference - F).norm(), 1e-13);
+  EXPECT_LE((free.angular_acceleration(Of("boom"), In("hub")).coordinates() -
+             alone.angular_acceleration(Of("boom"), In("hub")).coordinates())
+                .norm(),
+            1e-13);
+}
+
+TEST(NamedSpacecraft, PlainAndBack) {
+  const NamedSpacecraft craft(five());
+  const PlainSpacecraft plain = craft.plain();
+  EXPECT_EQ(plain.bodies[0].name, "boom");  // parents first
+  std::ostringstream once, twice;
+  once << plain;
+  twice << NamedSpacecraft(plain).plain();
+  EXPECT_EQ(once.str(), twice.str());
+  EXPECT_TRUE(
+      contains(once.str(), "\"antenna\" on \"boom\", gimbal (1, 0, 0) (0, 1, 0) at (1, 0.2, 0) m: 2 kg at"));
+  EXPECT_TRUE(contains(once.str(), "\"wheel\" in \"boom\", rotor (0, 1, 0): 0.1 kg m^2"));
+}
+
+TEST(NamedSpacecraft, OfTypedParts) {
+  const auto kg_m2 = si::kilogram_square_metre;
+  const auto centre = displacement(of<CentreOfMassOf<ThisBody>>, relative_to<ThisBody>,
+                                   vector<si::length>(in<ThisBody>, Vector3d(0.1, 0.0, 0.3)));
+  const auto mass =
+      mass_properties(2.0 * si::kilogram, centre,
+                      inertia_from_principal_moments(in<ThisBody>, 0.5 * kg_m2, 0.6 * kg_m2, 0.7 * kg_m2));
+  const Transform<ParentBody, ThisBody> mount{
+      turned_z(to<ParentBody>, from<ThisBody>, 0.3 * rad),
+      displacement(of<ThisBody>, relative_to<ParentBody>,
+                   vector<si::length>(in<ParentBody>, Vector3d(1.0, 2.0, 3.0)))};
+  const NamedSpacecraft craft(
+      {"hub", "gcrf", HubMotion::turning, mass}, {{"panel", "hub", mass, hinge(mount, unit_y(in<ThisBody>))}},
+      {{"wheel", "hub", unit_x(in<ThisBody>), 0.01 * kg_m2}},
+      {{"bend", "panel", Vector3d(0.1, 0.0, 0.0), Vector3d::Zero(), 2.0 * rad_s, 0.0}});
+  const PlainSpacecraft plain = craft.plain();
+  EXPECT_EQ(plain.bodies[0].R_p_from_b, turned_z(to<ParentBody>, from<ThisBody>, 0.3 * rad).matrix());
+  EXPECT_EQ(plain.bodies[0].r_pb_p, Vector3d(1.0, 2.0, 3.0));
+  EXPECT_EQ(plain.bodies[0].axes_b[0], Vector3d::UnitY());
+  EXPECT_EQ(plain.bodies[0].J_c_b(1, 1), 0.6);
+  EXPECT_EQ(plain.modes[0].frequency, 2.0);
+}
+
+template <class Change> std::string refused_craft(const Change& change) {
+  PlainSpacecraft plain = five();
+  change(plain);
+  return message<BadInput>([&] { NamedSpacecraft{plain}; });
+}
+
+TEST(NamedSpacecraft, RefusesWhatNoCraftHas) {
+  const auto refused = [](const auto& change, const std::string& said) {
+    const std::string text = refused_craft(change);
+    EXPECT_TRUE(contains(text, said)) << text;
+  };
+  EXPECT_EQ(refused_craft([](auto&) {}), "");
+  refused([](auto& craft) { craft.mass = -1.0; }, "\"hub\": mass_properties");
+  refused([](auto& craft) { craft.bodies[1].mass = 0.0; },
+          "\"boom\": mass_properties(ThisBody): the mass is 0 kg");
+  refused([](auto& craft) { craft.bodies[1].J_c_b(0, 0) = 9.0; }, "\"boom\": inertia_from_tensor");
+  refused([](auto& craft) { craft.bodies[1].J_c_b(0, 1) = 0.1; }, "differ by 0.1 kg m^2");
+  refused([](auto& craft) { craft.bodies[1].r_bc_b.x() = nan; }, "\"boom\": vector(in<ThisBody>)");
+  refused([](auto& craft) { craft.bodies[1].r_pb_p.x() = nan; },
+          "\"boom\": the position on the parent (nan, 0.2, 0) is not finite");
+  refused([](auto& craft) { craft.bodies[1].R_p_from_b(0, 1) = 0.1; }, "\"boom\": dcm(");
+  refused([](auto& craft) { craft.bodies[1].axes_b[0] *= 0.0; },
+          "\"boom\": the axis (0, 0, 0) is not a unit vector, its norm is 0");
+  refused([](auto& craft) { craft.bodies[1].axes_b[0].x() = nan; }, "not a unit vector");
+  refused([](auto& craft) { craft.bodies[1].axes_b.clear(); }, "a hinge joint has 1 axes, not 0");
+  refused([](auto& craft) { craft.bodies[0].axes_b[1] = craft.bodies[0].axes_b[0]; },
+          "the axes of the gimbal are parallel");
+  refused([](auto& craft) { craft.bodies[1].name = "bom"; },
+          "\"antenna\": there is no body \"boom\"; the nearest name is \"bom\"");
+  refused([](auto& craft) { craft.bodies[1].parent = "hab"; },
+          "\"boom\": there is no body \"hab\"; the nearest name is \"hub\"");
+  refused([](auto& craft) { craft.bodies[1].parent = "antenna"; },
+          "in a loop, \"antenna\" - \"boom\" - \"antenna\"");
+  refused([](auto& craft) { craft.bodies[1].parent = "boom"; }, "in a loop, \"boom\" - \"boom\"");
+  refused([](auto& craft) { craft.rotors[0].name = "boom"; },
+          "the name \"boom\" is that of a body and of a rotor");
+  refused([](auto& craft) { craft.inertial = ""; }, "the inertial frame has no name");
+  refused([](auto& craft) { craft.rotors[0].body = "whel"; }, "rotor \"wheel\": there is no body \"whel\"");
+  refused([](auto& craft) { craft.rotors[0].inertia = 3.0; },
+          "its inertia, 3 kg m^2, is more than that of its body \"boom\"");
+  refused([](auto& craft) { craft.rotors[0].inertia = nan; }, "its inertia is nan kg m^2");
+  refused([](auto& craft) { craft.modes[0].frequency = 0.0; }, "its frequency is 0 rad/s");
+  refused([](auto& craft) { craft.modes[0].damping_ratio = -0.1; }, "its damping ratio is -0.1");
+  refused([](auto& craft) { craft.modes[0].translation_b.y() = 1.5; },
+          "more mass takes part in modes than its body \"antenna\" has");
+  refused(
+      [](auto& craft) {
+        craft.bodies[1].J_c_b = Vector3d(0.5, 0.5, 0.0).asDiagonal();
+        craft.bodies[1].r_bc_b = {0.0, 0.0, 1.0};
+        craft.rotors.clear();
+      },
+      "\"boom\": its inertia about the axis of its hinge is 0 kg m^2");
+}
+
+TEST(NamedSpacecraft, RefusesStartsThatDoNotFit) {
+  const NamedSpacecraft craft(five());
+  const Matrix3d unit = Matrix3d::Identity();
+  const auto refused = [&](const auto& change, const std::string& said) {
+    const std::string text = message<BadInput>([&] {
+      auto starts = starts_of_five(craft, unit);
+      change(starts);
+      (void)craft.state(at_origin(craft.inertial(), craft.hub(), unit), starts);
+    });
+    EXPECT_TRUE(contains(text, said)) << text;
+  };
+  refused([](auto& starts) { starts.pop_back(); }, "state: \"first\" has no start");
+  refused([](auto& starts) { starts.erase(starts.begin() + 2, starts.end()); },
+          "\"mass\" has no start, nor have 4 others");
+  refused([](auto& starts) { starts.push_back(starts[1]); }, "the start of \"boom\" is given twice");
+  refused([](auto& list) { list[1] = starts("bom", 0.0 * rad, 0.0 * rad_s); },
+          "no joint \"bom\" in the craft, which has 6; the nearest name is \"boom\"");
+  refused([](auto& list) { list[1] = starts("boom", 0.0 * si::metre, 0.0 * m_s); },
+          "the start of \"boom\" is that of a slider, its joint is a hinge");
+  refused([](auto& list) { list[1] = starts("boom", nan * rad, 0.0 * rad_s); },
+          "a number of the start is nan");
+  refused([&](auto& list) { list[3] = starts(at_origin(craft.hub(), craft.frame("gyro"), unit).turning()); },
+          "is relative to \"hub\", and it hangs on \"boom\"");
+  const auto said = [](const auto& action) { return message<BadInput>(action); };
+  EXPECT_TRUE(
+      contains(said([&] { (void)craft.state(at_origin(craft.inertial(), craft.hub(), unit).turning(), {}); }),
+               "its position and velocity are missing"));
+  EXPECT_TRUE(
+      contains(said([&] { (void)craft.state(at_origin(craft.hub(), craft.frame("boom"), unit), {}); }),
+               "\"hub\" and \"gcrf\" are two frames"));
+  EXPECT_TRUE(contains(said([&] { (void)craft.state(std::vector<double>(3)); }),
+                       "3 numbers; the craft of \"hub\" has 44"));
+  const NamedState state = state_of_five(craft, unit);
+  EXPECT_TRUE(
+      contains(said([&] { (void)state.angle("mass"); }), "angle 1 of \"mass\": its joint is a slider"));
+  EXPECT_TRUE(
+      contains(said([&] { (void)state.angle("boom", 2); }), "angle 2 of \"boom\": its joint is a hinge"));
+  EXPECT_TRUE(contains(said([&] { (void)state.spin("whee"); }), "the nearest name is \"wheel\""));
+  EXPECT_TRUE(contains(said([&] {
+                         (void)craft.motion(state, 0.0 * si::second, [](const auto&, auto& forces) {
+                           forces.effort("boom", 1.0 * si::newton);
+                         });
+                       }),
+                       "a force along an axis on \"boom\", whose joint is a hinge"));
+  const NamedSpacecraft other(five());
+  EXPECT_TRUE(
+      contains(said([&] { (void)other.motion(state, 0.0 * si::second); }), "the state is of another craft"));
+}
+
+const NamedTolerances tight{1e-12 * rad, 1e-12 * rad_s, 1e-12 * si::metre, 1e-12 * m_s, 1e-12};
+
+TEST(NamedSpacecraft, KeepsMomentumOverARun) {
+  RandomCraft random(20260323);
+  PlainSpacecraft plain = five();
+  plain.modes[0].damping_ratio = 0.0;
+  const NamedSpacecraft craft(plain);
+  const NamedState start = craft.state(at_origin(craft.inertial(), craft.hub(), random.rotation()),
+                                       starts_of_five(craft, random.rotation()));
+  auto problem = craft.problem(start, 0.0 * si::second, 5.0 * si::second, 1e-12, tight);
+  problem.method = ode::Method::arkode_fehlberg_8;
+  const auto solution = ode::solve(problem);
+  const auto first = craft.motion(start, 0.0 * si::second);
+  const auto last = craft.motion(craft.state(solution.at(5.0)), 5.0 * si::second);
+  const auto relative = [&](auto what) {
+    const auto before = what(first.now()), after = what(last.now());
+    return (after - before).norm() / before.norm();
+  };
+  EXPECT_LE(relative([](const auto& now) { return now.momentum().coordinates(); }), 1e-9);
+  EXPECT_LE(relative([](const auto& now) { return now.angular_momentum().coordinates(); }), 1e-9);
+  EXPECT_NEAR(last.now().energy() / first.now().energy(), 1.0, 1e-9);
+}
+
+TEST(NamedSpacecraft, HeldJointsMoveAsTheyAreTold) {
+  RandomCraft random(20260324);
+  const NamedSpacecraft craft(five());
+  const NamedState start = state_of_five(craft, random.rotation());
+  const std::vector<NamedHeld> held{
+      prescribed("boom",
+                 [](const Quantity<si::time>& t) { return 0.2 * t / si::second * (rad_s / si::second); }),
+      prescribed("mass", [](const Quantity<si::time>&) { return -0.1 * (m_s / si::second); }),
+      locked("gyro")};
+  auto problem = craft.problem(start, 0.0 * si::second, 2.0 * si::second, 1e-11, tight, {}, held);
+  problem.method = ode::Method::arkode_fehlberg_8;
+  const NamedState end = craft.state(ode::solve(problem).at(2.0));
+  EXPECT_NEAR(end.angle("boom").value(), 0.5 + 0.6 * 2.0 + 0.2 * 8.0 / 6.0, 1e-9);
+  EXPECT_NEAR(end.length("mass").value(), 0.7 + 0.8 * 2.0 - 0.1 * 4.0 / 2.0, 1e-9);
+  const auto said = [&](const NamedHeld& wrong) {
+    return message<BadInput>([&] { (void)craft.motion(start, 0.0 * si::second, {}, {wrong}); });
+  };
+  EXPECT_TRUE(contains(said(locked("bom")), "the nearest name is \"boom\""));
+  EXPECT_TRUE(
+      contains(said(prescribed("boom", [](const Quantity<si::time>&) { return 0.0 * (m_s / si::second); })),
+               "its joint is a hinge, and the acceleration that of a slider"));
+}
+
+}  // namespace
+}  // namespace vectrix_test::named_spacecraft_test

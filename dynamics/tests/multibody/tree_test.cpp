@@ -1,0 +1,232 @@
+#include <gtest/gtest.h>
+
+#include <vectrix/dynamics/multibody/tree.hpp>
+#include <vectrix/frames/errors.hpp>
+
+#include "dense.hpp"
+#include "testing/trials.hpp"
+
+namespace vectrix_test::tree_test {
+namespace {
+
+/// The dense matrix of a chain of thirty bodies has a condition number of 1e5 or less, and 1e3 sums of
+/// products.
+constexpr double dense_tolerance = 1e-9;
+
+Vector3d eigen(const mb::Column<double>& v) {
+  return {v.x, v.y, v.z};
+}
+
+/// A craft with random loads, a third of its joints held in motion.
+struct Case {
+  DescribedCraft craft;
+  Lowered<double> made;
+  mb::Tree<double> tree;
+  std::vector<double> y, ydot;
+  mb::Work<double> k;
+  Acting acting;
+
+  Case(RandomCraft& random, int bodies, mb::HubMotion motion = mb::HubMotion::free)
+      : craft(random.craft(bodies)),
+        made(lowered<double>(craft, motion)),
+        tree(made.numbers),
+        y(random.state(tree)),
+        ydot(y.size()),
+        k(tree.work()) {
+    const auto numbers = [&](std::size_t count) {
+      VectorXd v(static_cast<Eigen::Index>(count));
+      for (double& x : v) x = random.normal();
+      return v;
+    };
+    const auto& layout = tree.layout();
+    acting.efforts = numbers(layout.speeds);
+    acting.given = numbers(layout.speeds);
+    acting.motors = numbers(layout.rotors);
+    acting.modal = numbers(layout.modes);
+    acting.field = random.triple();
+    for (int i = 0; i <= bodies; ++i) {
+      acting.force.push_back(random.triple());
+      acting.torque.push_back(random.triple());
+      acting.held.push_back(i > 0 && random.below(3) == 0);
+    }
+  }
+
+  void solve() {
+    for (std::size_t i = 1; i < made.number.size(); ++i) {
+      const auto link = static_cast<std::size_t>(made.number[i]) - 1;
+      k.held[link] = acting.held[i];
+      if (craft.bodies[i - 1].word == Word::gimbal) k.held[link - 1] = acting.held[i];
+    }
+    k.given.assign(acting.given.begin(), acting.given.end());
+    tree.place(y.data(), k);
+    k.efforts.assign(acting.efforts.begin(), acting.efforts.end());
+    k.motors.assign(acting.motors.begin(), acting.motors.end());
+    k.modal.assign(acting.modal.begin(), acting.modal.end());
+    k.field = plain_column<double>(acting.field);
+    const Matrix3d R = turn(y.data());
+    for (std::size_t i = 0; i < made.number.size(); ++i) {
+      tree.add_wrench(made.number[i], plain_column<double>(R.transpose() * acting.force[i]),
+                      plain_column<double>(R.transpose() * acting.torque[i]), k);
+    }
+    tree.solve(y.data(), ydot.data(), k);
+  }
+};
+
+TEST(Tree, ArticulatedBodiesGiveWhatTheDenseMassMatrixGives) {
+  RandomCraft random(20260301);
+  for (int trial = 0; trial < trials(300); ++trial) {
+    Case c(random, 1 + random.below(29));
+    c.solve();
+    const DenseMotion dense = dense_motion(c.craft, c.y.data(), c.acting);
+    const double scale = std::max({1.0, dense.accelerations.cwiseAbs().maxCoeff(), dense.a_i.norm()});
+    const double tolerance = dense_tolerance * scale;
+    const auto& layout = c.tree.layout();
+
+    EXPECT_LE((Eigen::Map<const Vector3d>(&c.ydot[4]) - dense.alpha_h).norm(), tolerance);
+    EXPECT_LE((Eigen::Map<const Vector3d>(&c.ydot[10]) - dense.a_i).norm(), tolerance);
+    for (std::size_t i = 0; i < layout.speeds + layout.rotors; ++i)
+      EXPECT_NEAR(c.ydot[layout.speeds_begin() + i], dense.accelerations[Eigen::Index(i)], tolerance);
+    for (std::size_t i = 0; i < layout.modes; ++i) {
+      const std::size_t at = layout.modes_begin() + i;
+      EXPECT_EQ(c.ydot[at], c.y[at + layout.modes]);
+      EXPECT_NEAR(c.ydot[at + layout.modes],
+                  dense.accelerations[Eigen::Index(layout.speeds + layout.rotors + i)], tolerance);
+    }
+    const Matrix3d R = turn(c.y.data());
+    for (std::size_t i = 0; i < c.made.number.size(); ++i) {
+      const int number = c.made.number[i];
+      const DenseBody& b = dense.bodies[i];
+      const auto moved = c.tree.accelerations(number, c.k);
+      EXPECT_LE((R * eigen(moved.alpha) - b.alpha).norm(), tolerance);
+      EXPECT_LE((R * eigen(moved.a) - b.a).norm(), tolerance);
+      EXPECT_LE((R * eigen(c.tree.position(number, c.k)) + dense.bodies[0].r - b.r).norm(), 1e-12);
+      if (i == 0) continue;
+      const auto transmitted = c.tree.reaction(number, c.k);
+      EXPECT_LE((R * eigen(transmitted.force) - dense.force[i]).norm(), 1e2 * tolerance);
+      EXPECT_LE((R * eigen(transmitted.torque) - dense.torque[i]).norm(), 1e2 * tolerance);
+    }
+  }
+}
+
+TEST(Tree, ATurningHubTurnsAsAFreeOneDoes) {
+  RandomCraft random(20260302);
+  for (int trial = 0; trial < trials(50); ++trial) {
+    Case c(random, 1 + random.below(9));
+    c.solve();
+    const mb::Tree<double> turning(lowered<double>(c.craft, mb::HubMotion::turning).numbers);
+    std::vector<double> y(c.y);
+    y.erase(y.begin() + 7, y.begin() + 13);
+    std::vector<double> ydot(y.size());
+    auto k = turning.work();
+    k.held = c.k.held, k.given = c.k.given;
+    turning.place(y.data(), k);
+    k.efforts = c.k.efforts, k.motors = c.k.motors, k.modal = c.k.modal;
+    const Matrix3d R = turn(y.data());
+    for (std::size_t i = 0; i < c.made.number.size(); ++i)
+      turning.add_wrench(c.made.number[i], plain_column<double>(R.transpose() * c.acting.force[i]),
+                         plain_column<double>(R.transpose() * c.acting.torque[i]), k);
+    turning.solve(y.data(), ydot.data(), k);
+    std::vector<double> wanted(c.ydot);
+    wanted.erase(wanted.begin() + 7, wanted.begin() + 13);
+    EXPECT_EQ(ydot, wanted);
+  }
+}
+
+TEST(Tree, WithoutJointsTheConstantInverseIsTheGeneralSolution) {
+  RandomCraft random(20260303);
+  for (int trial = 0; trial < trials(100); ++trial) {
+    Case c(random, 0);
+    c.craft.modes.clear();
+    c.acting.modal.resize(0);
+    c.made = lowered<double>(c.craft, mb::HubMotion::free);
+    c.tree = mb::Tree<double>(c.made.numbers);
+    c.k = c.tree.work();
+    c.solve();
+    const DenseMotion dense = dense_motion(c.craft, c.y.data(), c.acting);
+    const double tolerance = 1e-12 * std::max(1.0, dense.alpha_h.norm() + dense.a_i.norm());
+    EXPECT_LE((Eigen::Map<const Vector3d>(&c.ydot[4]) - dense.alpha_h).norm(), tolerance);
+    EXPECT_LE((Eigen::Map<const Vector3d>(&c.ydot[10]) - dense.a_i).norm(), tolerance);
+    for (Eigen::Index i = 0; i < dense.accelerations.size(); ++i)
+      EXPECT_NEAR(c.ydot[13 + std::size_t(i)], dense.accelerations[i], tolerance);
+  }
+}
+
+TEST(Tree, PositionsChangeAtTheirSpeeds) {
+  // d/dt of the place of every body by central differences along the rates of the positions.
+  constexpr double step = 1e-6, tolerance = 1e-8;  // step^2 times a third derivative of order 1e3
+  RandomCraft random(20260304);
+  for (int trial = 0; trial < trials(30); ++trial) {
+    Case c(random, 1 + random.below(9));
+    c.solve();
+    const auto moved = [&](double h) {
+      std::vector<double> y(c.y);
+      for (std::size_t i = 0; i < y.size(); ++i) y[i] += h * c.ydot[i];
+      return y;
+    };
+    const auto before = moved(-step), after = moved(step);
+    auto k0 = c.tree.work(), k1 = c.tree.work();
+    c.tree.place(before.data(), k0);
+    c.tree.place(after.data(), k1);
+    for (const int number : c.made.number) {
+      const auto place = [&](const std::vector<double>& y, const mb::Work<double>& k) -> Vector3d {
+        return turn(y.data()) * eigen(c.tree.position(number, k)) + Eigen::Map<const Vector3d>(&y[7]);
+      };
+      const Vector3d rate = (place(after, k1) - place(before, k0)) / (2.0 * step);
+      const Matrix3d R = turn(c.y.data());
+      EXPECT_LE((R * eigen(c.tree.velocity(number, c.y.data(), c.k)) - rate).norm(), tolerance * 10.0);
+    }
+  }
+}
+
+TEST(Tree, AHeldHingeAtRestIsAFixedJoint) {
+  RandomCraft random(20260305);
+  for (int trial = 0; trial < trials(50); ++trial) {
+    DescribedCraft craft = random.craft(6);
+    craft.bodies[3].word = Word::hinge;
+    const mb::Tree<double> tree(lowered<double>(craft, mb::HubMotion::free).numbers);
+    auto y = random.state(tree);
+    const std::size_t link =
+        static_cast<std::size_t>(lowered<double>(craft, mb::HubMotion::free).number[4]) - 1;
+    y[tree.layout().speed_at[link]] = 0.0;
+    auto k = tree.work();
+    k.held[link] = 1;
+    std::vector<double> ydot(y.size());
+    tree.place(y.data(), k);
+    tree.solve(y.data(), ydot.data(), k);
+
+    DescribedCraft welded = craft;
+    welded.bodies[3].word = Word::fixed;
+    welded.bodies[3].R_p_from_b *=
+        Eigen::AngleAxisd(y[tree.layout().position_at[link]], craft.bodies[3].axis_1).toRotationMatrix();
+    const mb::Tree<double> other(lowered<double>(welded, mb::HubMotion::free).numbers);
+    std::vector<double> z(y);
+    z.erase(z.begin() + std::ptrdiff_t(tree.layout().speed_at[link]));
+    z.erase(z.begin() + std::ptrdiff_t(tree.layout().position_at[link]));
+    auto j = other.work();
+    std::vector<double> zdot(z.size());
+    other.place(z.data(), j);
+    other.solve(z.data(), zdot.data(), j);
+    ydot.erase(ydot.begin() + std::ptrdiff_t(tree.layout().speed_at[link]));
+    ydot.erase(ydot.begin() + std::ptrdiff_t(tree.layout().position_at[link]));
+    double scale = 1.0;
+    for (const double x : ydot) scale = std::max(scale, std::abs(x));
+    for (std::size_t i = 0; i < z.size(); ++i) EXPECT_NEAR(ydot[i], zdot[i], 1e-11 * scale);
+  }
+}
+
+TEST(Tree, RefusesATreeOutOfOrder) {
+  RandomCraft random(20260306);
+  const auto numbers = lowered<double>(random.craft(3), mb::HubMotion::free).numbers;
+  const auto refused = [&](const auto& change) {
+    auto changed = numbers;
+    change(changed);
+    EXPECT_THROW(mb::Tree<double>{changed}, vectrix::BadInput);
+  };
+  refused([](auto& tree) { tree.links.front().parent = 1; });
+  refused([](auto& tree) { tree.links.front().parent = -1; });
+  refused([](auto& tree) { tree.rotors.front().body = 100; });
+  refused([](auto& tree) { tree.modes.front().body = -1; });
+}
+
+}  // namespace
+}  // namespace vectrix_test::tree_test
