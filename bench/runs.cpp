@@ -166,7 +166,7 @@ void against_simbody(const Attitudes& exact) {
   std::printf(
       "| error | engine | tolerance | error reached, rad | evaluations | ms | times ours |\n"
       "| --- | --- | --- | --- | --- | --- | --- |\n");
-  const auto ours = vectrix_engine(ode::Method::arkode_fehlberg_8, AttitudeState::quaternion);
+  const auto ours = vectrix_engine(ode::Method::verner_9, AttitudeState::quaternion);
   const auto merson = simbody_engine(validation::SimbodyIntegrator::runge_kutta_merson);
   const auto feldberg = simbody_engine(validation::SimbodyIntegrator::runge_kutta_feldberg);
   const auto our_runs = sweep(ours, exact, 1e-9);
@@ -184,7 +184,9 @@ void work_precision(const Attitudes& exact) {
   const std::array methods{std::pair{"cvode_adams", ode::Method::cvode_adams},
                            std::pair{"cvode_bdf", ode::Method::cvode_bdf},
                            std::pair{"arkode_dormand_prince_5", ode::Method::arkode_dormand_prince_5},
-                           std::pair{"arkode_fehlberg_8", ode::Method::arkode_fehlberg_8}};
+                           std::pair{"arkode_fehlberg_8", ode::Method::arkode_fehlberg_8},
+                           std::pair{"verner_9", ode::Method::verner_9},
+                           std::pair{"verner_7", ode::Method::verner_7}};
   const std::array targets{1e-6, 1e-9, 1e-12};
   std::printf("| method | attitude | 1e-6 rad | 1e-9 rad | 1e-12 rad |\n| --- | --- | --- | --- | --- |\n");
   std::array<std::pair<double, std::string>, 3> fastest;
@@ -209,7 +211,7 @@ void work_precision(const Attitudes& exact) {
     }
   }
   std::printf(
-      "\nThe fastest to 1e-6, 1e-9 and 1e-12 rad: %s; %s; %s. The default is arkode_fehlberg_8, "
+      "\nThe fastest to 1e-6, 1e-9 and 1e-12 rad: %s; %s; %s. The default is verner_9, "
       "quaternion.\n",
       fastest[0].second.c_str(), fastest[1].second.c_str(), fastest[2].second.c_str());
 }

@@ -122,11 +122,13 @@ std::string work_precision() {
   fixed.label({1.3e1, 2e-9}, "dashed: the rate is", {colour::ink, 12.0}, {0, 0});
   fixed.label({1.3e1, 2e-9}, "known for all times", {colour::ink, 12.0}, {0, 16});
 
-  Chart adaptive(svg, {552, 40}, {942, 440}, "Attitude and rate, SUNDIALS with a tolerance",
+  Chart adaptive(svg, {552, 40}, {942, 440}, "Attitude and rate, with a tolerance",
                  work_axis("evaluations of the right-hand side"), error_axis());
   draw(adaptive, "BDF", propagated(ode::Method::cvode_bdf, 12), {colour::grey}, {-4, 18});
   draw(adaptive, "Adams", propagated(ode::Method::cvode_adams, 13), {colour::blue}, {-8, 4}, "end");
   draw(adaptive, "Fehlberg 7(8)", propagated(ode::Method::arkode_fehlberg_8, 11), {colour::purple}, {7, 12});
+  draw(adaptive, "Verner 9(8)", propagated(ode::Method::verner_9, 12), {colour::green}, {-8, 4}, "end");
+  draw(adaptive, "Verner 7(6)", propagated(ode::Method::verner_7, 12), {colour::orange}, {7, 12});
   draw(adaptive, "Dormand-Prince 5", propagated(ode::Method::arkode_dormand_prince_5, 11), {colour::brown},
        {7, -2});
   return svg.text();

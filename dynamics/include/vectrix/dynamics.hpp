@@ -9,7 +9,12 @@
 #include <vectrix/dynamics/mass/mass_properties.hpp>
 #include <vectrix/dynamics/mass/parallel_axes.hpp>
 #include <vectrix/dynamics/multibody/tree.hpp>
+#include <vectrix/dynamics/ode/inlined.hpp>
+#include <vectrix/dynamics/ode/runge_kutta.hpp>
 #include <vectrix/dynamics/ode/solve.hpp>
+#include <vectrix/dynamics/ode/stepper.hpp>
+#include <vectrix/dynamics/ode/verner_7.hpp>
+#include <vectrix/dynamics/ode/verner_9.hpp>
 #include <vectrix/dynamics/rigid/euler.hpp>
 #include <vectrix/dynamics/rigid/torque_free.hpp>
 #include <vectrix/dynamics/scenario/conservation.hpp>

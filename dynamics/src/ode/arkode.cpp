@@ -1,7 +1,7 @@
 #include <arkode/arkode_arkstep.h>
 
-#include "stepper.hpp"
 #include "sundials.hpp"
+#include "sundials_stepper.hpp"
 
 namespace vectrix::ode {
 namespace {
@@ -12,10 +12,10 @@ struct FreeArkode {
 
 /// Explicit Runge-Kutta through ARKStep. ERKStep of SUNDIALS 6.4 loses one order with Fehlberg 7(8): if the
 /// last abscissa of a table is 1, it assumes that the last stage is the new state.
-class ArkodeStepper final : public Stepper {
+class ArkodeStepper final : public SundialsStepper {
  public:
-  ArkodeStepper(const Problem& problem, Rate& rate)
-      : Stepper(rate),
+  ArkodeStepper(const Problem& problem)
+      : SundialsStepper(problem),
         state_(make_vector(problem.initial_state, context_)),
         tolerances_(make_vector(problem.absolute_tolerances, context_)),
         memory_(ARKStepCreate(call_rate, nullptr, 0.0, state_.get(), context_)) {
@@ -23,7 +23,8 @@ class ArkodeStepper final : public Stepper {
     const auto table =
         problem.method == Method::arkode_fehlberg_8 ? ARKODE_FEHLBERG_13_7_8 : ARKODE_DORMAND_PRINCE_7_4_5;
     require_success(ARKStepSetErrHandlerFn(memory_.get(), keep_message, &message_), "ARKStepSetErrHandlerFn");
-    require_success(ARKStepSetUserData(memory_.get(), static_cast<Stepper*>(this)), "ARKStepSetUserData");
+    require_success(ARKStepSetUserData(memory_.get(), static_cast<SundialsStepper*>(this)),
+                    "ARKStepSetUserData");
     require_success(ARKStepSetTableNum(memory_.get(), ARKODE_DIRK_NONE, table), "ARKStepSetTableNum");
     require_success(ARKStepSVtolerances(memory_.get(), problem.relative_tolerance, tolerances_.get()),
                     "ARKStepSVtolerances");
@@ -66,8 +67,8 @@ class ArkodeStepper final : public Stepper {
 
 }  // namespace
 
-std::unique_ptr<Stepper> make_arkode_stepper(const Problem& problem, Rate& rate) {
-  return std::make_unique<ArkodeStepper>(problem, rate);
+std::unique_ptr<Stepper> make_arkode_stepper(const Problem& problem) {
+  return std::make_unique<ArkodeStepper>(problem);
 }
 
 }  // namespace vectrix::ode

@@ -8,6 +8,7 @@
 namespace vectrix::ode {
 namespace {
 
+using detail::component_name;
 using vectrix::detail::text;
 
 void require(const Problem& problem, bool condition, const std::string& message) {
@@ -38,7 +39,7 @@ void check_tolerances(const Problem& problem) {
           "the state has " + text(problem.initial_state.size()) + " components, but there are " +
               text(problem.absolute_tolerances.size()) + " absolute tolerances");
   for (std::size_t i = 0; i < problem.absolute_tolerances.size(); ++i) {
-    require_positive(problem, "absolute tolerance of " + component(problem, i),
+    require_positive(problem, "absolute tolerance of " + component_name(problem, i),
                      problem.absolute_tolerances[i]);
   }
 }
@@ -77,26 +78,21 @@ std::string tolerance_below_rounding(const Problem& problem, std::span<const dou
     const double allowed = problem.relative_tolerance * std::abs(state[i]) + problem.absolute_tolerances[i];
     const double rounding = std::numeric_limits<double>::epsilon() * std::abs(state[i]);
     if (allowed < rounding) {
-      return "the tolerances allow " + component(problem, i) + " = " + text(state[i]) + " an error of " +
+      return "the tolerances allow " + component_name(problem, i) + " = " + text(state[i]) + " an error of " +
              text(allowed) + ", less than its rounding, " + text(rounding);
     }
   }
   return "";
 }
 
-std::string component(const Problem& problem, std::size_t i) {
-  return problem.component_names.empty() ? "component " + text(i) : problem.component_names.at(i);
-}
-
 void check(const Problem& problem) {
-  require(problem, static_cast<bool>(problem.rhs), "the problem has no right-hand side");
   require(problem, !problem.initial_state.empty(), "the initial state is empty");
   require(problem,
           problem.component_names.empty() || problem.component_names.size() == problem.initial_state.size(),
           "the state has " + text(problem.initial_state.size()) + " components, but " +
               text(problem.component_names.size()) + " have names");
   for (std::size_t i = 0; i < problem.initial_state.size(); ++i) {
-    require_finite(problem, component(problem, i) + " of the initial state", problem.initial_state[i]);
+    require_finite(problem, component_name(problem, i) + " of the initial state", problem.initial_state[i]);
   }
   check_tolerances(problem);
   const std::string below = tolerance_below_rounding(problem, problem.initial_state);
@@ -106,10 +102,7 @@ void check(const Problem& problem) {
   require(problem, problem.max_steps > 0, "max_steps must be greater than 0");
   require(problem, problem.maximum_step > 0.0,
           "maximum_step must be greater than 0, got " + text(problem.maximum_step));
-  require(problem,
-          problem.method == Method::cvode_adams || problem.method == Method::cvode_bdf ||
-              problem.method == Method::arkode_dormand_prince_5 ||
-              problem.method == Method::arkode_fehlberg_8,
+  require(problem, problem.method >= Method::cvode_adams && problem.method <= Method::verner_7,
           "unknown method " + text(static_cast<int>(problem.method)));
 }
 

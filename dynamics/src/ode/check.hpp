@@ -4,13 +4,11 @@
 
 namespace vectrix::ode {
 
-/// Name of a component of the state, for messages.
-std::string component(const Problem& problem, std::size_t i);
-
 /// Says which component of a state has a tolerance that its rounding exceeds; empty if none has.
 std::string tolerance_below_rounding(const Problem& problem, std::span<const double> state);
 
-/// Throws BadInput, with the field and its number, if the problem is not well posed.
+/// Throws BadInput, with the field and its number, if the problem is not well posed. Does not ask for a
+/// right-hand side.
 void check(const Problem& problem);
 
 }  // namespace vectrix::ode

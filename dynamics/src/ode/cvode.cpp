@@ -3,8 +3,8 @@
 #include <sunmatrix/sunmatrix_dense.h>
 #include <sunnonlinsol/sunnonlinsol_fixedpoint.h>
 
-#include "stepper.hpp"
 #include "sundials.hpp"
+#include "sundials_stepper.hpp"
 
 namespace vectrix::ode {
 namespace {
@@ -23,10 +23,10 @@ struct FreeNonlinearSolver {
 };
 
 /// Adams with fixed-point iteration, or BDF with Newton iteration and a dense difference-quotient Jacobian.
-class CvodeStepper final : public Stepper {
+class CvodeStepper final : public SundialsStepper {
  public:
-  CvodeStepper(const Problem& problem, Rate& rate)
-      : Stepper(rate),
+  CvodeStepper(const Problem& problem)
+      : SundialsStepper(problem),
         state_(make_vector(problem.initial_state, context_)),
         scratch_(make_vector(problem.initial_state, context_)),
         tolerances_(make_vector(problem.absolute_tolerances, context_)),
@@ -34,7 +34,7 @@ class CvodeStepper final : public Stepper {
     if (!memory_) throw std::bad_alloc();
     require_success(CVodeSetErrHandlerFn(memory_.get(), keep_message, &message_), "CVodeSetErrHandlerFn");
     require_success(CVodeInit(memory_.get(), call_rate, 0.0, state_.get()), "CVodeInit");
-    require_success(CVodeSetUserData(memory_.get(), static_cast<Stepper*>(this)), "CVodeSetUserData");
+    require_success(CVodeSetUserData(memory_.get(), static_cast<SundialsStepper*>(this)), "CVodeSetUserData");
     require_success(CVodeSVtolerances(memory_.get(), problem.relative_tolerance, tolerances_.get()),
                     "CVodeSVtolerances");
     problem.method == Method::cvode_bdf ? attach_newton() : attach_fixed_point();
@@ -44,10 +44,9 @@ class CvodeStepper final : public Stepper {
 
   /// The slope of the integrator's own polynomial. It needs no evaluation, interpolates as well as f(t, y),
   /// and does not amplify the error of a stiff component, as f(t, y) would.
-  int rate(double, std::span<double> ydot) override {
-    const int flag = CVodeGetDky(memory_.get(), clock_, 1, scratch_.get());
-    if (flag >= 0) std::ranges::copy(span_of(scratch_.get()), ydot.begin());
-    return flag;
+  void rate(std::span<double> ydot) override {
+    require(CVodeGetDky(memory_.get(), clock_, 1, scratch_.get()));
+    std::ranges::copy(span_of(scratch_.get()), ydot.begin());
   }
 
   std::string flag_name(int flag) const override { return take_name(CVodeGetReturnFlagName(flag)); }
@@ -102,8 +101,8 @@ class CvodeStepper final : public Stepper {
 
 }  // namespace
 
-std::unique_ptr<Stepper> make_cvode_stepper(const Problem& problem, Rate& rate) {
-  return std::make_unique<CvodeStepper>(problem, rate);
+std::unique_ptr<Stepper> make_cvode_stepper(const Problem& problem) {
+  return std::make_unique<CvodeStepper>(problem);
 }
 
 }  // namespace vectrix::ode

@@ -2,10 +2,13 @@
 
 #include <algorithm>
 
+#include <vectrix/frames/errors.hpp>
+
 namespace vectrix::ode {
 
-Interpolant::Interpolant(const Record& record, std::size_t left) : record_(record) {
-  choose_nodes(left);
+Interpolant::Interpolant(const Record& record, std::size_t left) : record_(record), left_(left) {
+  if (record.has_terms(left)) return;
+  choose_nodes();
   const std::size_t count = 2 * node_count_;
   for (std::size_t i = 0; i < count; ++i) abscissas_[i] = record_.elapsed[nodes_[i / 2]];
   for (std::size_t k = 1; k < count; ++k) {
@@ -18,7 +21,8 @@ Interpolant::Interpolant(const Record& record, std::size_t left) : record_(recor
 /// Takes the two ends of the interval, then nodes outwards, the nearer side first. Skips nodes that are
 /// closer to each other than half the interval: their divided differences would amplify rounding far beyond
 /// that of the state.
-void Interpolant::choose_nodes(std::size_t left) {
+void Interpolant::choose_nodes() {
+  const std::size_t left = left_;
   const auto& t = record_.elapsed;
   const auto [first, after] = record_.segment_of(left);
   const std::size_t last = after - 1;
@@ -45,6 +49,22 @@ void Interpolant::choose_nodes(std::size_t left) {
 }
 
 void Interpolant::at(double elapsed, std::span<double> state) const {
+  if (!record_.has_terms(left_)) {
+    hermite(elapsed, state);
+    return;
+  }
+  const std::size_t size = record_.dimension;
+  const std::span<const double> y = record_.state(left_), terms = record_.terms_of(left_);
+  const double theta =
+      (elapsed - record_.elapsed[left_]) / (record_.elapsed[left_ + 1] - record_.elapsed[left_]);
+  for (std::size_t c = 0; c < size; ++c) {
+    double sum = 0.0;
+    for (std::size_t p = record_.degree; p-- > 0;) sum = theta * (sum + terms[p * size + c]);
+    state[c] = y[c] + sum;
+  }
+}
+
+void Interpolant::hermite(double elapsed, std::span<double> state) const {
   const std::size_t count = 2 * node_count_;
   std::array<double, max_abscissas> distance{};
   for (std::size_t i = 0; i < count; ++i) distance[i] = elapsed - abscissas_[i];
@@ -76,6 +96,9 @@ void interpolate(const Record& record, double t, std::span<double> state) {
   const std::size_t node = first + static_cast<std::size_t>(next - nodes.begin()) - 1;
   if (record.elapsed[node] == elapsed) {
     std::ranges::copy(record.state(node), state.begin());
+  } else if (record.sparse && !record.has_terms(node)) {
+    throw BadInput("ode::Solution::at: time " + vectrix::detail::text(t) +
+                   " is within a step whose dense output was not kept (Problem::dense_output)");
   } else {
     Interpolant(record, node).at(elapsed, state);
   }

@@ -8,7 +8,8 @@
 
 namespace vectrix::ode {
 
-/// Hermite polynomial around the interval [left, left + 1] of nodes, both in one segment, in Newton's form:
+/// The solution in the interval [left, left + 1] of nodes, both in one segment: the method's own interpolant
+/// if it was kept, else the Hermite polynomial around the interval, in Newton's form:
 ///     p(t) = sum_k f[z_0 … z_k] (t - z_0) … (t - z_{k-1}),   each node twice, nearest first.
 class Interpolant {
  public:
@@ -21,9 +22,11 @@ class Interpolant {
   static constexpr std::size_t max_nodes = 6;
   static constexpr std::size_t max_abscissas = 2 * max_nodes;
 
-  void choose_nodes(std::size_t left);
+  void choose_nodes();
+  void hermite(double elapsed, std::span<double> state) const;
 
   const Record& record_;
+  std::size_t left_;
   std::array<std::size_t, max_nodes> nodes_{};
   std::size_t node_count_ = 0;
   std::array<double, max_abscissas> abscissas_{};

@@ -6,8 +6,6 @@
 
 #include <vectrix/frames/errors.hpp>
 
-#include "check.hpp"
-
 namespace vectrix::ode {
 
 Rate::Rate(const Problem& problem)
@@ -50,7 +48,7 @@ void Rate::evaluate(double elapsed, std::span<const double> y, std::span<double>
   problem_.rhs(segment_start_, t, y, ydot);
   const auto wrong = std::ranges::find_if(ydot, [](double rate) { return !std::isfinite(rate); });
   if (wrong != ydot.end()) {
-    trouble_ = component(problem_, static_cast<std::size_t>(wrong - ydot.begin())) +
+    trouble_ = detail::component_name(problem_, static_cast<std::size_t>(wrong - ydot.begin())) +
                " of the right-hand side is " + vectrix::detail::text(*wrong) +
                " at t = " + vectrix::detail::text(t);
     return;

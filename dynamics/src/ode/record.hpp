@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
+#include <limits>
 #include <span>
 #include <utility>
 #include <vector>
@@ -30,6 +31,46 @@ struct Record {
   std::vector<Event> events;
   Statistics statistics;
 
+  /// The interpolants that the method made itself, `degree` terms for each component (see Stepper::terms),
+  /// and where those of the step after a node begin: no_terms if it made none, or there is no such step.
+  std::size_t degree = 0;
+  bool sparse = false;  ///< they were made only where they were needed
+  std::vector<double> terms;
+  std::vector<std::size_t> terms_begin;
+  static constexpr std::size_t no_terms = std::numeric_limits<std::size_t>::max();
+
+  [[nodiscard]] bool has_terms(std::size_t left) const { return terms_begin[left] != no_terms; }
+  [[nodiscard]] std::span<const double> terms_of(std::size_t left) const {
+    return {terms.data() + terms_begin[left], degree * dimension};
+  }
+  /// Room for the terms of the last step.
+  [[nodiscard]] std::span<double> add_terms() {
+    terms_begin[times.size() - 2] = terms.size();
+    terms.resize(terms.size() + degree * dimension);
+    return std::span(terms).last(degree * dimension);
+  }
+  /// Takes back add_terms(), if it was called for the last step.
+  void drop_terms() {
+    auto& begin = terms_begin[times.size() - 2];
+    if (begin == no_terms) return;
+    terms.resize(begin);
+    begin = no_terms;
+  }
+  /// Replaces the last node by one within the last step.
+  void shorten(double t, double since_segment, std::span<const double> y, std::span<const double> ydot) {
+    const std::size_t left = times.size() - 2;
+    const double part = (since_segment - elapsed[left]) / (elapsed[left + 1] - elapsed[left]);
+    if (has_terms(left)) {
+      double power = 1.0;
+      for (std::size_t i = 0; i < degree * dimension; ++i) {
+        if (i % dimension == 0) power *= part;
+        terms[terms_begin[left] + i] *= power;
+      }
+    }
+    pop();
+    push(t, since_segment, y, ydot);
+  }
+
   [[nodiscard]] std::span<const double> state(std::size_t node) const {
     return {states.data() + node * dimension, dimension};
   }
@@ -44,12 +85,14 @@ struct Record {
   void push(double t, double since_segment, std::span<const double> y, std::span<const double> ydot) {
     times.push_back(t);
     elapsed.push_back(since_segment);
+    terms_begin.push_back(no_terms);
     states.insert(states.end(), y.begin(), y.end());
     rates.insert(rates.end(), ydot.begin(), ydot.end());
   }
   void pop() {
     times.pop_back();
     elapsed.pop_back();
+    terms_begin.pop_back();
     states.resize(states.size() - dimension);
     rates.resize(rates.size() - dimension);
   }

@@ -5,12 +5,12 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <utility>
 
+#include <vectrix/dynamics/ode/stepper.hpp>
 #include <vectrix/frames/errors.hpp>
 
 #include "interpolant.hpp"
-#include "stepper.hpp"
-#include "trouble.hpp"
 
 namespace vectrix::ode {
 namespace {
@@ -20,12 +20,13 @@ bool narrow(double a, double b) {
   return std::abs(b - a) <= 2.0 * std::numeric_limits<double>::epsilon() * std::max(std::abs(a), std::abs(b));
 }
 
+constexpr std::size_t parts_of_a_step = 4;      // where a step has an interpolant of its own
 constexpr std::uintmax_t max_iterations = 200;  // bisection needs about 60 from a usual bracket
 
 }  // namespace
 
 RootFinder::RootFinder(const Problem& problem)
-    : problem_(problem), values_(problem.roots.size()), previous_values_(problem.roots.size()) {}
+    : problem_(problem), values_(problem.roots.size()), state_(problem.initial_state.size()) {}
 
 double RootFinder::value(std::size_t root, double t, std::span<const double> y) const {
   using vectrix::detail::text;
@@ -47,18 +48,33 @@ void RootFinder::start(double t, std::span<const double> y) {
 }
 
 bool RootFinder::advance(const Record& record) {
-  const std::size_t right = record.times.size() - 1;
+  const std::size_t left = record.times.size() - 2;
+  const double begin = record.elapsed[left], length = record.elapsed[left + 1] - begin;
+  const double start = record.times[record.segment_of(left).first];
+  const std::size_t parts = record.has_terms(left) && !values_.empty() ? parts_of_a_step : 1;
   previous_values_ = values_;
   previous_brackets_ = brackets_.size();
   bool stops = false;
+  double from = begin;
+  for (std::size_t part = 1; part < parts; ++part) {
+    const double to = begin + length * static_cast<double>(part) / static_cast<double>(parts);
+    Interpolant(record, left).at(to, state_);
+    stops = examine(left, from, to, start + to, state_) || stops;
+    from = to;
+  }
+  return examine(left, from, record.elapsed[left + 1], record.times[left + 1], record.state(left + 1)) ||
+         stops;
+}
+
+bool RootFinder::examine(std::size_t left, double from, double to, double t, std::span<const double> y) {
+  bool stops = false;
   for (std::size_t i = 0; i < values_.size(); ++i) {
-    values_[i] = value(i, record.times[right], record.state(right));
-    const double before = previous_values_[i];
+    const double before = std::exchange(values_[i], value(i, t, y));
     const Root& root = problem_.roots[i];
     const bool rising = before < 0.0 && values_[i] >= 0.0 && root.direction != Direction::falling;
     const bool falling = before > 0.0 && values_[i] <= 0.0 && root.direction != Direction::rising;
     if (!rising && !falling) continue;
-    brackets_.push_back({i, right - 1, before, values_[i]});
+    brackets_.push_back({i, left, from, to, before, values_[i]});
     stops = stops || root.stop;
   }
   return stops;
@@ -74,6 +90,7 @@ Event RootFinder::locate(const Record& record, const Bracket& bracket) const {
   const double latest = record.times[bracket.left + 1];
   Event event{bracket.root, problem_.roots[bracket.root].name, latest, std::vector<double>(record.dimension),
               bracket.left_value < 0.0 ? Direction::rising : Direction::falling};
+  double crossed = bracket.to;
   if (bracket.right_value != 0.0) {
     const Interpolant interpolant(record, bracket.left);
     const auto function = [&](double elapsed) {
@@ -81,10 +98,11 @@ Event RootFinder::locate(const Record& record, const Bracket& bracket) const {
       return value(bracket.root, start + elapsed, event.state);
     };
     std::uintmax_t iterations = max_iterations;
-    const double crossed = boost::math::tools::toms748_solve(
-                               function, record.elapsed[bracket.left], record.elapsed[bracket.left + 1],
-                               bracket.left_value, bracket.right_value, narrow, iterations)
-                               .second;
+    crossed = boost::math::tools::toms748_solve(function, bracket.from, bracket.to, bracket.left_value,
+                                                bracket.right_value, narrow, iterations)
+                  .second;
+  }
+  if (bracket.right_value != 0.0 || crossed < record.elapsed[bracket.left + 1]) {
     // The caller's time, rounded to the side of the new sign.
     double t = start + crossed;
     if (t - start < crossed) t = std::nextafter(t, std::numeric_limits<double>::infinity());

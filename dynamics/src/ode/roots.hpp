@@ -10,10 +10,10 @@
 
 namespace vectrix::ode {
 
-/// Finds the zeros of the problem's root functions. A change of sign between two nodes is kept as a bracket;
-/// it is located on the dense output when the nodes around it are known. SUNDIALS' own search uses ARKODE's
-/// cubic interpolant, far less accurate than its steps. A root function that throws or is not finite causes a
-/// Trouble.
+/// Finds the zeros of the problem's root functions. A change of sign between two nodes, or in a quarter of
+/// a step that has its own interpolant, is kept as a bracket; it is located on the dense output when the
+/// nodes around it are known. SUNDIALS' own search uses ARKODE's cubic interpolant, far less accurate than
+/// its steps. A root function that throws or is not finite causes a Trouble.
 class RootFinder {
  public:
   explicit RootFinder(const Problem& problem);
@@ -21,6 +21,8 @@ class RootFinder {
   void start(double t, std::span<const double> y);
   /// Examines the last step; true if it brackets a root with `stop`.
   bool advance(const Record& record);
+  /// True if the last step brackets a root.
+  [[nodiscard]] bool bracketed() const { return brackets_.size() > previous_brackets_; }
   /// Undoes the last advance.
   void retreat();
   /// Turns all brackets into events of the record, in order of time.
@@ -32,17 +34,22 @@ class RootFinder {
   struct Bracket {
     std::size_t root;
     std::size_t left;
+    double from;  ///< a part of the step, in time since the start of the segment
+    double to;
     double left_value;
     double right_value;
   };
 
   [[nodiscard]] double value(std::size_t root, double t, std::span<const double> y) const;
   [[nodiscard]] Event locate(const Record& record, const Bracket& bracket) const;
+  /// Looks for changes of sign in the part of a step that ends with y.
+  bool examine(std::size_t left, double from, double to, double t, std::span<const double> y);
   void sort(Record& record) const;
 
   const Problem& problem_;
   std::vector<double> values_;
   std::vector<double> previous_values_;
+  std::vector<double> state_;
   std::vector<Bracket> brackets_;
   std::size_t previous_brackets_ = 0;
 };

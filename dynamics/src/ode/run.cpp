@@ -5,6 +5,7 @@
 #include <iterator>
 #include <limits>
 #include <string>
+#include <utility>
 
 #include <vectrix/frames/errors.hpp>
 
@@ -16,25 +17,23 @@ namespace {
 
 using vectrix::detail::text;
 
-constexpr double steps_per_segment = 5.0;  // at least, so that a segment has the six nodes of dense output
-
-std::unique_ptr<Stepper> make_stepper(const Problem& problem, Rate& rate) {
-  const bool multistep = problem.method == Method::cvode_adams || problem.method == Method::cvode_bdf;
-  return multistep ? make_cvode_stepper(problem, rate) : make_arkode_stepper(problem, rate);
-}
+/// At least, so that a segment has the six nodes of dense output, if the method has no interpolant of its
+/// own.
+constexpr double steps_per_segment = 5.0;
 
 }  // namespace
 
-Run::Run(const Problem& problem)
+Run::Run(const Problem& problem, std::unique_ptr<Stepper> stepper)
     : problem_(problem),
-      rate_(problem),
-      stepper_(make_stepper(problem, rate_)),
+      stepper_(std::move(stepper)),
       roots_(problem),
       record_(std::make_shared<Record>()),
       state_(problem.initial_state),
       slope_(problem.initial_state.size()) {
   record_->dimension = problem.initial_state.size();
   record_->start = problem.start;
+  record_->degree = stepper_->degree();
+  record_->sparse = record_->degree > 0 && !problem.dense_output;
 }
 
 Solution Run::operator()() {
@@ -52,9 +51,8 @@ void Run::integrate() {
   segment_start_ = problem_.start;
   for (const double end : segment_ends()) {
     segment_end_ = end;
-    rate_.enter_segment(segment_start_, segment_end_);
+    stepper_->enter_segment(segment_start_, segment_end_);
     record_->segments.push_back(record_->times.size());
-    append(0.0, rate_(0.0, state_, slope_) ? 0 : flag::rhs_failed);
     integrate_segment();
     if (record_->stopped) return;
     roots_.resolve(*record_);
@@ -70,43 +68,57 @@ std::vector<double> Run::segment_ends() const {
   return ends;
 }
 
-/// If a step passes a stopping root, that step is repeated in at least five shorter steps. The root then has
-/// nodes of its own scale on both sides, and the rate is never evaluated beyond the end of the original step.
-/// All times count from the start of the segment.
+/// A stopping root is located on the method's own interpolant. Without one, the step that passes it is
+/// repeated in at least five shorter steps: the root then has nodes of its own scale on both sides. The rate
+/// is never evaluated beyond the end of the step that passes the root. All times count from the start of the
+/// segment.
 void Run::integrate_segment() {
+  const bool own_interpolant = record_->degree > 0;
   const double end = segment_end_ - segment_start_;
-  const double longest = std::min(problem_.maximum_step, end / steps_per_segment);
-  restart(0.0, end, longest);
+  const double longest =
+      own_interpolant ? problem_.maximum_step : std::min(problem_.maximum_step, end / steps_per_segment);
+  stepper_->restart(0.0, state_, end, longest);
+  stepper_->rate_at_restart(slope_);
+  record_->push(segment_start_, 0.0, state_, slope_);
   bool retaking = false;
   double target = end;
   while (true) {
     const double before = record_->elapsed.back();
     const double t = step();
-    append(t, stepper_->rate(t, slope_));
-    if (roots_.advance(*record_)) {
-      if (retaking) {
-        stop_at_first_stopping_event();
-        return;
-      }
+    stepper_->rate(slope_);
+    record_->push(time(t), t, state_, slope_);
+    if (own_interpolant) keep_terms();
+    const bool stops = roots_.advance(*record_);
+    if (!kept_for_good_ && !roots_.bracketed()) record_->drop_terms();
+    if (stops && (own_interpolant || retaking)) {
+      stop_at_first_stopping_event();
+      return;
+    }
+    if (stops) {
       roots_.retreat();
       record_->pop();
       std::ranges::copy(record_->state(record_->times.size() - 1), state_.begin());
       retaking = true;
       target = t;
-      restart(before, target, (target - before) / steps_per_segment);
+      stepper_->restart(before, state_, target, (target - before) / steps_per_segment);
     } else if (t == end) {
       return;
     } else if (t == target) {  // because of rounding, the zero is now later than this step
       retaking = false;
       target = end;
-      restart(t, target, longest);
+      stepper_->restart(t, state_, target, longest);
     }
   }
 }
 
-void Run::restart(double elapsed, double stop, double longest) {
-  const int flag = stepper_->restart(elapsed, state_, stop, longest);
-  if (flag < 0) raise(flag, time(elapsed));
+/// Records the method's interpolant for the last step, if anything asks for it; roots do for the time of the
+/// step alone. An interval of several steps has none: it is so short that no time lies within it.
+void Run::keep_terms() {
+  const double from = record_->times.end()[-2], to = record_->times.back();
+  const auto& outputs = problem_.output_times;
+  while (next_output_ < outputs.size() && outputs[next_output_] <= from) ++next_output_;
+  kept_for_good_ = problem_.dense_output || (next_output_ < outputs.size() && outputs[next_output_] < to);
+  if (parts_ == 1 && (kept_for_good_ || !problem_.roots.empty())) stepper_->terms(record_->add_terms());
 }
 
 /// The caller's time: exactly the end of the segment only there.
@@ -121,23 +133,16 @@ double Run::time(double elapsed) const {
 double Run::step() {
   const double before = record_->times.back();
   double t = record_->elapsed.back();
-  while (!(time(t) > before)) {
+  for (parts_ = 0; !(time(t) > before); ++parts_) {
     if (record_->statistics.steps >= problem_.max_steps) {
       throw Trouble{flag::too_many_steps, before, "max_steps = " + text(problem_.max_steps) + " reached",
                     nullptr};
     }
-    const int flag = stepper_->step(t);
-    if (flag < 0) raise(flag, before);
+    t = stepper_->step();
     ++record_->statistics.steps;
   }
   std::ranges::copy(stepper_->state(), state_.begin());
   return t;
-}
-
-/// Appends state_ and slope_ as a node. Raises the error if the slope could not be computed.
-void Run::append(double elapsed, int rate_flag) {
-  if (rate_flag < 0) raise(rate_flag, time(elapsed));
-  record_->push(time(elapsed), elapsed, state_, slope_);
 }
 
 void Run::stop_at_first_stopping_event() {
@@ -150,16 +155,16 @@ void Run::stop_at_first_stopping_event() {
   events.erase(std::ranges::upper_bound(events, stop, {}, &Event::time), events.end());
   if (stop < record_->times.back()) {
     state_ = events.back().state;
-    record_->pop();
     const double elapsed = stop - segment_start_;
-    append(elapsed, rate_(elapsed, state_, slope_) ? 0 : flag::rhs_failed);
+    stepper_->evaluate(elapsed, state_, slope_);
+    record_->shorten(time(elapsed), elapsed, state_, slope_);
   }
   record_->stopped = true;
 }
 
 void Run::fill_outputs() {
   auto& record = *record_;
-  record.statistics.rhs_evaluations = rate_.evaluations();
+  record.statistics.rhs_evaluations = stepper_->evaluations();
   record.statistics.error_test_failures = stepper_->error_test_failures();
   if (record.times.empty()) return;
   const auto reached = std::ranges::upper_bound(problem_.output_times, record.times.back());
@@ -169,15 +174,6 @@ void Run::fill_outputs() {
     interpolate(record, record.output_times[i],
                 std::span(record.outputs).subspan(i * record.dimension, record.dimension));
   }
-}
-
-/// An error of the right-hand side says more than the SUNDIALS flag that follows from it.
-void Run::raise(int flag, double t) const {
-  if (rate_.cause())
-    throw Trouble{flag::rhs_failed, rate_.trouble_time(), "the right-hand side threw", rate_.cause()};
-  if (!rate_.trouble().empty())
-    throw Trouble{flag::rhs_failed, rate_.trouble_time(), rate_.trouble(), nullptr};
-  throw Trouble{flag, t, stepper_->message(), nullptr};
 }
 
 void Run::fail(const Trouble& trouble) {

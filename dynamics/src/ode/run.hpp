@@ -6,41 +6,39 @@
 #include <vector>
 
 #include <vectrix/dynamics/ode/solve.hpp>
+#include <vectrix/dynamics/ode/stepper.hpp>
 
-#include "rate.hpp"
 #include "record.hpp"
 #include "roots.hpp"
-#include "stepper.hpp"
-#include "trouble.hpp"
 
 namespace vectrix::ode {
 
-/// One call of solve().
+/// One call of solve(): the loop over segments and steps, for all steppers.
 class Run {
  public:
-  explicit Run(const Problem& problem);
+  Run(const Problem& problem, std::unique_ptr<Stepper> stepper);
   Solution operator()();
 
  private:
   void integrate();
   [[nodiscard]] std::vector<double> segment_ends() const;
   void integrate_segment();
-  void restart(double elapsed, double stop, double longest);
   double step();
   [[nodiscard]] double time(double elapsed) const;
-  void append(double elapsed, int rate_flag);
+  void keep_terms();
   void stop_at_first_stopping_event();
   void fill_outputs();
-  [[noreturn]] void raise(int flag, double t) const;
   [[noreturn]] void fail(const Trouble& trouble);
 
   const Problem& problem_;
-  Rate rate_;
   std::unique_ptr<Stepper> stepper_;
   RootFinder roots_;
   std::shared_ptr<Record> record_;
   double segment_start_ = 0.0;
   double segment_end_ = 0.0;
+  std::size_t next_output_ = 0;
+  bool kept_for_good_ = true;  ///< the interpolant of the last step
+  std::size_t parts_ = 0;      ///< steps of the stepper in the last interval between nodes
   std::vector<double> state_;  ///< of the node being appended
   std::vector<double> slope_;
 };

@@ -20,6 +20,8 @@ double gathered(Method method) {
     case Method::arkode_dormand_prince_5:
       return 3e3;
     case Method::arkode_fehlberg_8:
+    case Method::verner_9:
+    case Method::verner_7:
       return 1e3;
   }
   return 0.0;

@@ -17,8 +17,12 @@ namespace vectrix::ode::test {
 
 using State = std::span<const double>;
 
-inline const std::vector<Method> methods = {Method::cvode_adams, Method::cvode_bdf,
-                                            Method::arkode_dormand_prince_5, Method::arkode_fehlberg_8};
+inline const std::vector<Method> methods = {
+    Method::cvode_adams,       Method::cvode_bdf, Method::arkode_dormand_prince_5,
+    Method::arkode_fehlberg_8, Method::verner_9,  Method::verner_7};
+
+/// Methods of this library, whose dense output is their own.
+inline const std::vector<Method> own_methods = {Method::verner_9, Method::verner_7};
 
 inline std::string name(const testing::TestParamInfo<Method>& info) {
   switch (info.param) {
@@ -30,6 +34,10 @@ inline std::string name(const testing::TestParamInfo<Method>& info) {
       return "dormand_prince_5";
     case Method::arkode_fehlberg_8:
       return "fehlberg_8";
+    case Method::verner_9:
+      return "verner_9";
+    case Method::verner_7:
+      return "verner_7";
   }
   return "unknown";
 }

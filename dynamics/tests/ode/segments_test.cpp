@@ -67,6 +67,7 @@ TEST_P(OdeSegments, breakpoint_is_a_node_of_both_segments) {
 }
 
 TEST_P(OdeSegments, every_segment_has_the_nodes_of_dense_output) {
+  if (std::ranges::count(own_methods, GetParam()) > 0) GTEST_SKIP() << "one step has its own interpolant";
   const Solution solution = solve(pulsed(GetParam()));
   for (std::size_t segment = 0; segment < 3; ++segment) {
     EXPECT_GE(solution.segment_begin(segment + 1) - solution.segment_begin(segment), 6U);

@@ -13,9 +13,9 @@ namespace vectrix::ode {
 /// Direction in which a root function crosses zero as time increases.
 enum class Direction { rising, falling, any };
 
-/// One accepted step: time, state and rate. With the ARKODE methods the rate is f(t, y). With the CVODE
-/// methods it is the slope of the integrator's polynomial, which equals f(t, y) within the tolerance (at the
-/// start of a segment it is f(t, y)). The spans are valid as long as any copy of the solution exists.
+/// One accepted step: time, state and rate. The rate is f(t, y), except with the CVODE methods. There it is
+/// the slope of the integrator's polynomial, which equals f(t, y) within the tolerance (at the start of a
+/// segment it is f(t, y)). The spans are valid as long as any copy of the solution exists.
 struct Node {
   double t;
   std::span<const double> y;
@@ -72,10 +72,11 @@ class VECTRIX_EXPORT Solution {
   [[nodiscard]] std::vector<Event> events() &&;
   [[nodiscard]] Statistics statistics() const;
 
-  /// State at any time in [start, end]: the Hermite polynomial through (y, ydot) of up to six nodes around t
-  /// within its smooth segment (degree 11 or less). A node is reached at a time that need not be a double; at
-  /// the node's rounded time this is the state at the rounded time. Throws BadInput if t is outside
-  /// [start, end] or not a number.
+  /// State at any time in [start, end]. Verner's methods have interpolants of their own order. Else this is
+  /// the Hermite polynomial through (y, ydot) of up to six nodes around t within its smooth segment (degree
+  /// 11 or less). A node is reached at a time that need not be a double; at the node's rounded time this is
+  /// the state at the rounded time. Throws BadInput if t is outside [start, end] or not a number, or if the
+  /// dense output there was not kept (Problem::dense_output).
   [[nodiscard]] std::vector<double> at(double t) const;
   void at(double t, std::span<double> state) const;
 

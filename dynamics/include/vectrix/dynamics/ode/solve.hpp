@@ -10,14 +10,25 @@
 #include <vector>
 
 #include <vectrix/dynamics/ode/solution.hpp>
+#include <vectrix/frames/errors.hpp>
 #include <vectrix/frames/export.hpp>
 
 namespace vectrix::ode {
 
-/// Integration methods. Adams and BDF have variable order (up to 12 and 5); BDF is for stiff problems. The
-/// error estimate of Fehlberg 7(8) cannot detect a rate that depends on time alone (a quadrature): for such a
-/// problem, set `maximum_step` or choose another method.
-enum class Method { cvode_adams, cvode_bdf, arkode_dormand_prince_5, arkode_fehlberg_8 };
+/// Integration methods. Verner's Runge-Kutta pairs are of this library; the others are of SUNDIALS.
+///
+/// | method | order | dense output | for |
+/// | --- | --- | --- | --- |
+/// | `verner_9` | 9 | of order 9, 9 evaluations a step | smooth problems, long segments |
+/// | `verner_7` | 7 | of order 7, 5 evaluations a step | segments of few steps: a controller |
+/// | `arkode_dormand_prince_5`, `arkode_fehlberg_8` | 5, 8 | through six nodes | comparison |
+/// | `cvode_adams` | up to 12 | through six nodes | rates that are costly to evaluate |
+/// | `cvode_bdf` | up to 5 | through six nodes | stiff problems |
+///
+/// A segment of Verner's methods may be one step; the others take at least five. The error estimate of
+/// Fehlberg 7(8) cannot detect a rate that depends on time alone (a quadrature): for such a problem, set
+/// `maximum_step` or choose another method. The same tolerances give another error with another method.
+enum class Method { cvode_adams, cvode_bdf, arkode_dormand_prince_5, arkode_fehlberg_8, verner_9, verner_7 };
 
 /// ydot = f(t, y) in the smooth segment that begins at `segment_start`. A function that switches at a
 /// breakpoint must decide by segment_start alone: t equals the breakpoint at the end of one segment and also
@@ -26,9 +37,9 @@ using RightHandSide =
     std::function<void(double segment_start, double t, std::span<const double> y, std::span<double> ydot)>;
 
 /// A function of time and state whose zeros are found and reported. A zero is found where the function
-/// changes sign, or becomes 0, from one step to the next. Two zeros within one step are not found; set
-/// `maximum_step` to prevent this. A value of 0 at the start is not an event. With `stop` the solution ends
-/// at the first zero.
+/// changes sign, or becomes 0, from one step to the next, or within a quarter of a step of Verner's methods.
+/// Two zeros in between are not found; set `maximum_step` to prevent this. A value of 0 at the start is not
+/// an event. With `stop` the solution ends at the first zero.
 struct Root {
   std::string name;
   std::function<double(double t, std::span<const double> y)> function;
@@ -51,9 +62,22 @@ struct Problem {
   Method method = Method::cvode_adams;
   std::size_t max_steps = 10'000'000;
   double maximum_step = std::numeric_limits<double>::infinity();
+  /// False: Verner's methods make their dense output, which costs evaluations and memory, only where it is
+  /// needed: for the output times and the roots. Solution::at refuses times within other steps.
+  bool dense_output = true;
   std::string caller = "ode::solve";         ///< name of the calling function, for messages
   std::vector<std::string> component_names;  ///< for messages: empty, or one for each component
 };
+
+namespace detail {
+
+/// Name of a component of the state, for messages.
+inline std::string component_name(const Problem& problem, std::size_t i) {
+  return problem.component_names.empty() ? "component " + vectrix::detail::text(i)
+                                         : problem.component_names.at(i);
+}
+
+}  // namespace detail
 
 /// A run that could not be finished. `solution()` holds everything computed until then. If the right-hand
 /// side or a root function threw, the failure also derives from std::nested_exception and holds that
@@ -64,7 +88,8 @@ class VECTRIX_EXPORT Failure : public std::runtime_error {
 
   [[nodiscard]] double time() const { return time_; }       ///< time of the failure
   [[nodiscard]] std::size_t step() const { return step_; }  ///< accepted steps before it
-  [[nodiscard]] int flag() const { return flag_; }          ///< SUNDIALS' return flag; the text has its name
+  /// SUNDIALS' return flag, which the other methods use in the same meaning; the text has its name.
+  [[nodiscard]] int flag() const { return flag_; }
   [[nodiscard]] const Solution& solution() const { return solution_; }
 
  private:
@@ -74,10 +99,9 @@ class VECTRIX_EXPORT Failure : public std::runtime_error {
   Solution solution_;
 };
 
-/// Solves the problem from start to end, or to the first zero of a root with `stop`. Every smooth segment
-/// takes at least five steps, so that dense output has six nodes. Throws BadInput if the problem is not well
-/// posed, Failure if it cannot be finished. Separate calls may run in separate threads. The functions of the
-/// problem are called in the caller's thread.
+/// Solves the problem from start to end, or to the first zero of a root with `stop`. Throws BadInput if the
+/// problem is not well posed, Failure if it cannot be finished. Separate calls may run in separate threads.
+/// The functions of the problem are called in the caller's thread.
 VECTRIX_EXPORT Solution solve(const Problem& problem);
 
 }  // namespace vectrix::ode

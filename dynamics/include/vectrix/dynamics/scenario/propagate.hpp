@@ -29,16 +29,19 @@ template <InertialFrame I, Frame B> struct Root {
 /// How a scenario is propagated, from its initial time to `end`. A torque that depends on time and is not
 /// piecewise constant needs a `maximum_step` shorter than the time in which it changes. Otherwise a step may
 /// skip a short burst, and the error estimate of Fehlberg 7(8) cannot detect a rate that depends on time
-/// alone. Roots with two zeros close together need it too.
+/// alone. Roots with two zeros close together need it too. See ode::Method for what each method is for; the
+/// same tolerances give another error with another method.
 template <InertialFrame I, Frame B> struct Propagation {
   Quantity<si::time> end;
-  ode::Method method = ode::Method::arkode_fehlberg_8;
+  ode::Method method = ode::Method::verner_9;
   AttitudeState attitude = AttitudeState::quaternion;
   Tolerances tolerances = {};
   std::vector<Quantity<si::time>> output_times{detail::no_list<Quantity<si::time>>()};
   std::vector<Root<I, B>> roots{detail::no_list<Root<I, B>>()};
   std::size_t max_steps = 10'000'000;
   Quantity<si::time> maximum_step = std::numeric_limits<double>::infinity() * si::second;
+  bool dense_output =
+      true;  ///< as ode::Problem::dense_output: false leaves Trajectory::at the nodes and outputs
 };
 
 /// A propagation that could not be finished: time, step and flag of the solver, and the trajectory until
@@ -109,7 +112,7 @@ template <class I, class B> std::vector<double> breakpoints(const Scenario<I, B>
 
 }  // namespace detail
 
-/// Integrates q_b^i (or R_b^i), w_ib^b and the orbit by SUNDIALS:
+/// Integrates q_b^i (or R_b^i), w_ib^b and the orbit:
 ///     d/dt q_b^i = 1/2 q_b^i (0, w_ib^b)   or   d/dt R_b^i = R_b^i [w_ib^b]x
 ///     J_b d/dt w_ib^b = tau^b - w_ib^b x (J_b w_ib^b),   d^2/dt^2 r^i = - mu r^i / |r|^3
 /// Steps end where a pulse begins or ends. Throws BadInput for an invalid scenario, tolerance or time, and
@@ -131,6 +134,7 @@ Trajectory<I, B> propagate(const Scenario<I, B>& scenario, const Propagation<I, 
   problem.method = how.method;
   problem.max_steps = how.max_steps;
   problem.maximum_step = how.maximum_step.value();
+  problem.dense_output = how.dense_output;
   problem.caller = "propagate";
   problem.component_names = layout.names();
   problem.rhs = [&, duration = problem.end - problem.start](

@@ -1,0 +1,369 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <concepts>
+#include <cstddef>
+#include <limits>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <vectrix/dynamics/ode/solution.hpp>
+#include <vectrix/frames/errors.hpp>
+
+namespace vectrix::ode {
+
+/// What a step of an integrator came to: a step towards `until`, the step that reaches it, or a failure that
+/// leaves the state as it was. `too_short`: the error stays too large with the shortest step that changes the
+/// time. `not_finite`: a rate is infinite or not a number.
+enum class Advance { stepped, reached, too_short, not_finite };
+
+/// A right-hand side of N components, ydot = f(t, y). N may be std::dynamic_extent.
+template <class F, std::size_t N>
+concept Rates = std::invocable<F&, double, std::span<const double, N>, std::span<double, N>>;
+
+namespace detail {
+
+/// The numbers of a state. A fixed odd size gets one more number, always 0, so that two fit one register.
+template <std::size_t N> class Numbers {
+ public:
+  explicit Numbers(std::size_t) {}
+  static constexpr std::size_t width() { return N + N % 2; }
+  double* data() { return values_.data(); }
+  const double* data() const { return values_.data(); }
+  double& operator[](std::size_t i) { return values_[i]; }
+  double operator[](std::size_t i) const { return values_[i]; }
+
+ private:
+  alignas(16) std::array<double, N + N % 2> values_{};
+};
+
+template <> class Numbers<std::dynamic_extent> {
+ public:
+  explicit Numbers(std::size_t size) : values_(size) {}
+  std::size_t width() const { return values_.size(); }
+  double* data() { return values_.data(); }
+  const double* data() const { return values_.data(); }
+  double& operator[](std::size_t i) { return values_[i]; }
+  double operator[](std::size_t i) const { return values_[i]; }
+
+ private:
+  std::vector<double> values_;
+};
+
+}  // namespace detail
+
+/// One step after another of an embedded explicit Runge-Kutta pair, with the right-hand side inlined. A step
+/// is accepted if the estimated error of each component is at most relative * |y| + absolute.
+///
+///     RungeKutta<Verner9, 7, F> method(f, 1e-10, absolute);
+///     method.start(t, y);
+///     while (method.step(until) == Advance::stepped) {}
+///
+/// The step to `until` is shortened to end there, never lengthened, and the length before that is remembered:
+/// start(t, y, method.next_step()) carries it over a discontinuity. Allocates nothing if N is fixed. An
+/// exception of the right-hand side passes through. Times are counted from
+/// the start, with the rounding error of their sum. Throws BadInput for tolerances, times and lengths that
+/// are not finite or have the wrong sign.
+template <class Table, std::size_t N, Rates<N> F> class RungeKutta {
+ public:
+  using State = std::span<const double, N>;
+  static constexpr std::size_t degree = Table::degree;
+
+  RungeKutta(F rates, double relative_tolerance, State absolute_tolerances)
+      : rates_(std::move(rates)),
+        size_(absolute_tolerances.size()),
+        relative_(relative_tolerance),
+        absolute_(size_),
+        y_(size_),
+        before_(size_),
+        stage_(size_),
+        k_(make_stages(size_, std::make_index_sequence<Table::all_stages>{})) {
+    require(relative_ >= 0.0 && std::isfinite(relative_), "a relative tolerance of", relative_);
+    for (std::size_t c = 0; c < absolute_.width(); ++c)
+      absolute_[c] = c < size_ ? absolute_tolerances[c] : 1.0;
+    for (std::size_t c = 0; c < size_; ++c)
+      require(absolute_[c] > 0.0 && std::isfinite(absolute_[c]), "an absolute tolerance of", absolute_[c]);
+  }
+
+  /// Begins at (t, y), without a memory of earlier rates. The length of the first step is chosen, unless
+  /// given.
+  void start(double t, State y, double first_step = 0.0) {
+    require(std::isfinite(t), "a start at", t);
+    require(y.size() == size_, "a state whose size is not that of the tolerances but", y.size());
+    for (const double number : y) require(std::isfinite(number), "a state with", number);
+    require(first_step >= 0.0, "a first step of", first_step);
+    std::copy(y.begin(), y.end(), y_.data());
+    origin_ = t;
+    until_ = std::numeric_limits<double>::infinity();
+    elapsed_ = rest_ = 0.0;
+    step_ = 0.0;
+    next_step_ = first_step;
+    rate_known_ = dense_ = false;
+  }
+
+  /// One accepted step, at most to `until` and at most as long as `longest`.
+  Advance step(double until, double longest = std::numeric_limits<double>::infinity()) {
+    const double remaining = (until - origin_) - elapsed_ - rest_;
+    require(remaining > 0.0 && std::isfinite(until), "a step from where it stands to", until);
+    require(longest > 0.0, "a longest step of", longest);
+    until_ = until;
+    step_ = 0.0;
+    const double rounding = 16.0 * epsilon * (elapsed_ + remaining);
+    find_rate();
+    k_[0] = k_[Table::stages];
+    if (!(next_step_ > 0.0)) next_step_ = first_step(std::min(remaining, longest));
+    bool rejected = false;
+    while (true) {
+      double h = std::min(next_step_, longest);
+      const bool last = h >= remaining - rounding;
+      if (last) h = remaining;
+      if (!last && !(h > 4.0 * epsilon * elapsed_)) return Advance::too_short;
+      const double error = attempt(h);
+      if (!std::isfinite(error)) return Advance::not_finite;
+      const double factor = safety * std::pow(error, -1.0 / (Table::error_order + 1));
+      if (error > 1.0) {
+        next_step_ = h * std::max(factor, least_factor);
+        rejected = true;
+        ++rejections_;
+        continue;
+      }
+      const double proposed = h * (rejected ? std::min(factor, 1.0) : std::min(factor, largest_factor));
+      next_step_ = last && !rejected ? std::max(next_step_, proposed) : proposed;
+      accept(h, last);
+      return last ? Advance::reached : Advance::stepped;
+    }
+  }
+
+  [[nodiscard]] double time() const { return time_of(0.0); }
+  [[nodiscard]] State state() const { return State(y_.data(), size_); }
+  /// The rate at the end of the step; the next step needs it too.
+  [[nodiscard]] State rate() {
+    find_rate();
+    return State(k_[Table::stages].data(), size_);
+  }
+  [[nodiscard]] Node node() { return {time(), state(), rate()}; }
+  /// Length the next step would have if no end were near.
+  [[nodiscard]] double next_step() const { return next_step_; }
+  [[nodiscard]] F& rates() { return rates_; }
+  [[nodiscard]] const F& rates() const { return rates_; }
+  [[nodiscard]] std::size_t rejections() const { return rejections_; }
+  /// The component with the largest error in the last attempt, in units of its tolerance.
+  [[nodiscard]] std::size_t worst_component() const { return worst_; }
+
+  /// The state at a time within the last step: an interpolant of the order of the method. The first call
+  /// after a step evaluates the stages it needs. Throws BadInput outside that step, and after a failed one.
+  void interpolate(double t, std::span<double, N> y) {
+    const double theta = 1.0 + ((t - origin_) - elapsed_ - rest_) / step_;
+    const double slack = 4.0 * epsilon * (1.0 + std::abs(t) / step_);
+    require(step_ > 0.0 && theta >= -slack && theta <= 1.0 + slack, "a state outside the last step, at", t);
+    polynomial();
+    for (std::size_t c = 0; c < size_; ++c) {
+      double sum = 0.0;
+      for (std::size_t p = degree; p-- > 0;) sum = theta * (sum + terms_[p][c]);
+      y[c] = before_[c] + sum;
+    }
+  }
+
+  /// The same interpolant as numbers, term p of component c at [(p - 1) * N + c]:
+  ///     y(t) = y_before + sum_p term_p theta^p,  theta = (t - t_before) / step,  p = 1 to `degree`.
+  void terms(std::span<double> terms) {
+    polynomial();
+    for (std::size_t p = 0; p < degree; ++p)
+      std::copy(terms_[p].data(), terms_[p].data() + size_, terms.data() + p * size_);
+  }
+
+ private:
+  template <class Number> static void require(bool condition, const char* what, const Number& number) {
+    if (!condition) [[unlikely]] {
+      throw BadInput(std::string("ode::RungeKutta: ") + what + " " + vectrix::detail::text(number) +
+                     " is not possible");
+    }
+  }
+
+  static constexpr double epsilon = std::numeric_limits<double>::epsilon();
+  static constexpr double safety = 0.8;  // with 0.9 a fifth of the steps of a tumbling body are rejected
+  static constexpr double least_factor = 0.1;
+  static constexpr double largest_factor = 5.0;
+  using Numbers = detail::Numbers<N>;
+  using Stages = std::array<Numbers, Table::all_stages>;
+
+  template <std::size_t... I> static Stages make_stages(std::size_t size, std::index_sequence<I...>) {
+    return {((void)I, Numbers(size))...};
+  }
+
+  [[nodiscard]] double time_of(double since) const {
+    return std::min(origin_ + (elapsed_ + (rest_ + since)), until_);
+  }
+
+  void evaluate(double t, const Numbers& y, Numbers& ydot) {
+    rates_(t, State(y.data(), size_), std::span<double, N>(ydot.data(), size_));
+  }
+
+  void find_rate() {
+    if (rate_known_) return;
+    evaluate(time(), y_, k_[Table::stages]);
+    rate_known_ = true;
+  }
+
+  template <std::size_t I, std::size_t J> [[gnu::always_inline]] void add(double& sum, std::size_t c) const {
+    if constexpr (Table::a[I][J] != 0.0) sum += Table::a[I][J] * k_[J][c];
+  }
+  template <std::size_t I, std::size_t... J>
+  [[gnu::always_inline]] void evaluate_stage(const Numbers& from, double t, double h,
+                                             std::index_sequence<J...>) {
+    for (std::size_t c = 0; c < from.width(); ++c) {
+      double sum = 0.0;
+      (add<I, J>(sum, c), ...);
+      stage_[c] = from[c] + h * sum;
+    }
+    evaluate(std::min(t + Table::c[I] * h, until_), stage_, k_[I]);
+  }
+  template <std::size_t First, std::size_t... I>
+  [[gnu::always_inline]] void evaluate_stages(const Numbers& from, double t, double h,
+                                              std::index_sequence<I...>) {
+    (evaluate_stage<First + I>(from, t, h, std::make_index_sequence<First + I>{}), ...);
+  }
+
+  template <std::size_t J>
+  [[gnu::always_inline]] void weigh(double& sum, double& error, std::size_t c) const {
+    if constexpr (Table::b[J] != 0.0) sum += Table::b[J] * k_[J][c];
+    if constexpr (Table::e[J] != 0.0) error += Table::e[J] * k_[J][c];
+  }
+  /// Leaves the new state in stage_; returns the largest error of a component, in units of its tolerance.
+  template <std::size_t... J>
+  [[gnu::always_inline]] double weigh_stages(double h, std::index_sequence<J...>) {
+    Numbers errors(size_);
+    for (std::size_t c = 0; c < y_.width(); ++c) {
+      double sum = 0.0, error = 0.0;
+      (weigh<J>(sum, error, c), ...);
+      stage_[c] = y_[c] + h * sum;
+      const double size = std::max(std::abs(y_[c]), std::abs(stage_[c]));
+      errors[c] = std::abs(h * error) / (absolute_[c] + relative_ * size) + 0.0 * size;  // NaN if y overflows
+    }
+    double largest = 0.0;
+    for (std::size_t c = 0; c < size_; ++c) {
+      if (errors[c] <= largest) continue;
+      largest = errors[c];  // not a number stays
+      worst_ = c;
+      if (!(largest < std::numeric_limits<double>::infinity())) break;
+    }
+    return largest;
+  }
+
+  double attempt(double h) {
+    evaluate_stages<1>(y_, time(), h, std::make_index_sequence<Table::stages - 1>{});
+    return weigh_stages(h, std::make_index_sequence<Table::stages>{});
+  }
+
+  void accept(double h, bool last) {
+    std::swap(before_, y_);
+    std::swap(y_, stage_);
+    step_ = h;
+    if (last) {
+      elapsed_ = until_ - origin_;
+      rest_ = 0.0;
+    } else {  // elapsed + rest += h, without a rounding error
+      const double sum = elapsed_ + h;
+      const double part = sum - elapsed_;
+      rest_ += (elapsed_ - (sum - part)) + (h - part);
+      elapsed_ = sum;
+    }
+    rate_known_ = dense_ = false;
+  }
+
+  /// A length whose error is near the tolerance, if the rates keep the ratio of their first change, |d f| /
+  /// |f|, in all their derivatives. After E. Hairer, S. P. Norsett, G. Wanner, Solving Ordinary Differential
+  /// Equations I.
+  double first_step(double longest) {
+    constexpr double cautious = 0.01;
+    const Numbers& rate = k_[0];
+    double state_size = 0.0, rate_size = 0.0, change = 0.0;
+    const auto scale = [&](std::size_t c) { return absolute_[c] + relative_ * std::abs(y_[c]); };
+    for (std::size_t c = 0; c < size_; ++c) {
+      state_size = std::max(state_size, std::abs(y_[c]) / scale(c));
+      rate_size = std::max(rate_size, std::abs(rate[c]) / scale(c));
+    }
+    if (!(rate_size > 0.0)) return cautious * longest;
+    const double trial = std::min(longest, cautious * std::max(state_size, 1.0) / rate_size);
+    for (std::size_t c = 0; c < y_.width(); ++c) stage_[c] = y_[c] + trial * rate[c];
+    evaluate(std::min(time() + trial, until_), stage_, k_[1]);
+    for (std::size_t c = 0; c < size_; ++c)
+      change = std::max(change, std::abs(k_[1][c] - rate[c]) / scale(c));
+    const double frequency = change / (trial * rate_size);
+    if (!(frequency > 0.0)) return std::min(longest, trial / cautious);
+    // rate_size frequency^(order - 1) h^order = 1
+    const double h = std::pow(frequency / rate_size, 1.0 / Table::order) / frequency;
+    return std::min({longest, h, trial / cautious});
+  }
+
+  struct Cubic {
+    double first, second, third;
+    [[nodiscard]] double slope(double theta) const {
+      return first + theta * (2.0 * second + theta * (3.0 * third));
+    }
+  };
+  using Higher = std::array<double, degree - 1>;  ///< the terms of theta^2 to theta^degree, of one component
+  template <std::size_t J, std::size_t... P>
+  [[gnu::always_inline]] static void add_weighted(Higher& sum, double defect, std::index_sequence<P...>) {
+    ((sum[P] += Table::r[J][P] * defect), ...);
+  }
+  template <std::size_t J>
+  [[gnu::always_inline]] void add_defect(Higher& sum, const Cubic& cubic, std::size_t c) const {
+    if constexpr (Table::r[J][0] != 0.0) {
+      const double defect = step_ * k_[J][c] - cubic.slope(Table::c[J]);
+      add_weighted<J>(sum, defect, std::make_index_sequence<degree - 1>{});
+    }
+  }
+  /// The weights r are large and cancel. They reproduce a cubic exactly, therefore they are applied to what
+  /// the cubic through both ends and their rates leaves: that is small, and 0 at the ends.
+  template <std::size_t... J> void fill_terms(std::index_sequence<J...>) {
+    for (std::size_t c = 0; c < size_; ++c) {
+      const double first = step_ * k_[0][c], last = step_ * k_[Table::stages][c], gain = y_[c] - before_[c];
+      const Cubic cubic{first, 3.0 * gain - (2.0 * first + last), first + last - 2.0 * gain};
+      Higher sum{cubic.second, cubic.third};
+      (add_defect<J>(sum, cubic, c), ...);
+      terms_[0][c] = first;
+      for (std::size_t p = 0; p < sum.size(); ++p) terms_[p + 1][c] = sum[p];
+    }
+  }
+  void polynomial() {
+    if (dense_) return;
+    find_rate();
+    const double begin = time_of(-step_);
+    evaluate_stages<Table::stages + 1>(before_, begin, step_,
+                                       std::make_index_sequence<Table::all_stages - Table::stages - 1>{});
+    fill_terms(std::make_index_sequence<Table::all_stages>{});
+    dense_ = true;
+  }
+
+  template <std::size_t... P>
+  static std::array<Numbers, degree> make_terms(std::size_t size, std::index_sequence<P...>) {
+    return {((void)P, Numbers(size))...};
+  }
+
+  F rates_;
+  std::size_t size_;
+  double relative_;
+  Numbers absolute_;
+  Numbers y_;
+  Numbers before_;  ///< at the start of the last step
+  Numbers stage_;
+  Stages k_;
+  std::array<Numbers, degree> terms_ = make_terms(size_, std::make_index_sequence<degree>{});
+  double origin_ = 0.0;
+  double until_ = 0.0;
+  double elapsed_ = 0.0;  ///< from the origin to y_
+  double rest_ = 0.0;     ///< rounding error of elapsed_
+  double step_ = 0.0;     ///< the last accepted one
+  double next_step_ = 0.0;
+  std::size_t rejections_ = 0;
+  std::size_t worst_ = 0;
+  bool rate_known_ = false;  ///< k_[stages] is the rate at y_
+  bool dense_ = false;       ///< terms_ are those of the last step
+};
+
+}  // namespace vectrix::ode

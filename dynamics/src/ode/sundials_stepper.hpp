@@ -1,0 +1,72 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <string>
+
+#include <sundials/sundials_nvector.h>
+#include <vectrix/dynamics/ode/solve.hpp>
+#include <vectrix/dynamics/ode/stepper.hpp>
+
+#include "rate.hpp"
+
+namespace vectrix::ode {
+
+/// A SUNDIALS integrator in one-step mode.
+///
+/// SUNDIALS adds up the steps without compensation, so that rounding errors accumulate in its clock: 1e-10 s
+/// in a thousand seconds of small steps, more than the error of the states. This class starts the clock at 0
+/// at each restart. It keeps the same sum with compensation, and corrects all times given to and taken from
+/// SUNDIALS.
+class SundialsStepper : public Stepper {
+ public:
+  void enter_segment(double start, double end) override { rate_.enter_segment(start, end); }
+  void evaluate(double elapsed, std::span<const double> y, std::span<double> ydot) override;
+  void restart(double elapsed, std::span<const double> y, double stop, double longest) override;
+  void rate_at_restart(std::span<double> ydot) override { evaluate(reached_, state(), ydot); }
+  double step() override;
+  void rate(std::span<double> ydot) override;
+  [[nodiscard]] std::size_t degree() const override { return 0; }
+  void terms(std::span<double>) override {}
+  [[nodiscard]] std::size_t evaluations() const override { return rate_.evaluations(); }
+  [[nodiscard]] std::size_t error_test_failures() const override {
+    return failures_before_ + failures_since_restart();
+  }
+
+ protected:
+  explicit SundialsStepper(const Problem& problem) : rate_(problem) {}
+
+  virtual int reinitialize(std::span<const double> y, double longest) = 0;
+  virtual int set_stop(double clock) = 0;
+  /// One step towards the stop: sets the new clock time and the length of the step.
+  virtual int advance(double& clock, double& length) = 0;
+  [[nodiscard]] virtual std::size_t failures_since_restart() const = 0;
+
+  /// SUNDIALS' callback: the user data is the SundialsStepper.
+  static int call_rate(double clock, N_Vector y, N_Vector ydot, void* stepper);
+
+  /// Throws for a negative flag. An error of the right-hand side says more than the flag that follows from
+  /// it.
+  void require(int flag) const;
+
+  Rate rate_;
+  double clock_ = 0.0;   ///< SUNDIALS' time, 0 at the last restart
+  std::string message_;  ///< the last error text of SUNDIALS
+
+ private:
+  [[nodiscard]] double time(double clock) const { return origin_ + (clock + clock_error_); }
+
+  double origin_ = 0.0;
+  double stop_ = 0.0;
+  double reached_ = 0.0;       ///< time of the last step
+  double elapsed_ = 0.0;       ///< sum of the steps since the origin
+  double elapsed_rest_ = 0.0;  ///< rounding error of elapsed_
+  double clock_error_ = 0.0;   ///< compensated sum minus clock_
+  std::size_t failures_before_ = 0;
+};
+
+std::unique_ptr<Stepper> make_cvode_stepper(const Problem& problem);
+std::unique_ptr<Stepper> make_arkode_stepper(const Problem& problem);
+
+}  // namespace vectrix::ode

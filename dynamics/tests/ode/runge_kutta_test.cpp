@@ -1,0 +1,408 @@
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include <vectrix/dynamics/ode/inlined.hpp>
+#include <vectrix/frames/errors.hpp>
+
+#include "problems.hpp"
+
+// The inlined integrators, alone and in solve<N>().
+namespace vectrix::ode::test::runge_kutta_test {
+namespace {
+
+template <class Table> class InlinedRungeKutta : public testing::Test {};
+using Tables = testing::Types<Verner9, Verner7>;
+TYPED_TEST_SUITE(InlinedRungeKutta, Tables);
+
+constexpr double accepts_all = 1e9;
+
+/// Kepler's ellipse, mu = a = 1, from the pericentre; the rate is not linear, and no component is simple.
+constexpr double eccentricity = 0.3;
+
+struct Ellipse {
+  void operator()(double, std::span<const double, 4> y, std::span<double, 4> ydot) const {
+    const double r = std::hypot(y[0], y[1]), r3 = r * r * r;
+    ydot[0] = y[2];
+    ydot[1] = y[3];
+    ydot[2] = -y[0] / r3;
+    ydot[3] = -y[1] / r3;
+  }
+  static std::array<double, 4> at(double t) {
+    const double e = eccentricity;
+    double anomaly = t;
+    for (int i = 0; i < 20; ++i)
+      anomaly -= (anomaly - e * std::sin(anomaly) - t) / (1.0 - e * std::cos(anomaly));
+    const double b = std::sqrt(1.0 - e * e), r = 1.0 - e * std::cos(anomaly);
+    return {std::cos(anomaly) - e, b * std::sin(anomaly), -std::sin(anomaly) / r, b * std::cos(anomaly) / r};
+  }
+};
+
+template <class Table> using EllipseMethod = RungeKutta<Table, 4, Ellipse>;
+
+template <class Table> EllipseMethod<Table> ellipse(double tolerance) {
+  std::array<double, 4> absolute;
+  absolute.fill(tolerance);
+  return {Ellipse(), tolerance, absolute};
+}
+
+TYPED_TEST(InlinedRungeKutta, converges_with_its_order) {
+  const auto error = [](int steps) {
+    auto method = ellipse<TypeParam>(accepts_all);
+    const double end = 6.0, h = end / steps;
+    method.start(0.0, Ellipse::at(0.0), h);
+    int taken = 1;
+    while (method.step(end, h) == Advance::stepped) ++taken;
+    EXPECT_EQ(taken, steps);
+    EXPECT_EQ(method.time(), end);
+    return distance(method.state(), Ellipse::at(end));
+  };
+  constexpr double slack = 0.3;  // of the higher terms
+  EXPECT_NEAR(0.5 * std::log2(error(12) / error(48)), TypeParam::order, slack);
+}
+
+/// One step from the exact state: the interpolant of order p has an error of order p + 1 everywhere in the
+/// step.
+TYPED_TEST(InlinedRungeKutta, has_dense_output_of_its_order) {
+  constexpr double start = 1.0;
+  const auto error = [](double h, double part) {
+    auto method = ellipse<TypeParam>(accepts_all);
+    method.start(start, Ellipse::at(start), h);
+    EXPECT_EQ(method.step(start + h), Advance::reached);
+    std::array<double, 4> y;
+    method.interpolate(start + part * h, y);
+    return distance(y, Ellipse::at(start + part * h));
+  };
+  for (const double part : {0.1, 0.4, 0.7, 0.9}) {
+    EXPECT_GT(std::log2(error(1.0, part) / error(0.5, part)), TypeParam::order + 0.3) << part;
+    EXPECT_LT(error(0.25, part), 3e-9) << part;
+  }
+}
+
+TYPED_TEST(InlinedRungeKutta, its_dense_output_meets_the_nodes_and_their_rates) {
+  auto method = ellipse<TypeParam>(1e-12);
+  method.start(0.0, Ellipse::at(0.0));
+  constexpr double rounding = 1e-15, step_of_difference = 1e-5, difference_error = 1e-8;
+  for (int i = 0; i < 10; ++i) {
+    const std::vector<double> before(method.state().begin(), method.state().end());
+    const std::vector<double> rate_before(method.rate().begin(), method.rate().end());
+    const double t = method.time();
+    ASSERT_EQ(method.step(100.0), Advance::stepped);
+    std::array<double, 4> left, inside, right;
+    method.interpolate(t, left);
+    method.interpolate(method.time(), right);
+    EXPECT_LT(distance(left, before), rounding);
+    EXPECT_LT(distance(right, method.state()), 4 * rounding);
+    const auto slope = [&](double at, double sign) {
+      std::array<double, 4> a, b;
+      method.interpolate(at, a);
+      method.interpolate(at + sign * step_of_difference, b);
+      method.interpolate(at + 2.0 * sign * step_of_difference, inside);
+      std::array<double, 4> result;
+      for (std::size_t c = 0; c < 4; ++c)
+        result[c] = sign * (4.0 * b[c] - 3.0 * a[c] - inside[c]) / (2.0 * step_of_difference);
+      return result;
+    };
+    EXPECT_LT(distance(slope(t, 1.0), rate_before), difference_error);
+    EXPECT_LT(distance(slope(method.time(), -1.0), method.rate()), difference_error);
+  }
+}
+
+TYPED_TEST(InlinedRungeKutta, a_polynomial_of_its_degree_is_exact_everywhere) {
+  constexpr int degree = TypeParam::order;
+  struct Power {
+    void operator()(double t, std::span<const double, 1>, std::span<double, 1> ydot) const {
+      ydot[0] = degree * std::pow(t, degree - 1);
+    }
+  };
+  constexpr std::array absolute{accepts_all};
+  RungeKutta<TypeParam, 1, Power> method(Power(), accepts_all, absolute);
+  method.start(0.0, std::array{0.0}, 1.0);
+  ASSERT_EQ(method.step(1.0), Advance::reached);
+  EXPECT_NEAR(method.state()[0], 1.0, 1e-14);
+  for (double t = 0.0; t <= 1.0; t += 0.0625) {
+    std::array<double, 1> y;
+    method.interpolate(t, y);
+    // Rounding of the weights of the interpolant, up to 1e4, times what a cubic leaves of the rate, up to 5.
+    EXPECT_NEAR(y[0], std::pow(t, degree), 1e-11) << t;
+  }
+}
+
+TYPED_TEST(InlinedRungeKutta, ends_a_step_where_it_is_told_and_remembers_its_length) {
+  auto method = ellipse<TypeParam>(1e-9);
+  method.start(0.0, Ellipse::at(0.0));
+  while (method.step(2.0) == Advance::stepped) {
+  }
+  EXPECT_EQ(method.time(), 2.0);
+  const double unclipped = method.next_step();
+  double until = 2.0;
+  for (int i = 1; i <= 20; ++i) {
+    until = 2.0 + 1e-3 * i;
+    const double t = method.time();
+    method.start(t, Ellipse::at(t), method.next_step());
+    ASSERT_EQ(method.step(until), Advance::reached);
+    EXPECT_EQ(method.time(), until);
+  }
+  EXPECT_GE(method.next_step(), unclipped);
+  ASSERT_EQ(method.step(100.0), Advance::stepped);
+  EXPECT_GT(method.time(), until + 0.5 * unclipped);  // at once, not after a series of growing steps
+  EXPECT_LE(distance(method.state(), Ellipse::at(method.time())), 1e-7);
+}
+
+TYPED_TEST(InlinedRungeKutta, a_step_length_that_is_far_too_long_is_rejected_until_it_fits) {
+  auto method = ellipse<TypeParam>(1e-9);
+  method.start(0.0, Ellipse::at(0.0), 1e3);
+  ASSERT_NE(method.step(1e6), Advance::not_finite);
+  EXPECT_GT(method.rejections(), 0U);
+  EXPECT_LT(distance(method.state(), Ellipse::at(method.time())), 1e-7);
+}
+
+TYPED_TEST(InlinedRungeKutta, says_why_it_cannot_go_on) {
+  const auto advance = [](auto f) {
+    constexpr std::array absolute{1e-9};
+    RungeKutta<TypeParam, 1, decltype(f)> method(f, 1e-9, absolute);
+    method.start(0.0, std::array{1.0});
+    Advance result = Advance::stepped;
+    while (result == Advance::stepped) result = method.step(2.0);
+    return result;
+  };
+  using In = std::span<const double, 1>;
+  using Out = std::span<double, 1>;
+  EXPECT_EQ(advance([](double, In y, Out ydot) { ydot[0] = y[0] * y[0]; }), Advance::too_short);
+  EXPECT_EQ(advance([](double t, In, Out ydot) { ydot[0] = t < 1.0 ? 1.0 : NAN; }), Advance::not_finite);
+  EXPECT_EQ(advance([](double t, In, Out ydot) { ydot[0] = t < 1.0 ? 1.0 : INFINITY; }), Advance::not_finite);
+  EXPECT_EQ(advance([](double, In, Out ydot) { ydot[0] = 0.0; }), Advance::reached);
+}
+
+TEST(InlinedRungeKuttaDoors, refuse_times_lengths_and_states_that_are_none) {
+  const auto refusal = [](auto act) -> std::string {
+    auto method = ellipse<Verner9>(1e-9);
+    method.start(0.0, Ellipse::at(0.0));
+    EXPECT_EQ(method.step(1e-3), Advance::reached);
+    std::array<double, 4> y = Ellipse::at(0.0);
+    try {
+      act(method, y);
+    } catch (const BadInput& error) {
+      return error.what();
+    }
+    return "not refused";
+  };
+  EXPECT_EQ(refusal([](auto& m, auto& y) { m.start(NAN, y); }),
+            "ode::RungeKutta: a start at nan is not possible");
+  EXPECT_EQ(refusal([](auto& m, auto& y) { m.start(0.0, y, -1.0); }),
+            "ode::RungeKutta: a first step of -1 is not possible");
+  EXPECT_EQ(refusal([](auto& m, auto& y) {
+              y[2] = INFINITY;
+              m.start(0.0, y);
+            }),
+            "ode::RungeKutta: a state with inf is not possible");
+  EXPECT_EQ(refusal([](auto& m, auto&) { m.step(1e-3); }),
+            "ode::RungeKutta: a step from where it stands to 0.001 is not possible");
+  EXPECT_EQ(refusal([](auto& m, auto&) { m.step(INFINITY); }),
+            "ode::RungeKutta: a step from where it stands to inf is not possible");
+  EXPECT_EQ(refusal([](auto& m, auto&) { m.step(1.0, 0.0); }),
+            "ode::RungeKutta: a longest step of 0 is not possible");
+  EXPECT_EQ(refusal([](auto& m, auto& y) { m.interpolate(2e-3, y); }),
+            "ode::RungeKutta: a state outside the last step, at 0.002 is not possible");
+  EXPECT_EQ(refusal([](auto& m, auto& y) {
+              m.start(0.0, y);
+              m.interpolate(0.0, y);
+            }),
+            "ode::RungeKutta: a state outside the last step, at 0 is not possible");
+  EXPECT_EQ(refusal([](auto& m, auto& y) { m.interpolate(5e-4, y); }), "not refused");
+}
+
+TEST(InlinedRungeKuttaDoors, refuse_tolerances_that_are_none) {
+  const auto make = [](double relative, double absolute) {
+    return RungeKutta<Verner9, 4, Ellipse>(Ellipse(), relative, std::array{1.0, absolute, 1.0, 1.0});
+  };
+  EXPECT_NO_THROW(make(1e-9, 1e-9));
+  EXPECT_THROW(make(-1e-9, 1e-9), BadInput);
+  EXPECT_THROW(make(NAN, 1e-9), BadInput);
+  EXPECT_THROW(make(1e-9, 0.0), BadInput);
+  EXPECT_THROW(make(1e-9, NAN), BadInput);
+}
+
+/// A body without torque, J = diag(1, 2, 3), keeps |J w|^2 and |q|. Coefficients rounded to double could let
+/// them drift by some roundings in each of the 160 000 steps: 1e-11. What is left is a random walk, 400
+/// roundings.
+TYPED_TEST(InlinedRungeKutta, rounded_coefficients_do_not_drift) {
+  struct FreeBody {
+    void operator()(double, std::span<const double, 7> y, std::span<double, 7> ydot) const {
+      const double p = y[4], q = y[5], r = y[6];
+      ydot[0] = 0.5 * (-y[1] * p - y[2] * q - y[3] * r);
+      ydot[1] = 0.5 * (y[0] * p + y[2] * r - y[3] * q);
+      ydot[2] = 0.5 * (y[0] * q + y[3] * p - y[1] * r);
+      ydot[3] = 0.5 * (y[0] * r + y[1] * q - y[2] * p);
+      ydot[4] = -q * r;
+      ydot[5] = r * p;
+      ydot[6] = -p * q / 3.0;
+    }
+  };
+  std::array<double, 7> absolute;
+  absolute.fill(accepts_all);
+  RungeKutta<TypeParam, 7, FreeBody> method(FreeBody(), accepts_all, absolute);
+  constexpr double h = 0.025, end = 4000.0;  // truncation: below 1e-16
+  method.start(0.0, std::array{1.0, 0.0, 0.0, 0.0, 0.7, 0.6, 0.65}, h);
+  const auto momentum = [&] {
+    const auto y = method.state();
+    return std::hypot(y[4], 2.0 * y[5], 3.0 * y[6]);
+  };
+  const auto norm = [&] {
+    const auto y = method.state();
+    return std::hypot(std::hypot(y[0], y[1]), std::hypot(y[2], y[3]));
+  };
+  const double before = momentum();
+  while (method.step(end, h) == Advance::stepped) {
+  }
+  EXPECT_NEAR(momentum() / before, 1.0, 1e-13);
+  EXPECT_NEAR(norm(), 1.0, 1e-13);
+}
+
+class InlinedSolve : public testing::TestWithParam<Method> {};
+INSTANTIATE_TEST_SUITE_P(Methods, InlinedSolve, testing::ValuesIn(own_methods), name);
+
+constexpr auto oscillator_rates = [](double, double, std::span<const double, 2> y,
+                                     std::span<double, 2> ydot) {
+  ydot[0] = y[1];
+  ydot[1] = -y[0];
+};
+
+TEST_P(InlinedSolve, is_solve_with_another_call) {
+  Problem problem = oscillator(GetParam(), 50.0, 1e-11);
+  problem.breakpoints = {10.0, 10.1, 10.2};
+  problem.output_times = {3.3, 10.1, 44.0};
+  problem.roots = {{"sine", [](double, State y) { return y[1]; }}};
+  const Solution by_function = solve(problem);
+  problem.rhs = nullptr;
+  const Solution inlined = solve<2>(problem, oscillator_rates);
+  ASSERT_EQ(inlined.node_count(), by_function.node_count());
+  ASSERT_EQ(inlined.events().size(), 15U);
+  constexpr double rounding = 1e-12;  // the compiler may order the sums in another way
+  EXPECT_LT(distance(inlined.at(50.0), by_function.at(50.0)), rounding);
+  EXPECT_LT(distance(inlined.output(0), by_function.output(0)), rounding);
+  EXPECT_EQ(inlined.statistics().rhs_evaluations, by_function.statistics().rhs_evaluations);
+}
+
+TEST_P(InlinedSolve, refuses_two_right_hand_sides_another_size_and_another_method) {
+  const auto refusal = [](const Problem& problem) -> std::string {
+    try {
+      (void)solve<2>(problem, oscillator_rates);
+    } catch (const BadInput& error) {
+      return error.what();
+    }
+    return "not refused";
+  };
+  Problem problem = oscillator(GetParam(), 1.0, 1e-9);
+  EXPECT_EQ(refusal(problem), "ode::solve: the problem has a right-hand side, and another one is given");
+  problem.rhs = nullptr;
+  EXPECT_EQ(refusal(problem), "not refused");
+  problem.method = Method::arkode_fehlberg_8;
+  EXPECT_EQ(refusal(problem), "ode::solve: a right-hand side is inlined by verner_9 and verner_7 only");
+  problem.method = GetParam();
+  problem.initial_state = {1.0, 0.0, 0.0};
+  set_tolerance(problem, 1e-9);
+  EXPECT_EQ(refusal(problem), "ode::solve: the right-hand side has 2 components, the initial state has 3");
+}
+
+/// Evaluations a step: the stages, the rate at its end, and with dense output the stages of the interpolant.
+TEST_P(InlinedSolve, evaluates_what_is_asked_for) {
+  const std::size_t stages = GetParam() == Method::verner_9 ? 15 : 9;
+  const std::size_t dense = GetParam() == Method::verner_9 ? 9 : 5;
+  Problem problem = oscillator(GetParam(), 100.0, 1e-10);
+  const auto evaluations = [&] {
+    const Statistics run = solve(problem).statistics();
+    return std::pair{run.rhs_evaluations - 2 - stages * run.error_test_failures, run.steps};  // 2: the start
+  };
+  const auto [with, steps] = evaluations();
+  EXPECT_EQ(with, (stages + 1 + dense) * steps);
+  problem.dense_output = false;
+  EXPECT_EQ(evaluations().first, (stages + 1) * steps);
+}
+
+TEST_P(InlinedSolve, without_dense_output_has_outputs_and_events) {
+  Problem problem = oscillator(GetParam(), 100.0, 1e-10);
+  problem.output_times = {0.0, 1.0, 1.5, 77.7, 100.0};
+  problem.roots = {{"sine", [](double, State y) { return y[1]; }},
+                   {"late", [](double t, State) { return t - 95.0; }, Direction::any, true}};
+  const Solution dense = solve(problem);
+  problem.dense_output = false;
+  const Solution sparse = solve(problem);
+  ASSERT_EQ(sparse.output_times().size(), 4U);
+  for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(distance(sparse.output(i), dense.output(i)), 0.0);
+  ASSERT_EQ(sparse.events().size(), 31U);
+  for (std::size_t i = 0; i < 31; ++i) EXPECT_EQ(sparse.events()[i].time, dense.events()[i].time);
+  std::size_t refused = 0;
+  for (std::size_t i = 0; i + 1 < sparse.node_count(); ++i) {
+    const double inside = 0.5 * (sparse.node(i).t + sparse.node(i + 1).t);
+    EXPECT_EQ(distance(sparse.at(sparse.node(i).t), sparse.node(i).y), 0.0);
+    try {
+      EXPECT_EQ(distance(sparse.at(inside), dense.at(inside)), 0.0);
+    } catch (const BadInput& error) {
+      EXPECT_NE(std::string(error.what()).find("is within a step whose dense output was not kept"),
+                std::string::npos);
+      ++refused;
+    }
+  }
+  EXPECT_GT(refused, 10U);
+}
+
+/// cos t - 0.95 is positive for 0.64 s around each maximum, less than a step.
+TEST_P(InlinedSolve, finds_two_zeros_in_one_step_if_a_quarter_of_it_lies_between) {
+  Problem problem = oscillator(GetParam(), 100.0, GetParam() == Method::verner_9 ? 1e-6 : 1e-5);
+  problem.roots = {{"near the maximum", [](double, State y) { return y[0] - 0.95; }}};
+  const Solution solution = solve(problem);
+  const double half_width = std::acos(0.95);
+  EXPECT_LT(static_cast<double>(solution.statistics().steps), 100.0 / (2.0 * half_width));
+  ASSERT_EQ(solution.events().size(), 31U);
+  for (std::size_t i = 0; i < 31; ++i) {
+    const double maximum = 2.0 * std::numbers::pi * static_cast<double>((i + 1) / 2);
+    EXPECT_NEAR(solution.events()[i].time, maximum + (i % 2 == 0 ? half_width : -half_width), 1e-2);
+  }
+}
+
+/// A controller at 10 Hz: a segment is one step, with the length carried over.
+TEST_P(InlinedSolve, a_short_segment_is_one_step) {
+  Problem problem = oscillator(GetParam(), 20.0, 1e-9);
+  for (int i = 1; i < 200; ++i) problem.breakpoints.push_back(0.1 * i);
+  const Solution solution = solve(problem);
+  EXPECT_EQ(solution.segment_count(), 200U);
+  EXPECT_LE(solution.statistics().steps, 203U);  // the first segment grows its step
+  EXPECT_LT(node_error(solution, oscillator_state), 1e-9);
+  for (double t = 0.0; t <= 20.0; t += 0.03) EXPECT_LT(distance(solution.at(t), oscillator_state(t)), 1e-9);
+}
+
+TEST_P(InlinedSolve, a_stiff_problem_ends_with_the_component_and_a_way_out) {
+  Problem problem = oscillator(GetParam(), 2.0, 1e-9);
+  problem.rhs = [](double, double, State y, std::span<double> ydot) {
+    ydot[0] = 0.0;
+    ydot[1] = y[1] * y[1] + 1.0;  // tan t
+  };
+  try {
+    (void)solve(problem);
+    ADD_FAILURE() << "no failure";
+  } catch (const Failure& failure) {
+    const std::string said = failure.what();
+    EXPECT_NE(said.find("(ERR_FAILURE): the step fell below "), std::string::npos) << said;
+    EXPECT_NE(said.find("the error of component 1 is still too large; a stiff problem needs cvode_bdf"),
+              std::string::npos)
+        << said;
+    EXPECT_NEAR(failure.time(), 0.5 * std::numbers::pi, 1e-6);
+    EXPECT_EQ(failure.flag(), flag::step_too_short);
+  }
+}
+
+TEST_P(InlinedSolve, a_step_that_overflows_is_a_failure) {
+  Problem problem = oscillator(GetParam(), 1e200, 1e-9);
+  problem.rhs = [](double, double, State, std::span<double> ydot) { ydot[0] = ydot[1] = 1e200; };
+  try {
+    (void)solve(problem);
+    ADD_FAILURE() << "no failure";
+  } catch (const Failure& failure) {
+    EXPECT_NE(std::string(failure.what()).find("overflows"), std::string::npos) << failure.what();
+  }
+}
+
+}  // namespace
+}  // namespace vectrix::ode::test::runge_kutta_test
