@@ -56,7 +56,7 @@ std::vector<Attitude> read_attitude(const std::filesystem::path& file) {
   for (std::size_t i = 0; i < table.rows(); ++i) {
     const auto q = [&](const char* column) { return scale * table.number(i, column); };
     samples.push_back(
-        {Epoch::from_utc(table.text(i, "UTC")),
+        {table.value(i, "UTC", Epoch::from_utc),
          nearest_quaternion_scalar_first(to<Body>, from<Gcrf>, q("quaternion_c"), q("quaternion_x"),
                                          q("quaternion_y"), q("quaternion_z"))
              .quaternion});

@@ -72,22 +72,10 @@ struct Look {
   double latitude, longitude, incidence;                    // where the antenna's axis meets the ground
 };
 
-// What a row contains, or why it cannot be used, with its location in the file.
-template <class Make>
-auto from_row(const CsvTable& table, std::size_t row, const char* column, const Make& make) {
-  try {
-    return make();
-  } catch (const CsvError&) {
-    throw;
-  } catch (const BadInput& error) {
-    table.refuse(row, column, error.what());
-  }
-}
-
 template <class Sample>
 Epoch next_epoch(const std::vector<Sample>& samples, const CsvTable& table, std::size_t row) {
   const char* const column = "time_utc";
-  const auto epoch = from_row(table, row, column, [&] { return Epoch::from_utc(table.text(row, column)); });
+  const auto epoch = table.value(row, column, Epoch::from_utc);
   if (!samples.empty() && !(samples.back().time < epoch)) {
     table.refuse(
         row, column,
@@ -113,7 +101,7 @@ Telemetry read_attitude(const std::filesystem::path& file) {
   Telemetry telemetry;
   for (std::size_t i = 0; i < table.rows(); ++i) {
     const auto q = [&](const char* column) { return table.number(i, column); };
-    const auto nearest = from_row(table, i, "q0", [&] {
+    const auto nearest = table.value(i, "q0", [&](const std::string&) {
       return nearest_quaternion_scalar_last(to<Gcrf>, from<QuaternionAxes>, q("q0"), q("q1"), q("q2"),
                                             q("q3"));
     });
@@ -124,12 +112,6 @@ Telemetry read_attitude(const std::filesystem::path& file) {
     telemetry.off_unit = std::max(telemetry.off_unit, nearest.distance);
   }
   return telemetry;
-}
-
-// The orbit frame, from the satellite's velocity relative to Gcrf, which the graph provides.
-Dcm<Gcrf, Orbit> orbit_axes(const Displacement<Itrf, Satellite, In<Gcrf>>& r,
-                            const Velocity<Itrf, Satellite, ObservedFrom<Gcrf>, In<Gcrf>>& v) {
-  return lvlh(from<Orbit>, r, v);
 }
 
 // All questions to the graph at one epoch.
@@ -227,16 +209,20 @@ void run(const std::filesystem::path& data, const std::filesystem::path& table) 
   const auto orbit = read_orbit(data / "S1A_IW_20220414T102211_orbit.csv");
   const auto telemetry = read_attitude(data / "S1A_IW_20220414T102211_attitude.csv");
 
-  const auto earth = edge([&](const Epoch& t) { return orientation.at(t); });
+  const EarthMotion earth(orientation,
+                          from_until(telemetry.attitude.front().time, telemetry.attitude.back().time));
   // Cubic interpolation between orbit samples ten seconds apart has an error of 0.3 mm.
   const auto satellite = sampled_edge(orbit, 20.0 * si::second);
   const auto attitude = sampled_edge(telemetry.attitude, 2.0 * si::second);
-  const auto orbit_frame = edge(orbit_axes);
+  const auto orbit_frame = edge([](const Displacement<Itrf, Satellite, In<Gcrf>>& r,
+                                   const Velocity<Itrf, Satellite, ObservedFrom<Gcrf>, In<Gcrf>>& v) {
+    return lvlh(from<Orbit>, r, v);
+  });
   const auto R_body_from_axes = dcm_from_axes(to<Body>, -unit_y(in<QuaternionAxes>),
                                               -unit_x(in<QuaternionAxes>), -unit_z(in<QuaternionAxes>));
   const auto R_antenna_from_body = turned_y(to<Antenna>, from<Body>, convert<si::angle>(-90.0 * si::degree));
-  const auto graph = frame_graph(earth, satellite, orbit_frame, attitude, rigid_edge(R_body_from_axes),
-                                 rigid_edge(R_antenna_from_body));
+  const auto graph = frame_graph(edge([&](const Epoch& t) { return earth.at(t); }), satellite, orbit_frame,
+                                 attitude, rigid_edge(R_body_from_axes), rigid_edge(R_antenna_from_body));
 
   std::vector<Look> looks;
   for (std::size_t i = 0; i + 1 < telemetry.attitude.size(); ++i) {

@@ -159,7 +159,7 @@ Rows flight_rows() {
   for (std::size_t i = 0; i < attitude.rows(); ++i) {
     const auto q = [&](const char* column) { return 5e-10 * attitude.number(i, column); };
     samples.push_back(
-        {Epoch::from_utc(attitude.text(i, "UTC")),
+        {attitude.value(i, "UTC", Epoch::from_utc),
          nearest_quaternion_scalar_first(to<Satellite>, from<Gcrf>, q("quaternion_c"), q("quaternion_x"),
                                          q("quaternion_y"), q("quaternion_z"))
              .quaternion});

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <vectrix/space/files/csv_table.hpp>
+#include <vectrix/space/time/epoch.hpp>
 
 #include "temporary_file.hpp"
 
@@ -114,6 +115,18 @@ TEST(CsvTable, RefusesATruncatedFile) {
 TEST(CsvTable, RefusesQuotationMarks) {
   EXPECT_EQ(refusal("t,x\n1,\"2\"\n"),
             "table FILE, line 2, column 2 ('x'): quotation marks are not supported");
+}
+
+TEST(CsvTable, SaysWhereAValueCannotBeMade) {
+  const TemporaryFile file("t,x\n2022-04-14T10:22:11,2\nnoon,3\n");
+  const auto table = CsvTable::read(file.path(), {});
+  EXPECT_EQ(table.value(0, "t", Epoch::from_utc), Epoch::from_utc("2022-04-14T10:22:11"));
+  EXPECT_EQ(complaint([&] { (void)table.value(1, "t", Epoch::from_utc); }, file.path()),
+            "table FILE, line 3, column 1 ('t'): " + complaint([] { (void)Epoch::from_utc("noon"); }));
+  // An error that already says where is not said twice.
+  const auto number = [&](const std::string&) { return table.number(1, "t"); };
+  EXPECT_EQ(complaint([&] { (void)table.value(1, "x", number); }, file.path()),
+            "table FILE, line 3, column 1 ('t'): 'noon' is not a number");
 }
 
 TEST(CsvTable, RefusesToAnswerForWhatItDoesNotHave) {

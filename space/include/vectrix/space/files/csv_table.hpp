@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <concepts>
 #include <cstddef>
 #include <filesystem>
 #include <initializer_list>
@@ -39,6 +40,20 @@ class VECTRIX_EXPORT CsvTable {
   [[nodiscard]] const std::string& text(std::size_t row, std::string_view column) const;
   /// The field as a finite number. Throws CsvError if it is anything else.
   [[nodiscard]] double number(std::size_t row, std::string_view column) const;
+  /// make(text) of the field, such as an epoch: table.value(row, "time_utc", Epoch::from_utc). A BadInput
+  /// that make throws becomes a CsvError with file, line, column and its text.
+  template <class Make>
+    requires std::invocable<const Make&, const std::string&>
+  [[nodiscard]] auto value(std::size_t row, std::string_view column, const Make& make) const {
+    const std::string& written = text(row, column);
+    try {
+      return make(written);
+    } catch (const CsvError&) {
+      throw;
+    } catch (const BadInput& error) {
+      refuse(row, column, error.what());
+    }
+  }
   /// Throws CsvError for a field that the caller cannot use, with file, line, column and the given reason.
   [[noreturn]] void refuse(std::size_t row, std::string_view column, const std::string& reason) const;
 
