@@ -166,8 +166,10 @@ EarthMotion::EarthMotion(const EarthOrientation& orientation, const TimeSpan& sp
 
 EarthMotion::EarthMotion(const EarthOrientation& orientation, const TimeSpan& span, bool with_tides)
     : span_(span), first_day_(span.start().tai().day), cells_of_a_day_(with_tides ? 16 : 1) {
-  orientation.require(span.start());
-  orientation.require(span.end());
+  for (const Epoch& end : {span.start(), span.end()}) {
+    orientation.require(end);
+    detail::ut1_date(end, orientation.curves(end)(2, 0) * si::second);  // throws
+  }
   const auto days = static_cast<std::size_t>(span.end().tai().day - first_day_) + 1;
   cells_.resize(days * static_cast<std::size_t>(cells_of_a_day_ * cell_size));
   const auto at = [&](std::size_t day, double fraction) {

@@ -258,6 +258,10 @@ TEST(EarthOrientation, UnobservedRefusesBadInput) {
   EXPECT_EQ(
       complaint([&] { (void)EarthOrientation::unobserved(from_until(start, start), 0.0 * si::second); }),
       "EarthOrientation::unobserved: the span at 2030-01-01T00:00:00.000000 UTC has no duration");
+  EXPECT_EQ(complaint([&] {
+              (void)EarthOrientation::unobserved(from_until(start, 4e9 * si::second), 0.0 * si::second);
+            }),
+            "EarthOrientation::unobserved: the span has 4e+09 s; at most 100 years are allowed");
   const auto early = from_until(Epoch::from_tt("1950-01-01T00:00:00"), 86400.0 * si::second);
   EXPECT_THROW((void)EarthOrientation::unobserved(early, 0.0 * si::second), BadInput);
   const auto orientation = EarthOrientation::unobserved(day, 0.0 * si::second);

@@ -83,7 +83,7 @@ class VECTRIX_EXPORT EarthOrientation {
   /// the span, where UT1-UTC is given. From 1973 to 2026 x, y reach 0.6 arcsec, 19 m on the ground, and dX,
   /// dY 10 milliarcsec, since 2000 1; UT1 drifts by up to 4.1 ms a day, 1.9 m on the equator, since 2000 2.5
   /// ms. 0 for UT1-UTC is off by up to 0.9 s, 420 m. Throws BadInput if |UT1-UTC| exceeds 1 s, or the span
-  /// has no duration or starts before 1960.
+  /// has no duration, has more than 100 years, or starts before 1960.
   static EarthOrientation unobserved(const TimeSpan& span, const Quantity<si::time>& ut1_minus_utc);
 
   [[nodiscard]] const Epoch& first() const { return epochs_.front(); }
