@@ -354,6 +354,26 @@ TEST_F(Finals2000A, RowsOnACubicGiveTheCubic) {
   }
 }
 
+// Cardinal splines: -0.136 of the change in the interval after the next row. Here the end of the rows is
+// near.
+TEST_F(Finals2000A, ARowActsLittleBeyondTheNextOne) {
+  const auto read = [&] {
+    const TemporaryFile file(content());
+    return EarthOrientation::read(file.path());
+  };
+  const auto before = read();
+  write(4, 19, " 0.066532");  // 0.010000 more
+  const auto after = read();
+  double most = 0.0;
+  for (double day = 4.0; day <= 5.0; day += 0.02) {
+    const auto t = before.first() + 86400.0 * day * si::second;
+    const auto changed = (after.parameters(t).pole_x - before.parameters(t).pole_x).value();
+    most = vectrix::detail::larger(most, std::abs(changed) / (0.01 * arcsecond));
+  }
+  EXPECT_LE(most, 0.17);
+  EXPECT_GE(most, 0.13);
+}
+
 TEST_F(Finals2000A, EndsWithTheLastCompleteRow) {
   write(6, 98, "         ");
   lines[6].resize(16);

@@ -64,9 +64,9 @@ VECTRIX_EXPORT Dcm<earth::Itrf, earth::TrueOfDate> itrf_from_true_of_date(
 ///     graph edge    edge([&](const Epoch& t) { return orientation.at(t); })
 /// Between rows each parameter is a cubic spline: twice continuously differentiable, and one cubic over the
 /// first two days and over the last two. UT1 is interpolated as UT1-TAI, so that a leap second does not
-/// matter. A row changes the curve by 27 % of that a day further, 7 % two days further. The series omits
-/// tides of a day and half a day (below 1 milliarcsecond). Outside the rows: BadInput with the epoch and the
-/// time interval of the rows.
+/// matter. Away from the ends a change of one row changes the curve beyond the next row by at most 14 % of
+/// it, and by 0.27 of that each day further. The series omits tides of a day and half a day (below 1
+/// milliarcsecond). Outside the rows: BadInput with the epoch and the time interval of the rows.
 class VECTRIX_EXPORT EarthOrientation {
  public:
   /// Reads fixed columns: MJD 8-15, x 19-27 and y 38-46 (arcsec), UT1-UTC 59-68 (s), dX 98-106 and dY 117-125
