@@ -2,8 +2,8 @@
 """Reads the #include lines of the sources: python3 tools/includes.py <source folder>. Three rules:
 
 1. The direction of dependence:  frames <- kinematics <- space <- dynamics <- examples, pictures, validation, accuracy.
-   ERFA is known in space/src, space/tests, validation/erfa.cpp and bench/ alone, SUNDIALS in dynamics/src alone, Simbody in validation/**/simbody_* and
-   bench/peer_simbody.cpp alone.
+   ERFA is known in space/src, space/tests, validation/erfa.cpp and bench/ alone, SUNDIALS in dynamics/src alone, Simbody in
+   validation/**/simbody_* and bench/peer_simbody.cpp alone.
 2. Public headers do not use a name of these engines either (an enumerator such as cvode_adams is ours).
 3. A public header that says std::x or Eigen::x includes the header that declares it, itself or through headers of ours.
    Boost is not to be reached through others: a header that says boost:: includes it itself.
