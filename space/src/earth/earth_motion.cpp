@@ -114,10 +114,10 @@ double small_cosine(double angle) {
   return 1.0 - square * (0.5 - square * (1.0 / 24.0));
 }
 
-// With R_itrf^tirf = R1(-y) R2(-x) and n = R3(angle) w_gc^c + (0, 0, d angle/dt), the rate of Tirf in its
-// axes,
-//     w_gi^i = R_i^t n + p,    p = (-dy/dt, -dx/dt cos y, -dx/dt sin y)
-//     alpha_gi^i = R_i^t dn/dt - p x (R_i^t n) + dp/dt
+// With R_t^i = R1(-y) R2(-x) from Tirf to Itrf and n = R3(angle) w_gc^c + (0, 0, d angle/dt), the rate of
+// Tirf in its axes,
+//     w_gi^i = R_t^i n + p,    p = (-dy/dt, -dx/dt cos y, -dx/dt sin y)
+//     alpha_gi^i = R_t^i dn/dt - p x (R_t^i n) + dp/dt
 struct Turn {
   Eigen::Matrix3d R_gcrf_from_itrf;
   Eigen::Vector3d w, alpha;
@@ -166,8 +166,10 @@ EarthMotion::EarthMotion(const EarthOrientation& orientation, const TimeSpan& sp
 
 EarthMotion::EarthMotion(const EarthOrientation& orientation, const TimeSpan& span, bool with_tides)
     : span_(span), first_day_(span.start().tai().day), cells_of_a_day_(with_tides ? 16 : 1) {
-  orientation.require(span.start());
-  orientation.require(span.end());
+  for (const Epoch& end : {span.start(), span.end()}) {
+    orientation.require(end);
+    detail::ut1_date(end, orientation.curves(end)(2, 0) * si::second);  // throws
+  }
   const auto days = static_cast<std::size_t>(span.end().tai().day - first_day_) + 1;
   cells_.resize(days * static_cast<std::size_t>(cells_of_a_day_ * cell_size));
   const auto at = [&](std::size_t day, double fraction) {
@@ -202,7 +204,7 @@ EarthMotion::EarthMotion(const EarthOrientation& orientation, const TimeSpan& sp
   }
 }
 
-const double* EarthMotion::cell(const Epoch& epoch, double& time) const {
+EarthMotion::Place EarthMotion::place(const Epoch& epoch) const {
   if (!span_.contains(epoch)) [[unlikely]] {
     throw BadInput("EarthMotion: the epoch " + detail::shown(epoch) + " is outside the span, " +
                    detail::shown(span_.start()) + " to " + detail::shown(span_.end()));
@@ -210,17 +212,15 @@ const double* EarthMotion::cell(const Epoch& epoch, double& time) const {
   const auto& tai = epoch.tai();
   const double of_day = tai.fraction * cells_of_a_day_;
   const int in_day = static_cast<int>(of_day);
-  time = of_day - in_day;
   const auto index =
       static_cast<std::size_t>(tai.day - first_day_) * static_cast<std::size_t>(cells_of_a_day_) +
       static_cast<std::size_t>(in_day);
-  return &cells_[index * cell_size];
+  return {&cells_[index * cell_size], of_day - in_day};
 }
 
 AcceleratingDcm<earth::Gcrf, earth::Itrf> EarthMotion::at(const Epoch& epoch) const {
   using earth::Gcrf, earth::Itrf;
-  double time = 0.0;
-  const double* const c = cell(epoch, time);
+  const auto [c, time] = place(epoch);
   const Turn found = turn(motion(c, time), cells_of_a_day_ / ERFA_DAYSEC);
   return {Dcm<Gcrf, Itrf>{detail::trusted, found.R_gcrf_from_itrf},
           AngularVelocity<Gcrf, Itrf, In<Itrf>>{detail::trusted, found.w},
@@ -228,8 +228,7 @@ AcceleratingDcm<earth::Gcrf, earth::Itrf> EarthMotion::at(const Epoch& epoch) co
 }
 
 Dcm<earth::Gcrf, earth::Itrf> EarthMotion::rotation(const Epoch& epoch) const {
-  double time = 0.0;
-  const double* const c = cell(epoch, time);
+  const auto [c, time] = place(epoch);
   return {detail::trusted, turn(at_rest(c, time), 0.0).R_gcrf_from_itrf};
 }
 

@@ -35,7 +35,7 @@ Dcm<earth::TrueOfDate, earth::Gcrf> true_of_date_from_gcrf(const Epoch& epoch) {
 Dcm<earth::Itrf, earth::TrueOfDate> itrf_from_true_of_date(const Epoch& epoch,
                                                            const EarthOrientationParameters& parameters) {
   const JulianDate tt = epoch.tt_date();
-  const JulianDate ut1 = ut1_date(epoch, parameters);
+  const JulianDate ut1 = ut1_date(epoch, parameters.ut1_minus_tai);
   Rows true_of_date;
   eraPnm06a(tt.day, tt.fraction, true_of_date);
   const double sidereal_time = eraGst06(ut1.day, ut1.fraction, tt.day, tt.fraction, true_of_date);
@@ -58,8 +58,14 @@ EarthOrientation EarthOrientation::unobserved(const TimeSpan& span, const Quanti
     throw BadInput("EarthOrientation::unobserved: UT1-UTC is " + detail::text(ut1_minus_utc.value()) +
                    " s; UTC keeps it below 0.9 s");
   }
+  constexpr double longest = 100.0 * 365.25 * 86400.0;  // s
+  const double length = (span.end() - span.start()).value();
+  if (length > longest) {
+    throw BadInput("EarthOrientation::unobserved: the span has " + detail::text(length) +
+                   " s; at most 100 years are allowed");
+  }
   constexpr int steps = 3;  // four rows, as a spline needs
-  const auto step = (span.end() - span.start()) / double{steps};
+  const auto step = length / steps * si::second;
   if (!(step.value() > 0.0)) {
     throw BadInput("EarthOrientation::unobserved: the span at " + detail::shown(span.start()) +
                    " has no duration");

@@ -38,7 +38,7 @@ MovingDcm<earth::Gcrf, earth::Cirf> gcrf_from_cirf(const Epoch& epoch,
 
 MovingDcm<earth::Cirf, earth::Tirf> cirf_from_tirf(const Epoch& epoch,
                                                    const EarthOrientationParameters& parameters) {
-  const auto ut1 = detail::ut1_date(epoch, parameters);
+  const auto ut1 = detail::ut1_date(epoch, parameters.ut1_minus_tai);
   detail::Rows tirf_from_cirf;
   eraIr(tirf_from_cirf);
   eraRz(eraEra00(ut1.day, ut1.fraction), tirf_from_cirf);

@@ -58,41 +58,51 @@ constexpr double response[3][12] = {{-6.77832, -14.86323, 0.47884, -1.45303, 0.1
                                      -4.30615, 0.07564, 2.28321, -0.45717, -1.62010},
                                     {-1.76335, 1.03364, -0.27553, 0.34569, -0.12343, -0.10146, -0.47119,
                                      1.28997, -0.19336, 0.02724, 0.08955, 0.04726}};
-constexpr double units[3] = {1e-6 * ERFA_DAS2R, 1e-6 * ERFA_DAS2R, 1e-6};
-
-}  // namespace
 
 // A line of frequency f at lags of -2, 0 and 2 days is its value at 0 times real numbers: so the response to
-// H cos(a) is H (C cos(a) - S sin(a)), where C and S depend on f.
-Eigen::Matrix3d ocean_tides(const Epoch& epoch, const Quantity<si::time>& ut1_minus_tai) {
-  const double days =
-      (epoch.tai().modified_day() - first_day) + (epoch.tai().fraction + ut1_minus_tai.value() / ERFA_DAYSEC);
-  Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+// H cos(a) is C cos(a) - S sin(a), where C and S depend on f.
+struct Response {
+  double phase, frequency;  // rad, rad/day
+  Eigen::Vector3d C, S;     // of x, y, UT1: rad and s
+};
+std::array<Response, lines.size()> all_responses() {
+  constexpr double units[3] = {1e-6 * ERFA_DAS2R, 1e-6 * ERFA_DAS2R, 1e-6};
+  std::array<Response, lines.size()> all;
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const auto [height, phase, f] = lines[i];
     const bool of_a_day = i < diurnal;
     const auto& w = orthogonal[of_a_day ? 0 : 1];
     const double even = 2.0 * std::cos(lag * f), odd = 2.0 * std::sin(lag * f);
     const double three[3] = {w[0], w[1] - w[2] * even, w[3] - w[4] * even + w[5] * odd};
-    const double angle = phase + f * days - (of_a_day ? 0.5 * ERFA_DPI : 0.0);
-    const double cosine = height * std::cos(angle), sine = height * std::sin(angle);
-    const double rate = f / ERFA_DAYSEC;
+    all[i] = {of_a_day ? phase - 0.5 * ERFA_DPI : phase, f, Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
     for (Eigen::Index k = 0; k < 3; ++k) {
       const double* const r = &response[k][of_a_day ? 0 : 6];
-      double C = 0.0;
-      double S = 0.0;
       for (int j = 0; j < 3; ++j) {
-        C += r[2 * j] * three[j];
-        S += r[2 * j + 1] * three[j];
+        all[i].C[k] += height * units[k] * r[2 * j] * three[j];
+        all[i].S[k] += height * units[k] * r[2 * j + 1] * three[j];
       }
-      const double value = C * cosine - S * sine;
-      sum(k, 0) += value;
-      sum(k, 1) -= rate * (C * sine + S * cosine);
-      sum(k, 2) -= rate * rate * value;
     }
   }
-  for (Eigen::Index k = 0; k < 3; ++k) sum.row(k) *= units[k];
-  return sum;
+  return all;
+}
+
+}  // namespace
+
+Eigen::Matrix3d ocean_tides(const Epoch& epoch, const Quantity<si::time>& ut1_minus_tai) {
+  static const auto responses = all_responses();
+  const double days =
+      (epoch.tai().modified_day() - first_day) + (epoch.tai().fraction + ut1_minus_tai.value() / ERFA_DAYSEC);
+  Eigen::Vector3d value = Eigen::Vector3d::Zero(), rate = value, second = value;
+  for (const Response& line : responses) {
+    const double angle = line.phase + line.frequency * days;
+    const double cosine = std::cos(angle), sine = std::sin(angle);
+    const double w = line.frequency / ERFA_DAYSEC;
+    const Eigen::Vector3d now = cosine * line.C - sine * line.S;
+    value += now;
+    rate -= w * (sine * line.C + cosine * line.S);
+    second -= w * w * now;
+  }
+  return (Eigen::Matrix3d() << value, rate, second).finished();
 }
 
 }  // namespace vectrix::detail

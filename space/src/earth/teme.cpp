@@ -21,7 +21,7 @@ double sidereal_rate(const JulianDate<scale::Ut1>& ut1) {
 
 MovingDcm<earth::Teme, earth::Itrf> teme_from_itrf(const Epoch& epoch,
                                                    const EarthOrientationParameters& parameters) {
-  const auto ut1 = detail::ut1_date(epoch, parameters);
+  const auto ut1 = detail::ut1_date(epoch, parameters.ut1_minus_tai);
   const double rate = sidereal_rate(ut1) * (1.0 + parameters.ut1_gain.value());
   const auto R_tirf_from_teme =
       turned_z(to<earth::Tirf>, from<earth::Teme>, eraGmst82(ut1.day, ut1.fraction) * si::radian);

@@ -108,15 +108,26 @@ TEST(Teme, RateIsTheDerivativeOfTheRotation) {
   Published p;
   const auto rotation_after = [&](double seconds) {
     EarthOrientationParameters then = p.observed;
-    then.ut1_minus_tai = then.ut1_minus_tai + seconds * p.observed.ut1_gain.value() * si::second;
+    const auto later = seconds * si::second;
+    then.ut1_minus_tai = then.ut1_minus_tai + p.observed.ut1_gain.value() * later;
+    then.pole_x = then.pole_x + p.observed.pole_x_rate.value() * seconds * si::radian;
+    then.pole_y = then.pole_y + p.observed.pole_y_rate.value() * seconds * si::radian;
     return teme_from_itrf(p.epoch + seconds * si::second, then).rotation;
   };
-  constexpr double half = 5000.0;  // s: an angle of 0.7 rad
-  const auto moved = log_of(rotation_after(-half).matrix().transpose() * rotation_after(half).matrix());
-  const Eigen::Vector3d w = teme_from_itrf(p.epoch, p.observed).angular_velocity.coordinates();
-  // Seconds of sidereal time are rounded to 6e-11 s, which is 4e-15 rad in 1e4 s.
+  const auto error = [&](double half) {
+    const auto moved = log_of(rotation_after(-half).matrix().transpose() * rotation_after(half).matrix());
+    const Eigen::Vector3d w = teme_from_itrf(p.epoch, p.observed).angular_velocity.coordinates();
+    return (moved / (2 * half) - w).norm();
+  };
+  // Over 0.7 rad. Seconds of sidereal time are rounded to 6e-11 s, which is 4e-15 rad in 1e4 s.
   constexpr double rounding = 2e-18;  // rad/s
-  EXPECT_LE((moved / (2 * half) - w).norm(), rounding);
+  EXPECT_LE(error(5000.0), rounding);
+
+  // A pole that moves, a hundred times faster than observed. It turns by 0.004 rad in a minute, which squared
+  // is the relative error of the difference.
+  p.observed.pole_x_rate = 2e-11 * (si::radian / si::second);
+  p.observed.pole_y_rate = -1e-11 * (si::radian / si::second);
+  EXPECT_LE(error(60.0), 1e-15);
 }
 
 // What other treatments of the same vector cost, against the published place: each as large as its closed

@@ -179,6 +179,18 @@ TEST(EarthMotion, RefusesSpansOutsideTheRowsAndEpochsOutsideTheSpan) {
   EXPECT_THROW((void)earth.rotation(rows.start()), BadInput);
 }
 
+// Constant UT1-TAI over years of leap seconds: UT1-UTC is then more than it can be.
+TEST(EarthMotion, RefusesUt1ThatIsSecondsOff) {
+  const auto span =
+      from_until(Epoch::from_utc("1972-07-02T00:00:00"), Epoch::from_utc("1978-02-01T00:00:00"));
+  const auto orientation = EarthOrientation::unobserved(span, 0.3 * si::second);
+  const std::string expected = "which is less than 0.9 s; UT1-TAI = (UT1-UTC) - (TAI-UTC)";
+  for (const auto& said : {complaint([&] { (void)orientation.at(span.end()); }),
+                           complaint([&] { EarthMotion(orientation, span); })}) {
+    EXPECT_NE(said.find(expected), std::string::npos) << said;
+  }
+}
+
 // ORTHO_EOP of the IERS Conventions Center: the results that it states for the modified Julian date 47100.
 TEST(SubdailyTides, HaveThePublishedValues) {
   const auto span =

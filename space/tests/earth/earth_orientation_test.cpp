@@ -258,6 +258,10 @@ TEST(EarthOrientation, UnobservedRefusesBadInput) {
   EXPECT_EQ(
       complaint([&] { (void)EarthOrientation::unobserved(from_until(start, start), 0.0 * si::second); }),
       "EarthOrientation::unobserved: the span at 2030-01-01T00:00:00.000000 UTC has no duration");
+  EXPECT_EQ(complaint([&] {
+              (void)EarthOrientation::unobserved(from_until(start, 4e9 * si::second), 0.0 * si::second);
+            }),
+            "EarthOrientation::unobserved: the span has 4e+09 s; at most 100 years are allowed");
   const auto early = from_until(Epoch::from_tt("1950-01-01T00:00:00"), 86400.0 * si::second);
   EXPECT_THROW((void)EarthOrientation::unobserved(early, 0.0 * si::second), BadInput);
   const auto orientation = EarthOrientation::unobserved(day, 0.0 * si::second);
@@ -348,6 +352,26 @@ TEST_F(Finals2000A, RowsOnACubicGiveTheCubic) {
     const auto p = orientation.parameters(orientation.first() + 86400.0 * day * si::second);
     EXPECT_NEAR(p.pole_x.value(), pole(day) * arcsecond, written) << day;
   }
+}
+
+// Cardinal splines: -0.136 of the change in the interval after the next row. Here the end of the rows is
+// near.
+TEST_F(Finals2000A, ARowActsLittleBeyondTheNextOne) {
+  const auto read = [&] {
+    const TemporaryFile file(content());
+    return EarthOrientation::read(file.path());
+  };
+  const auto before = read();
+  write(4, 19, " 0.066532");  // 0.010000 more
+  const auto after = read();
+  double most = 0.0;
+  for (double day = 4.0; day <= 5.0; day += 0.02) {
+    const auto t = before.first() + 86400.0 * day * si::second;
+    const auto changed = (after.parameters(t).pole_x - before.parameters(t).pole_x).value();
+    most = vectrix::detail::larger(most, std::abs(changed) / (0.01 * arcsecond));
+  }
+  EXPECT_LE(most, 0.17);
+  EXPECT_GE(most, 0.13);
 }
 
 TEST_F(Finals2000A, EndsWithTheLastCompleteRow) {

@@ -11,12 +11,12 @@ namespace vectrix {
 /// The rotation of the Earth over a span of time, for loops:
 ///     const EarthMotion earth(orientation, span);    or    earth(orientation, span, subdaily_tides)
 ///     graph edge    edge([&](const Epoch& t) { return earth.at(t); })
-/// It is orientation.at(t) to 1 microarcsec, 0.03 mm, in some 0.1 microseconds, with the angular
-/// acceleration: polynomials of degree 5 over each day of X, Y, the angle ERA - s + s', x and y pass at
-/// midnight TAI through eraXy06 and the spline of the rows, with both derivatives; w and alpha are those of
-/// the polynomials to rounding. The tides take a sixteenth of a day. Building takes 0.2 ms a day, and 300
-/// bytes; with tides 5 kB. It never changes, so threads may share it. Throws BadInput for a span outside the
-/// rows, and for an epoch outside the span.
+/// It is orientation.at(t) to 1 microarcsec, 0.03 mm, in some 0.1 microseconds, and has the angular
+/// acceleration. Polynomials of degree 5 over each day of X, Y, the angle ERA - s + s', x and y agree at
+/// midnight TAI with eraXy06 and the spline of the rows, in value and both derivatives; w and alpha are exact
+/// derivatives of these. With the tides they are over a sixteenth of a day. Building takes 0.3 ms a day, and
+/// 300 bytes, with tides 5 kB. It never changes, so threads may share it. Throws BadInput for a span outside
+/// the rows, and for an epoch outside the span.
 class VECTRIX_EXPORT EarthMotion {
  public:
   EarthMotion(const EarthOrientation& orientation, const TimeSpan& span);
@@ -31,13 +31,17 @@ class VECTRIX_EXPORT EarthMotion {
 
  private:
   EarthMotion(const EarthOrientation& orientation, const TimeSpan& span, bool with_tides);
-  [[nodiscard]] const double* cell(const Epoch& epoch, double& time) const;
+
+  struct Place {
+    const double* cell;
+    double time;  // in cells
+  };
+  [[nodiscard]] Place place(const Epoch& epoch) const;
 
   TimeSpan span_;
   double first_day_;  // TAI
   int cells_of_a_day_;
-  std::vector<double>
-      cells_;  // for each the coefficients of X, Y, angle, x, y, and zero: of degree 0, 1, ... 5
+  std::vector<double> cells_;  // of each X, Y, angle, x, y and 0: their coefficients, degree by degree
 };
 
 }  // namespace vectrix

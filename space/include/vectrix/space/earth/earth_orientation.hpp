@@ -64,9 +64,9 @@ VECTRIX_EXPORT Dcm<earth::Itrf, earth::TrueOfDate> itrf_from_true_of_date(
 ///     graph edge    edge([&](const Epoch& t) { return orientation.at(t); })
 /// Between rows each parameter is a cubic spline: twice continuously differentiable, and one cubic over the
 /// first two days and over the last two. UT1 is interpolated as UT1-TAI, so that a leap second does not
-/// matter. A row changes the curve by 27 % of that a day further, 7 % two days further. The series omits
-/// tides of a day and half a day (below 1 milliarcsecond). Outside the rows: BadInput with the epoch and the
-/// time interval of the rows.
+/// matter. Away from the ends a change of one row changes the curve beyond the next row by at most 14 % of
+/// it, and by 0.27 of that each day further. The series omits tides of a day and half a day (below 1
+/// milliarcsecond). Outside the rows: BadInput with the epoch and the time interval of the rows.
 class VECTRIX_EXPORT EarthOrientation {
  public:
   /// Reads fixed columns: MJD 8-15, x 19-27 and y 38-46 (arcsec), UT1-UTC 59-68 (s), dX 98-106 and dY 117-125
@@ -83,7 +83,7 @@ class VECTRIX_EXPORT EarthOrientation {
   /// the span, where UT1-UTC is given. From 1973 to 2026 x, y reach 0.6 arcsec, 19 m on the ground, and dX,
   /// dY 10 milliarcsec, since 2000 1; UT1 drifts by up to 4.1 ms a day, 1.9 m on the equator, since 2000 2.5
   /// ms. 0 for UT1-UTC is off by up to 0.9 s, 420 m. Throws BadInput if |UT1-UTC| exceeds 1 s, or the span
-  /// has no duration or starts before 1960.
+  /// has no duration, has more than 100 years, or starts before 1960.
   static EarthOrientation unobserved(const TimeSpan& span, const Quantity<si::time>& ut1_minus_utc);
 
   [[nodiscard]] const Epoch& first() const { return epochs_.front(); }
