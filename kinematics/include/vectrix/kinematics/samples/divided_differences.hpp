@@ -17,6 +17,12 @@ template <class S> struct PolynomialValues { Column<S> value, first, second; };
 /// A time that is added twice in a row has the derivative that is given, too.
 template <class S> class NewtonPolynomial {
  public:
+  NewtonPolynomial() {
+    times_.fill(S(0));
+    differences_.fill(Column<S>::Zero());
+    derivatives_.fill(Column<S>::Zero());
+  }
+
   void add(const S& time, const Column<S>& value) {
     times_[size_] = time;
     differences_[size_] = value;
