@@ -27,24 +27,26 @@ namespace venus {
 struct Iau : moving_frame {};
 }  // namespace venus
 namespace moon {
-/// z to the mean pole, x to the mean Earth: within 150 m on the surface of the mean-Earth frame of JPL's
-/// ephemerides, and 1 km of their frame of principal axes.
+/// z to the mean pole, x to the mean Earth. On the surface about 150 m from the mean-Earth frame of JPL's
+/// ephemerides, and about 900 m from their frame of principal axes.
 struct Iau : moving_frame {};
 }  // namespace moon
 namespace mars {
 struct Iau : moving_frame {};
 }  // namespace mars
 namespace jupiter {
-/// System III, of the magnetic field. So are those of Saturn, Uranus and Neptune.
+/// System III, of the magnetic field.
 struct Iau : moving_frame {};
 }  // namespace jupiter
 namespace saturn {
+/// System III, of the radio emissions.
 struct Iau : moving_frame {};
 }  // namespace saturn
 namespace uranus {
 struct Iau : moving_frame {};
 }  // namespace uranus
 namespace neptune {
+/// By features of the clouds, since the report of 2015; before, by the magnetic field, 1 % slower.
 struct Iau : moving_frame {};
 }  // namespace neptune
 
