@@ -16,9 +16,9 @@ Quantity<si::time> longest_light_time(Body body) {
 }
 
 ChebyshevPieces pieces_of(Body body, const TimeSpan& span) {
-  const bool fast = body == Body::moon;
-  return {series_of(body).motion, fast ? 4 : 16, fast ? 12 : 14, span.start() - longest_light_time(body),
-          span.end()};
+  const int days = body == Body::moon ? 4 : 16;
+  const int coefficients = body == Body::moon ? 12 : body == Body::sun ? 14 : 16;
+  return {series_of(body).motion, days, coefficients, span.start() - longest_light_time(body), span.end()};
 }
 
 }  // namespace

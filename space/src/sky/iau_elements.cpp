@@ -58,7 +58,7 @@ constexpr std::array<IauTerm, 5> jupiter = {{{0.000117, 0.000050, 0, 99.360714, 
 constexpr std::array<IauTerm, 1> neptune = {{{0.70, -0.51, -0.48, 357.85, 52.316}}};
 
 // In the order of Body, from the Sun.
-const std::array<IauElements, 9> all_elements = {
+constexpr std::array<IauElements, 9> all_elements = {
     {{286.13, 0, 63.87, 0, 84.176, 14.1844, 0, {}},
      {269.9949, 0.0031, 66.5392, 0.0130, 38.3213, 13.17635815, -1.4e-12, moon},
      {281.0103, -0.0328, 61.4155, -0.0049, 329.5988, 6.1385108, 0, mercury},

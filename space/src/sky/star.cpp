@@ -64,7 +64,13 @@ Vector<earth::Gcrf, si::dimensionless> Star::direction_from_barycentre(const Epo
 
 Eigen::Vector3d Star::direction_from(detail::Trusted, const Epoch& epoch, const Eigen::Vector3d& r) const {
   const double elapsed = (epoch - epoch_).value() + r.dot(place_) / speed_of_light.value();
-  return (place_ + elapsed * rate_ - parallax_ * r).normalized();
+  const Eigen::Vector3d n = place_ + elapsed * rate_ - parallax_ * r;
+  const double length = n.norm();
+  if (!(length > 0.0 && std::isfinite(length))) {
+    throw BadInput("Star: seen from " + detail::text(r.norm()) +
+                   " m from the barycentre the star has no direction");
+  }
+  return n / length;
 }
 
 }  // namespace vectrix

@@ -93,6 +93,21 @@ auto of_mars(const Epoch& t) {
 }
 }  // namespace centre_taken_for_axes
 
+namespace frame_at_another_body {
+// mistake: the frame of the Moon where Mars is
+// expect: sky::Mars
+// expect: the ephemeris of the same body
+auto of_the_moon(const Ephemeris<sky::Moon>& moon, const Ephemeris<sky::Mars>& mars, const Epoch& t) {
+#ifdef REPAIRED
+  static_cast<void>(mars);
+  return iau_motion(of<moon::Iau>, moon, t);
+#else
+  static_cast<void>(moon);
+  return iau_motion(of<moon::Iau>, mars, t);
+#endif
+}
+}  // namespace frame_at_another_body
+
 namespace limb_in_two_frames {
 // mistake: a boresight in the camera, and the Moon along the axes of GCRF
 // expect: Camera

@@ -4,9 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include <vectrix/space/sky/geocentric.hpp>
+#include <vectrix/kinematics.hpp>
 #include <vectrix/space/sky/iau_frames.hpp>
-#include <vectrix/space/time/time_span.hpp>
 
 namespace vectrix::iau_frames_test {
 namespace {
@@ -15,6 +14,8 @@ using earth::Gcrf;
 
 constexpr double degree = std::numbers::pi / 180.0;
 constexpr double day = 86400.0;  // s
+
+struct Base : moving_frame {};
 
 template <class F, class B> struct Fixed {
   using Frame = F;
@@ -218,12 +219,42 @@ TEST(IauFrames, UranusHadItsEquinoxIn2007) {
   EXPECT_NEAR(below_the_sun<Uranus>(Epoch::from_tt("2007-12-10T00:00:00")).latitude, 0.0, 0.15);
 }
 
+// The origin is the body's centre; a place that is fixed to the body moves with w x r.
+TEST(IauFrames, MoveWithTheirBody) {
+  const auto t = Epoch::from_tt("2021-05-06T07:08:09");
+  const auto h = 10.0 * si::second;
+  const Ephemeris<sky::Moon> moon(from_until(t - h, t + h));
+  const auto r_base = vector<si::length>(in<moon::Iau>, Eigen::Vector3d(1e6, 1e6, 1e6));
+  const auto graph = frame_graph(
+      edge([&](const Epoch& at) { return iau_motion(of<moon::Iau>, moon, at); }),
+      rigid_edge(Transform<moon::Iau, Base>{aligned(to<moon::Iau>, from<Base>),
+                                            displacement(of<Base>, relative_to<moon::Iau>, r_base)}));
+  const auto at = [&](const Epoch& epoch) {
+    return graph.at(epoch).position(of<Base>, relative_to<Gcrf>, in<Gcrf>).coordinates();
+  };
+  const auto now = graph.at(t);
+  const auto centre = now.position(of<moon::Iau>, relative_to<Gcrf>, in<Gcrf>);
+  EXPECT_EQ(centre.coordinates(), moon.motion(t).position.coordinates());
+  const Eigen::Vector3d v =
+      now.velocity(of<Base>, relative_to<Gcrf>, observed_from<Gcrf>, in<Gcrf>).coordinates();
+  // m/s: of positions of 4e8 m over 20 s; h^2/6 of the third derivative, 1e3 m/s (2.7e-6/s)^2
+  constexpr double rounding = 4e8 * 1.1e-16 * 4.0 / 20.0, truncation = 100.0 / 6.0 * 1e3 * 7.3e-12;
+  const Eigen::Vector3d moved = at(t + h) - at(t - h);
+  EXPECT_LT((moved / (2.0 * h.value()) - v).norm(), rounding + truncation);
+  EXPECT_GT((v - moon.motion(t).velocity.coordinates()).norm(), 1.0);  // w x r is 4 m/s
+}
+
 template <class F>
 concept Turns = requires(const Epoch& t) {
   { iau_rotation(of<F>, t) } -> std::same_as<AcceleratingDcm<Gcrf, F>>;
 };
 static_assert(Turns<mars::Iau> && Turns<sun::Iau>);
 static_assert(!Turns<sky::Mars> && !Turns<earth::Itrf>);
+template <class F, class B>
+concept Moves = requires(const Ephemeris<B>& body, const Epoch& t) {
+  { iau_motion(of<F>, body, t) } -> std::same_as<MovingTransform<Gcrf, F>>;
+};
+static_assert(Moves<mars::Iau, sky::Mars> && !Moves<mars::Iau, sky::Venus>);
 
 }  // namespace
 }  // namespace vectrix::iau_frames_test

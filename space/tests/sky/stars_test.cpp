@@ -239,6 +239,8 @@ TEST(Stars, RefuseWhatIsNoStar) {
   said([&] { (void)with_cosine(in_degrees(nan, 9.0), 0, 0, 1, 0, 2000.0); }, "Star: the right ascension nan");
   const auto star = with_cosine(place, 0, 0, 1, 0, 2000.0);
   const auto still = moving(Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero());
+  const Eigen::Vector3d nowhere(nan, 0.0, 0.0);
+  said([&] { (void)star.direction_from(detail::trusted, span.start(), nowhere); }, "Star: seen from nan m");
   said([&] { (void)stars.direction(star, julian_epoch(2000.0), still, apparent); }, "Stars: the epoch 2000");
   said([&] { (void)stars.direction(star, julian_epoch(2000.0), still, light_time); },
        "Stars: the epoch 2000");

@@ -14,7 +14,7 @@ namespace vectrix {
 ///     rho = rho_min(h) + (rho_max(h) - rho_min(h)) cos^n(psi/2)
 /// psi the angle between the position and the apex of the bulge, 30 deg east of the Sun; rho_min and rho_max
 /// of a table, exponential between its heights. Over the cycle of the Sun's activity the density changes by a
-/// factor of ten at 500 km, which is not in it.
+/// factor of more than ten at 500 km, which is not in it.
 class VECTRIX_EXPORT HarrisPriester {
  public:
   /// The exponent n says how far the bulge reaches to the poles: from 2 for orbits of a low inclination to 6

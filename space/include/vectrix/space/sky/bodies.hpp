@@ -72,8 +72,7 @@ template <> inline constexpr Body body_of<sky::Neptune> = Body::neptune;
 
 /// The Sun, the Moon and the planets from Mercury to Neptune, but for the Earth: that is earth::Gcrf.
 template <class B>
-concept SkyBody = detail::body_of<B>
-!= detail::Body::none;
+concept SkyBody = (detail::body_of<B> != detail::Body::none);
 
 namespace detail {
 

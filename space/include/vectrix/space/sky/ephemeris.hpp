@@ -6,10 +6,10 @@ namespace vectrix {
 
 /// The Sun, the Moon or a planet over a span of time, from Chebyshev series through those of geocentric(),
 /// whose accuracy it has: Ephemeris<sky::Sun>(span). A call takes a thousandth of eraEpv00's time, and a year
-/// 20 kB, for the Moon 45 kB. The position is within 10 m of geocentric()'s, for the Moon within 1 cm; the
-/// velocity is the derivative of the position, for a planet up to 30 m/s from eraPlan94's. It never changes,
-/// so threads may share it. Throws BadInput for a span outside the years 1900 to 2099, and for an epoch
-/// outside the span.
+/// 20 kB, for the Moon 45 kB. The position is within 10 m of geocentric()'s, of a planet 1 m, of the Moon
+/// 1 cm; the velocity is the derivative of the position, for a planet up to 40 m/s from eraPlan94's. It never
+/// changes, so threads may share it. Throws BadInput for a span outside the years 1900 to 2099, and for an
+/// epoch outside the span.
 ///
 /// How the body is seen from a point is a question with a correction, geometric, light_time or apparent:
 ///     sun.line_of_sight(now, seen_from<Satellite>, apparent, in<Camera>)       r_pb, m, from p to the body

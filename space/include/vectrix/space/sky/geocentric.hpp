@@ -27,8 +27,8 @@ VECTRIX_EXPORT PlainMotion geocentric_motion(Body body, const Epoch& epoch);
 ///     planets   eraPlan94, relative to the Sun, and eraEpv00     about 30 microseconds
 /// The planets are approximate. Of their positions relative to the Sun, Simon and others (1994) give as
 /// largest errors, in longitude and distance: Mercury 4 arcsec, 300 km; Venus 5, 800; Mars 17, 7700; Jupiter
-/// 71, 76,000; Saturn 81, 267,000; Uranus 86, 712,000; Neptune 11, 253,000. An inner planet near the Earth
-/// is seen with up to three times these angles. Their velocities are wrong by 0.4 m/s (Mercury) to 20 m/s.
+/// 71, 76,000; Saturn 81, 267,000; Uranus 86, 712,000; Neptune 11, 253,000. Near the Earth a planet is
+/// seen with up to four times these angles. Their velocities are wrong by 0.4 m/s (Mercury) to 20 m/s.
 /// Ephemeris answers in a thousandth of the Sun's time. Throws BadInput outside the years 1900 to 2099.
 template <SkyBody B> PointMotion<earth::Gcrf, B, earth::Gcrf> geocentric(Of<B>, const Epoch& epoch) {
   const auto plain = detail::geocentric_motion(detail::body_of<B>, epoch);

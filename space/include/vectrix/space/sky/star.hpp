@@ -66,7 +66,7 @@ class VECTRIX_EXPORT Star {
   [[nodiscard]] Vector<earth::Gcrf, si::dimensionless> direction_from_barycentre(const Epoch& epoch) const;
 
   /// The direction from an observer at r relative to the barycentre, m. The light comes from the star by
-  /// r.n0/c earlier than at the barycentre.
+  /// r.n0/c earlier than at the barycentre. Throws BadInput if r is not finite.
   [[nodiscard]] Eigen::Vector3d direction_from(detail::Trusted, const Epoch& epoch,
                                                const Eigen::Vector3d& r) const;
 
