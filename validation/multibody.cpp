@@ -15,7 +15,7 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 /// Thirty bodies on each other: the condition of their joints times the rounding of both engines.
-constexpr double relative_tolerance = 1e-11;
+constexpr double acceleration_tolerance = 1e-11;
 /// A reaction is a difference of larger forces.
 constexpr double reaction_tolerance = 1e-10;
 constexpr const char* reason = "rounding of both, for up to 30 bodies on each other";
@@ -198,7 +198,7 @@ Rows multibody_rows(const std::string&) {
     const std::string scenario =
         std::to_string(count) + " random crafts of 2 to 30 bodies, all kinds of joints, " + what;
     rows.push_back({"Simbody, trees of bodies", scenario, "accelerations, relative to the largest",
-                    relative_tolerance, "", reason, reached.acceleration});
+                    acceleration_tolerance, "", reason, reached.acceleration});
     rows.push_back({"Simbody, trees of bodies", scenario, "what each joint transmits, relative",
                     reaction_tolerance, "", "a difference of larger forces", reached.reaction});
   };

@@ -102,6 +102,7 @@ NamedCraftCore::NamedCraftCore(PlainSpacecraft given)
     frame.name = name;
     frame.motion = motion;
     frame.number = static_cast<std::uint32_t>(frames_.size() - 1);
+    numbers_.emplace(frame.name, frame.number);
   };
   add(plain_.inertial, FrameMotion::inertial);
   add(plain_.hub, FrameMotion::moving);
@@ -109,9 +110,9 @@ NamedCraftCore::NamedCraftCore(PlainSpacecraft given)
 }
 
 NamedFrame NamedCraftCore::frame(std::string_view name) const {
-  const std::size_t found = find_part(frames_, name);
-  if (found == frames_.size()) no_part("frame", name, frames_);
-  return frame(found);
+  const auto found = numbers_.find(name);
+  if (found == numbers_.end()) no_part("frame", name, frames_);
+  return frame(found->second);
 }
 NamedFrame NamedCraftCore::own(NamedFrame frame) const {
   if (frame.record().graph != this)
@@ -126,10 +127,11 @@ int NamedCraftCore::link(NamedFrame body, const char* action) const {
 }
 
 NamedCraftCore::Joint NamedCraftCore::joint(std::string_view body) const {
-  const std::size_t found = find_part(plain_.bodies, body);
-  if (found == plain_.bodies.size()) no_part("joint", body, plain_.bodies);
-  const PlainBody& given = plain_.bodies[found];
-  const std::size_t last = static_cast<std::size_t>(links_[found + 1]) - 1;
+  const auto found = numbers_.find(body);
+  if (found == numbers_.end() || found->second < 2) no_part("joint", body, plain_.bodies);
+  const std::size_t number = found->second - 1;  // the hub is 0
+  const PlainBody& given = plain_.bodies[number - 1];
+  const std::size_t last = static_cast<std::size_t>(links_[number]) - 1;
   return {&given, given.joint == JointKind::gimbal ? last - 1 : last};
 }
 std::size_t NamedCraftCore::rotor(std::string_view name) const {

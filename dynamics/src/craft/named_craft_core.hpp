@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <deque>
+#include <unordered_map>
 #include <vectrix/dynamics/craft/named_spacecraft.hpp>
 
 namespace vectrix::detail {
@@ -60,6 +61,7 @@ class NamedCraftCore {
   std::vector<int> links_;  // by body, the hub first
   multibody::Tree<double> tree_;
   std::deque<FrameRecord> frames_;
+  std::unordered_map<std::string_view, std::size_t> numbers_;  // of the frames, by name
 };
 
 const char* name_of(JointKind kind);

@@ -79,9 +79,11 @@ template <class S> void Tree<S>::place_hub(const S* y, Work<S>& k) const {
   const Mass<S>& hub = less_rotors_.front();
   k.R_i_from_h = matrix_of_quaternion(y);
   k.w = {y[4], y[5], y[6]};
-  k.hub.A = hub.J;
-  k.hub.H = hat(hub.mc);
-  k.hub.M = diagonal(hub.m);
+  if (!rigid_) {
+    k.hub.A = hub.J;
+    k.hub.H = hat(hub.mc);
+    k.hub.M = diagonal(hub.m);
+  }
   k.hub.n = cross(k.w, hub.J * k.w);
   k.hub.f = cross(k.w, cross(k.w, hub.mc));
 }

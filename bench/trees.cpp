@@ -1,0 +1,268 @@
+/// Right-hand sides of trees of bodies, compared with Simbody in the same run. Prints a section of
+/// docs/evidence/performance.md. Fails if the two engines disagree.
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <functional>
+#include <random>
+#include <vectrix/dynamics.hpp>
+#include <vectrix/dynamics/craft/named_spacecraft.hpp>
+#include <vectrix/dynamics/multibody/hinge.hpp>
+
+#include "simbody_reference_tree.hpp"
+#include "typed_kernels.hpp"
+
+namespace bench {
+namespace {
+
+using namespace vectrix;
+using Clock = std::chrono::steady_clock;
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+using Numbers = std::vector<double>;
+
+constexpr double same = 1e-10;  // relative to the largest rate: rounding of both engines, on 200 bodies
+constexpr double stiffness = 3.0, damping = 0.05;
+
+/// A chain of bodies on hinges, or all on the hub, with springs and dampers; rotors in the hub.
+struct Craft {
+  const char* name;
+  int hinged;
+  bool chain;
+  int rotors;
+};
+
+Numbers random_numbers(std::mt19937_64& random, std::size_t count) {
+  std::normal_distribution<double> normal;
+  Numbers list(count);
+  for (double& number : list) number = normal(random);
+  return list;
+}
+
+PlainSpacecraft plain(const Craft& craft) {
+  std::mt19937_64 random(7);
+  const auto triple = [&] {
+    const Numbers n = random_numbers(random, 3);
+    return Vector3d(n[0], n[1], n[2]);
+  };
+  const auto rotation = [&] {
+    const Numbers n = random_numbers(random, 4);
+    return Eigen::Quaterniond(n[0], n[1], n[2], n[3]).normalized().toRotationMatrix();
+  };
+  PlainSpacecraft made{
+      "inertial", "hub", HubMotion::free, 300.0, 0.1 * triple(), 100.0 * Matrix3d::Identity(), {}, {}, {}};
+  for (int i = 0; i < craft.hinged; ++i) {
+    made.bodies.push_back({"body " + std::to_string(i),
+                           craft.chain && i > 0 ? made.bodies.back().name : "hub",
+                           JointKind::hinge,
+                           {triple().normalized()},
+                           rotation(),
+                           triple(),
+                           3.0,
+                           0.3 * triple(),
+                           Vector3d(0.5, 0.6, 0.8).asDiagonal()});
+  }
+  for (int i = 0; i < craft.rotors; ++i)
+    made.rotors.push_back({"rotor " + std::to_string(i), "hub", triple().normalized(), 0.1});
+  return made;
+}
+
+multibody::Tree<double> tree(const PlainSpacecraft& craft) {
+  using multibody::Column, multibody::Square;
+  const auto column = [](const Vector3d& v) { return Column<double>{v.x(), v.y(), v.z()}; };
+  const auto mass = [&](double m, const Vector3d& c, const Matrix3d& J_c) {
+    const Matrix3d J = J_c + m * (c.squaredNorm() * Matrix3d::Identity() - c * c.transpose());
+    return multibody::Mass<double>{m, column(m * c), {J(0, 0), J(1, 1), J(2, 2), J(0, 1), J(0, 2), J(1, 2)}};
+  };
+  multibody::TreeNumbers<double> numbers{
+      craft.motion, mass(craft.mass, craft.r_hc_h, craft.J_c_h), {}, {}, {}};
+  for (const PlainBody& b : craft.bodies) {
+    const bool chained = b.parent != craft.hub;
+    const Matrix3d& R = b.R_p_from_b;
+    numbers.links.push_back(
+        {chained ? static_cast<int>(numbers.links.size()) : 0,
+         multibody::hinge(Square<double>{column(R.col(0)), column(R.col(1)), column(R.col(2))},
+                          column(b.axes_b[0]), column(b.r_pb_p)),
+         mass(b.mass, b.r_bc_b, b.J_c_b)});
+  }
+  for (const PlainRotor& rotor : craft.rotors)
+    numbers.rotors.push_back({0, column(rotor.axis_b), rotor.inertia});
+  return multibody::Tree<double>(numbers);
+}
+
+validation::SimbodyTreeCraft simbody(const PlainSpacecraft& craft) {
+  const auto three = [](const Vector3d& v) { return validation::Vector3{v.x(), v.y(), v.z()}; };
+  const auto nine = [](const Matrix3d& m) {
+    return validation::Matrix3{m(0, 0), m(0, 1), m(0, 2), m(1, 0), m(1, 1),
+                               m(1, 2), m(2, 0), m(2, 1), m(2, 2)};
+  };
+  validation::SimbodyTreeCraft made{craft.mass, three(craft.r_hc_h), nine(craft.J_c_h), {}, {}, {}, {}, {}};
+  made.force_i.resize(craft.bodies.size() + 1);
+  made.torque_i.resize(craft.bodies.size() + 1);
+  for (const PlainBody& b : craft.bodies) {
+    const int parent = b.parent == craft.hub ? -1 : static_cast<int>(made.bodies.size()) - 1;
+    made.bodies.push_back({validation::SimbodyJoint::hinge,
+                           parent,
+                           nine(b.R_p_from_b),
+                           three(b.r_pb_p),
+                           three(b.axes_b[0]),
+                           {},
+                           b.mass,
+                           three(b.r_bc_b),
+                           nine(b.J_c_b),
+                           false,
+                           0.0});
+  }
+  for (const PlainRotor& rotor : craft.rotors)
+    made.rotors.push_back({-1, three(rotor.axis_b), rotor.inertia, 0.0});
+  return made;
+}
+
+struct Row {
+  std::function<void()> call;
+  int calls;  // in a burst
+  Numbers ns = {};
+
+  /// The low percentile: on a machine that others use too, the middle measures the others.
+  double time() {
+    std::sort(ns.begin(), ns.end());
+    return ns[ns.size() / 20];
+  }
+};
+
+/// Short bursts, interleaved, so that a slow machine slows all.
+void measure(std::vector<Row*> rows, int rounds) {
+  std::mt19937_64 random(11);
+  for (int round = 0; round < rounds; ++round) {
+    std::shuffle(rows.begin(), rows.end(), random);
+    for (Row* row : rows) {
+      const auto begin = Clock::now();
+      for (int i = 0; i < row->calls; ++i) row->call();
+      row->ns.push_back(std::chrono::duration<double, std::nano>(Clock::now() - begin).count() / row->calls);
+    }
+  }
+}
+
+/// Measures one craft: the engine with its springs, the named craft with springs by name, Simbody without.
+bool measure(const Craft& craft) {
+  const PlainSpacecraft parts = plain(craft);
+  const auto engine = tree(parts);
+  const NamedSpacecraft named(parts);
+  validation::SimbodyTree theirs(simbody(parts));
+  std::mt19937_64 random(3);
+  Numbers y = random_numbers(random, named.state_size());
+  std::fill(y.begin() + 7, y.begin() + 13, 0.0);
+  Numbers ydot(y.size());
+  auto work = engine.work();
+  engine.place(y.data(), work);
+  engine.solve(y.data(), ydot.data(), work);
+  theirs.evaluate(y.data());
+  const Numbers rates = theirs.rates();
+  Numbers ours(ydot.begin() + 4, ydot.begin() + 7);
+  ours.insert(ours.end(), ydot.begin() + 10, ydot.begin() + 13);
+  ours.insert(ours.end(), ydot.end() - static_cast<std::ptrdiff_t>(rates.size() - 6), ydot.end());
+  double largest = 1.0, difference = 0.0;
+  for (std::size_t i = 0; i < rates.size(); ++i) {
+    largest = std::max(largest, std::abs(rates[i]));
+    difference = std::max(difference, std::abs(rates[i] - ours[i]));
+  }
+  if (!(difference <= same * largest)) {
+    std::fprintf(stderr, "trees: %s differs from Simbody by %g\n", craft.name, difference / largest);
+    return false;
+  }
+
+  const auto& layout = engine.layout();
+  const auto springs = [&](const NamedNow& now, NamedForces& forces) {
+    for (const PlainBody& body : parts.bodies) {
+      forces.effort(body.name, (-stiffness * now.angle(body.name).value() -
+                                damping * now.angle_rate(body.name).value()) *
+                                   si::newton_metre);
+    }
+  };
+  const auto problem = named.problem(named.state(y), 0.0 * si::second, 1.0 * si::second, 1e-9, {}, springs);
+  // Each call needs the result of the last, as in an integrator.
+  const int calls = 10 + 20000 / (20 + 10 * craft.hinged);
+  Row by_engine{[&] {
+                  engine.place(y.data(), work);
+                  for (std::size_t i = 0; i < layout.speeds; ++i)
+                    work.efforts[i] = -stiffness * y[13 + i] - damping * y[layout.speeds_begin() + i];
+                  engine.solve(y.data(), ydot.data(), work);
+                  y[4] += 1e-12 * ydot[4];
+                },
+                calls};
+  Row by_name{[&] {
+                problem.rhs(0.0, 0.0, y, ydot);
+                y[4] += 1e-12 * ydot[4];
+              },
+              calls};
+  Row by_simbody{[&] {
+                   theirs.evaluate(y.data());
+                   y[4] += 1e-12;
+                 },
+                 std::max(3, calls / 40)};
+  measure({&by_engine, &by_name, &by_simbody}, 200);
+  const double ns = by_engine.time();
+  std::printf("| %s | %.0f | %.0f | %.0f | %.0f | %.1f |\n", craft.name, ns, ns / (craft.hinged + 1),
+              by_name.time(), by_simbody.time(), by_simbody.time() / ns);
+  return true;
+}
+
+/// A hub alone, whose attitude is the state, and the right-hand side of a Scenario.
+void measure_hub() {
+  using Eigen::Vector3d;
+  const multibody::Tree<double> hub(
+      {HubMotion::turning, {1.0, {0.0, 0.0, 0.0}, {1.0, 2.0, 3.0, 0.0, 0.0, 0.0}}, {}, {}, {}});
+  auto work = hub.work();
+  std::array<double, 7> y{1.0, 0.0, 0.0, 0.0, 0.7, 0.6, 0.6}, z = y, ydot{}, zdot{};
+  const auto kg_m2 = si::kilogram_square_metre;
+  const Scenario<A, B> scenario{
+      .inertia = inertia_from_principal_moments(in<B>, 1.0 * kg_m2, 2.0 * kg_m2, 3.0 * kg_m2),
+      .initial = {.time = 0.0 * si::second,
+                  .q_i_from_b = quaternion_scalar_first(to<A>, from<B>, 1.0, 0.0, 0.0, 0.0),
+                  .w_ib_b = angular_velocity(of<B>, relative_to<A>,
+                                             vector<si::angular_velocity>(in<B>, Vector3d(0.7, 0.6, 0.6)))}};
+  const detail::StateLayout<A, B> layout(AttitudeState::quaternion, false);
+  Row by_engine{[&] {
+                  hub.place(y.data(), work);
+                  hub.solve(y.data(), ydot.data(), work);
+                  y[4] += 1e-12 * ydot[4];
+                },
+                2000};
+  Row by_scenario{[&] {
+                    typed::body_rate(layout, scenario, z, zdot);
+                    z[4] += 1e-12 * zdot[4];
+                  },
+                  2000};
+  measure({&by_engine, &by_scenario}, 200);
+  std::printf(
+      "\nA hub alone that only turns takes %.0f ns. `StateLayout::derivative`, which knows one body only, "
+      "takes %.0f ns.\n\n",
+      by_engine.time(), by_scenario.time());
+}
+
+}  // namespace
+}  // namespace bench
+
+int main() {
+  std::printf(
+      "## Trees of bodies\n\n"
+      "One right-hand side, ns, g++, x86-64; each call needs the result of the last. Fifth percentiles of "
+      "short "
+      "interleaved bursts, because a middle value would measure the other programs on the machine. "
+      "`multibody::Tree` has a spring and a damper on each joint. So has `NamedSpacecraft`, whose load finds "
+      "each "
+      "joint by its name. Simbody has none, and realizes its accelerations.\n\n"
+      "| craft | `multibody::Tree` | a body | `NamedSpacecraft` | Simbody | times `Tree` |\n"
+      "| --- | --- | --- | --- | --- | --- |\n");
+  bool agree = true;
+  for (const bench::Craft& craft : {bench::Craft{"hub and 2 hinged panels", 2, false, 0},
+                                    {"hub and 4 balanced rotors", 0, false, 4},
+                                    {"hub and chain of 5", 5, true, 0},
+                                    {"hub and chain of 7", 7, true, 0},
+                                    {"hub and chain of 31", 31, true, 0},
+                                    {"hub and chain of 127", 127, true, 0},
+                                    {"hub and chain of 199", 199, true, 0}})
+    agree = bench::measure(craft) && agree;
+  bench::measure_hub();
+  return agree ? 0 : 1;
+}
