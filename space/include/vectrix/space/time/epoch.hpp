@@ -17,8 +17,9 @@ namespace vectrix {
 /// to read and to write it; TimeScale lists them. Differences are SI seconds and include leap seconds. An
 /// instant of the graph: graph.at(epoch).
 ///
-/// UTC starts in 1960, and GPS time in 1980; an earlier date is BadInput. In years after the end of ERFA's
-/// table of leap seconds, UTC uses the last leap second of the table; the other scales do not depend on it.
+/// UTC starts in 1960, and GPS time in 1980; an earlier date is BadInput. In years after the end of the
+/// table of leap seconds, UTC uses its last one; the other scales do not depend on it. See leap_seconds.hpp
+/// for a newer table.
 class VECTRIX_EXPORT Epoch {
  public:
   /// From "2022-04-14T10:22:11.874999" or, by the day of the year, "2022-104T10:22:11.874999", with 0 to 12
