@@ -51,6 +51,11 @@ namespace detail {
 template <class B, class C> struct SeenAs : std::type_identity<sky::Image<B, C>> {};
 template <class B> struct SeenAs<B, Geometric> : std::type_identity<B> {};
 
+/// The Sun, or where it is seen.
+template <class P> inline constexpr bool is_sun = false;
+template <> inline constexpr bool is_sun<sky::Sun> = true;
+template <class C> inline constexpr bool is_sun<sky::Image<sky::Sun, C>> = true;
+
 }  // namespace detail
 
 /// The point at which a body is seen with a correction: the body itself if that is geometric.

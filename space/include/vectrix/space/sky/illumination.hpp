@@ -15,9 +15,6 @@ VECTRIX_EXPORT double visible_past_sphere(const Eigen::Vector3d& to_sun, const E
 VECTRIX_EXPORT double visible_past_ellipsoid(const Eigen::Vector3d& to_sun, const Eigen::Vector3d& to_centre,
                                              double equatorial, double polar, double sun_radius);
 
-template <class S> inline constexpr bool is_sun = false;
-template <> inline constexpr bool is_sun<sky::Sun> = true;
-template <class C> inline constexpr bool is_sun<sky::Image<sky::Sun, C>> = true;
 template <class P>
 inline constexpr bool is_earth = std::same_as<P, earth::Itrf> || std::same_as<P, earth::Gcrf>;
 
