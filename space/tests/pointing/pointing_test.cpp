@@ -5,6 +5,8 @@
 
 #include <vectrix/frames/graph/frame_graph.hpp>
 #include <vectrix/frames/scalar/lanes.hpp>
+#include <vectrix/kinematics/points/moving_transform.hpp>
+#include <vectrix/kinematics/points/rigid_edge.hpp>
 #include <vectrix/space/orbit/orbit_frames.hpp>
 #include <vectrix/space/pointing/pointing.hpp>
 
@@ -156,6 +158,61 @@ TEST(Pointing, ToNadirIsLvlh) {
               rate_tolerance);
     EXPECT_LE((pointed.angular_acceleration.coordinates() - wanted.angular_acceleration.coordinates()).norm(),
               acceleration_tolerance);
+  }
+}
+
+// A camera follows a place on the turning Earth from an orbit: seen from the body the place moves along z
+// alone, in its velocity and its acceleration.
+TEST(Pointing, FollowsATargetThroughAGraph) {
+  struct Satellite : moving_frame {};
+  struct Ground : moving_frame {};
+  struct Site : moving_frame {};
+  const double r = 7e6, n = 1.08e-3, w = 7.29e-5;
+  const auto earth = edge([=](Quantity<si::time> t) {
+    const AcceleratingDcm<Gcrf, Ground> turning = accelerating_dcm(
+        inverse(turned_z(to<Ground>, from<Gcrf>, Quantity<si::angle>::from_value(w * t.value()))),
+        angular_velocity(of<Ground>, relative_to<Gcrf>,
+                         vector<si::angular_velocity>(in<Ground>, Vector3d(0, 0, w))),
+        unaccelerated(of<Ground>, relative_to<Gcrf>, in<Ground>));
+    return AcceleratingTransform<Gcrf, Ground>{
+        turning, coincident(of<Ground>, relative_to<Gcrf>, in<Gcrf>),
+        at_rest(of<Ground>, relative_to<Gcrf>, observed_from<Gcrf>, in<Gcrf>),
+        unaccelerated(of<Ground>, relative_to<Gcrf>, observed_from<Gcrf>, in<Gcrf>)};
+  });
+  const auto site = rigid_edge(Transform<Ground, Site>{
+      aligned(to<Ground>, from<Site>),
+      displacement(of<Site>, relative_to<Ground>, length<Ground>(Vector3d(6.1e6, 1.2e6, 1.3e6)))});
+  const auto orbit = edge([=](Quantity<si::time> t) {
+    const double c = std::cos(n * t.value()), s = std::sin(n * t.value());
+    const Vector3d x(r * c, 0.6 * r * s, 0.8 * r * s), v = n * r * Vector3d(-s, 0.6 * c, 0.8 * c);
+    return AcceleratingTransform<Gcrf, Satellite>{
+        rigid_edge(aligned(to<Gcrf>, from<Satellite>)).value(),
+        displacement(of<Satellite>, relative_to<Gcrf>, length<Gcrf>(x)),
+        velocity(of<Satellite>, relative_to<Gcrf>, observed_from<Gcrf>, vector<si::velocity>(in<Gcrf>, v)),
+        acceleration(of<Satellite>, relative_to<Gcrf>, observed_from<Gcrf>,
+                     vector<si::acceleration>(in<Gcrf>, Vector3d(-n * n * x)))};
+  });
+  const auto camera =
+      edge([](const Displacement<Satellite, Site, In<Satellite>>& to_site,
+              const Velocity<Satellite, Site, ObservedFrom<Satellite>, In<Satellite>>& v,
+              const Acceleration<Satellite, Site, ObservedFrom<Satellite>, In<Satellite>>& a) {
+        return pointing(align(unit_z(in<Body>), moving_direction(to_site, v, a)),
+                        constrain(unit_y(in<Body>), fixed_direction(unit_z(in<Satellite>))));
+      });
+  const auto graph = frame_graph(earth, site, orbit, camera);
+  for (const double t : {0.0, 150.0, 700.0}) {
+    const auto now = graph.at(t * si::second);
+    const Vector3d place = now.position(of<Site>, relative_to<Satellite>, in<Body>).coordinates();
+    const Vector3d v =
+        now.velocity(of<Site>, relative_to<Satellite>, observed_from<Body>, in<Body>).coordinates();
+    const Vector3d a =
+        now.acceleration(of<Site>, relative_to<Satellite>, observed_from<Body>, in<Body>).coordinates();
+    // Of what is subtracted: |w| |r| and |alpha| |r| + 2 |w| |v| + |w|^2 |r|, with w up to 0.1 rad/s.
+    EXPECT_LE(place.head<2>().norm(), 10 * rounding * place.norm()) << t;
+    EXPECT_GT(place.z(), 0.0) << t;
+    EXPECT_LE(v.head<2>().norm(), 1e-15 * 0.1 * place.norm() + 1e-11) << t;
+    EXPECT_LE(a.head<2>().norm(), 1e-12) << t;
+    EXPECT_GT(std::abs(v.z()), 10.0) << t;
   }
 }
 

@@ -103,6 +103,21 @@ auto attitude(const Motion& motion, const ToSun& sun) {
 }
 }  // namespace yaw_steering_from_the_satellite_to_the_earth
 
+namespace yaw_steering_with_sun_and_earth_exchanged {
+// mistake: the Sun in place of the Earth: z would point to the Sun
+// expect: PointMotion<(vectrix::)?sky::Sun, Satellite
+// expect: satellite from the Earth
+auto attitude(const Motion& motion, const ToSun& sun) {
+#ifdef REPAIRED
+  return yaw_steering(from<Body>, motion, sun);
+#else
+  const PointMotion<Sun, Satellite, Gcrf> from_sun{-sun.position, -sun.velocity};
+  const PointMotion<Satellite, Gcrf, Gcrf> to_earth{-motion.position, -motion.velocity};
+  return yaw_steering(from<Body>, from_sun, to_earth);
+#endif
+}
+}  // namespace yaw_steering_with_sun_and_earth_exchanged
+
 namespace zero_doppler_steering_by_the_inertial_velocity {
 // mistake: zero-Doppler steering by the velocity in an inertial frame: up to 4 deg off in yaw
 // expect: PointMotion<(vectrix::)?earth::Gcrf, Satellite

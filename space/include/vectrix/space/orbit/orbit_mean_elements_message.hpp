@@ -20,16 +20,14 @@ class OrbitMeanElementsReader;
 }  // namespace detail
 
 /// One orbit mean-elements message (OMM, CCSDS 502.0-B, versions 2.0 and 3.0), in keyword-value notation:
-/// what two-line elements contain, with more digits, and catalogue numbers of any size:
-///     MEAN_MOTION = 15.49071756 [rev/day]
-/// The mean elements are those of SGP4, and Sgp4 takes both. So CENTER_NAME must be EARTH, REF_FRAME TEME,
-/// TIME_SYSTEM UTC, MEAN_ELEMENT_THEORY SGP4 or SGP/SGP4, and EPHEMERIS_TYPE, if there is one, 0 or 2, or 3
-/// in version 2.0 (SDP4); GM, if there is one, is that of WGS-72, 398600.8 km^3/s^2. The numbers are
-/// MEAN_MOTION in rev/day, ECCENTRICITY, INCLINATION, RA_OF_ASC_NODE, ARG_OF_PERICENTER and MEAN_ANOMALY in
-/// deg, BSTAR per Earth radius; units may be written, and are checked. What else the standard has may be
-/// there: text() gives it as it is written, also the derivatives of the mean motion, which SGP4 does not use
-/// and which some providers divide by 2 and by 6. Other keywords than those of the standard and
-/// USER_DEFINED_... are refused, and keywords that are there twice. Their order is not checked.
+/// what two-line elements contain, with more digits, and catalogue numbers of any size. Sgp4 takes both, so
+/// the message must say that it is for SGP4:
+///     CENTER_NAME EARTH, REF_FRAME TEME, TIME_SYSTEM UTC, MEAN_ELEMENT_THEORY SGP4 or SGP/SGP4
+///     if there, EPHEMERIS_TYPE 0 or 2, or 3 in version 2.0 (SDP4), and GM 398600.8 km^3/s^2 (WGS-72)
+///     MEAN_MOTION in rev/day, angles in deg, BSTAR per Earth radius: units may be written, and are checked
+/// text() gives the rest as it is written, also the derivatives of the mean motion, which SGP4 does not use
+/// and some providers divide by 2 and by 6. Keywords that are neither of the standard nor USER_DEFINED_...,
+/// and keywords that are there twice, are refused. Their order is not checked.
 class VECTRIX_EXPORT OrbitMeanElementsMessage {
  public:
   /// Of one message. Throws BadInput with line, column, keyword and what was found there, or the keyword that

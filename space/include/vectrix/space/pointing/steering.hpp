@@ -4,9 +4,13 @@
 #include <utility>
 
 #include <vectrix/space/pointing/pointing.hpp>
+#include <vectrix/space/sky/bodies.hpp>
 
 namespace vectrix {
 namespace detail {
+
+template <class P>
+concept SunPoint = is_sun<P>;
 
 // z to the Earth, and x on the side of the Sun.
 template <Frame B, class A, Level level, class S>
@@ -15,15 +19,15 @@ auto steered_in_yaw(const MovingDirection<A, level, S>& from_earth_a,
   return pointed_by("yaw_steering", align(unit_z<B, S>(in<B>), -from_earth_a),
                     constrain(unit_x<B, S>(in<B>), to_sun_a));
 }
-template <Frame B, class E, class Q, class Sun, class A, class S>
+template <Frame B, class E, class Q, SunPoint Sun, class A, class S>
 auto yaw_steered(const Displacement<E, Q, In<A>, S>& r_eq_a, const Displacement<Q, Sun, In<A>, S>& r_qs_a) {
   return steered_in_yaw<B>(moving_direction(r_eq_a), moving_direction(r_qs_a));
 }
-template <Frame B, class E, class Q, class Sun, class A, class S>
+template <Frame B, class E, class Q, SunPoint Sun, class A, class S>
 auto yaw_steered(const PointMotion<E, Q, A, S>& eq, const PointMotion<Q, Sun, A, S>& qs) {
   return steered_in_yaw<B>(moving_direction(eq), moving_direction(qs));
 }
-template <Frame B, class E, class Q, class Sun, class A, class S>
+template <Frame B, class E, class Q, SunPoint Sun, class A, class S>
 auto yaw_steered(const PointMotion<E, Q, A, S>& eq,
                  const Acceleration<E, Q, ObservedFrom<A>, In<A>, S>& a_eq_a_a,
                  const PointMotion<Q, Sun, A, S>& qs,
@@ -88,8 +92,8 @@ inline constexpr bool steers_to_zero_doppler<From<B>, Given...> = true;
 }  // namespace detail
 
 /// Yaw steering, the nominal attitude of navigation satellites: z of the body to the centre e of the Earth,
-/// y across the Sun s, so that the panels about y can face it, x on the side of the Sun (the axes of the
-/// International GNSS Service). For a satellite q:
+/// y across the Sun s, sky::Sun or its image, so that panels about y can face it, x on the side of the Sun
+/// (the axes of the International GNSS Service). For a satellite q:
 ///     yaw_steering(from<Body>, r_eq_a, r_qs_a)                        Dcm<A, Body>
 ///     yaw_steering(from<Body>, motion_eq, motion_qs)                  MovingDcm<A, Body>, of PointMotions
 ///     yaw_steering(from<Body>, motion_eq, a_eq, motion_qs, a_qs)      AcceleratingDcm<A, Body>

@@ -79,7 +79,8 @@ namespace detail {
 template <class B, class C> struct SeenAs : std::type_identity<sky::Image<B, C>> {};
 template <class B> struct SeenAs<B, Geometric> : std::type_identity<B> {};
 
-template <class S> inline constexpr bool is_sun = false;
+/// The Sun, or where it is seen.
+template <class P> inline constexpr bool is_sun = false;
 template <> inline constexpr bool is_sun<sky::Sun> = true;
 template <class C> inline constexpr bool is_sun<sky::Image<sky::Sun, C>> = true;
 
