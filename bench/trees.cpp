@@ -1,9 +1,11 @@
 /// Right-hand sides of trees of bodies, compared with Simbody in the same run. Prints a section of
-/// docs/evidence/performance.md. Fails if the two engines disagree.
+/// docs/evidence/performance.md. Fails if the two engines disagree, or a call allocates memory.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <cstdlib>
 #include <functional>
+#include <new>
 #include <random>
 #include <vectrix/dynamics.hpp>
 #include <vectrix/dynamics/craft/named_spacecraft.hpp>
@@ -11,6 +13,22 @@
 
 #include "simbody_reference_tree.hpp"
 #include "typed_kernels.hpp"
+
+namespace {
+std::size_t allocations = 0;
+}
+
+void* operator new(std::size_t size) {
+  ++allocations;
+  if (void* memory = std::malloc(size)) return memory;
+  throw std::bad_alloc();
+}
+void operator delete(void* memory) noexcept {
+  std::free(memory);
+}
+void operator delete(void* memory, std::size_t) noexcept {
+  std::free(memory);
+}
 
 namespace bench {
 namespace {
@@ -200,6 +218,13 @@ bool measure(const Craft& craft) {
                    y[4] += 1e-12;
                  },
                  std::max(3, calls / 40)};
+  const std::size_t before = allocations;
+  by_engine.call();
+  by_name.call();
+  if (allocations != before) {
+    std::fprintf(stderr, "trees: %s allocates memory in a call\n", craft.name);
+    return false;
+  }
   measure({&by_engine, &by_name, &by_simbody}, 200);
   const double ns = by_engine.time();
   std::printf("| %s | %.0f | %.0f | %.0f | %.0f | %.1f |\n", craft.name, ns, ns / (craft.hinged + 1),

@@ -52,6 +52,20 @@ inline NamedJoint fixed_joint(const detail::MountOfBody& X_p_from_b) {
   return {JointKind::fixed, X_p_from_b, {}};
 }
 
+template <class MountGiven, class AxisGiven>
+auto hinge(  // hinge(X_p_from_b, axis_b): b is ThisBody, p ParentBody
+    const MountGiven&, const AxisGiven&) -> Refused = delete;
+template <class MountGiven, class AxisGiven>
+auto slider(  // slider(X_p_from_b, axis_b): b is ThisBody, p ParentBody
+    const MountGiven&, const AxisGiven&) -> Refused = delete;
+template <class MountGiven, class FirstAxisGiven, class SecondAxisGiven>
+auto gimbal(  // gimbal(X_p_from_b, axis_1_b, axis_2_b): b is ThisBody, p ParentBody
+    const MountGiven&, const FirstAxisGiven&, const SecondAxisGiven&) -> Refused = delete;
+template <class MountGiven> auto ball(const MountGiven&) -> Refused = delete;        // ball(X_p_from_b)
+template <class MountGiven> auto free_joint(const MountGiven&) -> Refused = delete;  // free_joint(X_p_from_b)
+template <class MountGiven>
+auto fixed_joint(const MountGiven&) -> Refused = delete;  // fixed_joint(X_p_from_b)
+
 /// The parts of a NamedSpacecraft, with their units and frames. See PlainSpacecraft for what each is.
 struct NamedHub {
   std::string name, inertial;

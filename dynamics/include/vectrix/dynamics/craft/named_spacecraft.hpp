@@ -66,6 +66,7 @@ class VECTRIX_EXPORT NamedSpacecraft {
   /// The problem from a state at the time `start` to `end`: right-hand side, initial state, tolerances and
   /// names of components. The method and the rest are the caller's. A result is a state again:
   ///     craft.state(ode::solve(problem).at(t))
+  /// The problem keeps what it works with: two threads must not solve the same one, but copies of it.
   [[nodiscard]] ode::Problem problem(const NamedState& state, const Quantity<si::time>& start,
                                      const Quantity<si::time>& end, double relative_tolerance,
                                      const NamedTolerances& absolute, const NamedLoads& loads = {},
