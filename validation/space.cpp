@@ -14,6 +14,7 @@ using earth::Gcrf, earth::Itrf, earth::Teme;
 
 struct Satellite : moving_frame {};
 struct Instrument : moving_frame {};
+struct Body : moving_frame {};
 struct Site : north_east_down_frame {};
 
 const std::filesystem::path figures = VECTRIX_SPACE_DATA;
@@ -152,6 +153,24 @@ Rows eclipse_rows() {
            std::abs(after(bright[1]) - 4388.155843)}};
 }
 
+// The nominal attitude of two Galileo satellites, by Orekit's test of it.
+Rows yaw_steering_rows() {
+  const auto table = CsvTable::read(figures / "galileo_yaw_steering.csv", {"x_m", "sun_x_m", "axis_x"});
+  Largest axis;
+  for (std::size_t i = 0; i < table.rows(); ++i) {
+    const auto r = displacement(of<Satellite>, relative_to<Gcrf>,
+                                read_vector<si::length>(in<Gcrf>, table, i, {"x_m", "y_m", "z_m"}));
+    const auto s =
+        displacement(of<sky::Sun>, relative_to<Gcrf>,
+                     read_vector<si::length>(in<Gcrf>, table, i, {"sun_x_m", "sun_y_m", "sun_z_m"}));
+    const auto R_gcrf_from_body = yaw_steering(from<Body>, r, s - r);
+    const auto x = read_vector<si::dimensionless>(in<Gcrf>, table, i, {"axis_x", "axis_y", "axis_z"});
+    axis.add((R_gcrf_from_body * unit_x(in<Body>) - x).coordinates().norm());
+  }
+  return {{"Sky", "yaw steering of Galileo, Orekit's test", "x axis", 3e-14, "rad", "14 printed decimals",
+           axis.value()}};
+}
+
 // The cosines that the ground processing of CTIM, a cubesat, gave for its radiometer.
 Rows flight_rows() {
   const auto attitude = CsvTable::read(flight / "CTIM_20230420_attitude.csv", {"UTC"});
@@ -200,6 +219,14 @@ Rows flight_rows() {
 }
 
 Rows field_rows() {
+  const auto gravity = CsvTable::read(figures / "egm2008_50_digits.csv", {"x_m", "gx_m_s2"});
+  const auto egm = GravityField::egm2008(20);
+  Largest attraction;
+  for (std::size_t i = 0; i < gravity.rows(); ++i) {
+    const auto r = read_vector<si::length>(in<Itrf>, gravity, i, {"x_m", "y_m", "z_m"});
+    const auto g = read_vector<si::acceleration>(in<Itrf>, gravity, i, {"gx_m_s2", "gy_m_s2", "gz_m_s2"});
+    attraction.add((egm.acceleration(r).coordinates() - g.coordinates()).norm() / norm(g).value());
+  }
   const auto table = CsvTable::read(figures / "wmm2025_test_values.csv", {"x_nT", "y_nT", "z_nT"});
   const auto model = MagneticField::wmm2025();
   Largest field;
@@ -217,7 +244,10 @@ Rows field_rows() {
     field.add(B_site.y().in(si::nanotesla)-table.number(i, "y_nT"));
     field.add(B_site.z().in(si::nanotesla)-table.number(i, "z_nT"));
   }
-  return {{"Fields", "WMM2025, " + std::to_string(table.rows()) + " official test values", "each component",
+  return {{"Fields", "EGM2008 to degree 20, " + std::to_string(gravity.rows()) + " points",
+           "acceleration, relative", 1e-15, "",
+           "20 digits, computed in 50 from the published coefficients; a few roundings", attraction.value()},
+          {"Fields", "WMM2025, " + std::to_string(table.rows()) + " official test values", "each component",
            0.01, "nT", "their program's rounding; the publisher asks for 0.1 nT", field.value()}};
 }
 
@@ -225,7 +255,8 @@ Rows field_rows() {
 
 Rows space_rows(const std::string& /*data*/) {
   Rows rows;
-  for (const auto part : {earth_rows, sgp4_rows, element_rows, eclipse_rows, flight_rows, field_rows}) {
+  for (const auto part :
+       {earth_rows, sgp4_rows, element_rows, eclipse_rows, yaw_steering_rows, flight_rows, field_rows}) {
     const Rows more = part();
     rows.insert(rows.end(), more.begin(), more.end());
   }
