@@ -143,6 +143,53 @@ TEST(NamedSpacecraft, AStateSaysWhatItWasGiven) {
         {0, 0, 0});
 }
 
+TEST(NamedSpacecraft, AVelocityIsTheRateOfThePositionThatItsObserverSees) {
+  constexpr double step = 1e-6, tolerance = 1e-8;  // step^2 times a third derivative of order 1e3; rounding
+  RandomCraft random(20260325);
+  const NamedSpacecraft craft(five());
+  auto y = state_of_five(craft, random.rotation()).numbers();
+  y[7] = 1.0;  // near the origin, so that no digit is lost
+  const auto motion = craft.motion(craft.state(y), 0.0 * si::second);
+  const auto moved = [&](double h) {
+    std::vector<double> z(y);
+    for (std::size_t i = 0; i < z.size(); ++i) z[i] += h * motion.rates()[i];
+    return craft.motion(craft.state(z), 0.0 * si::second);
+  };
+  const auto before = moved(-step), after = moved(step);
+  const std::string names[]{"gcrf", "hub", "boom", "antenna", "mass", "gyro", "box", "probe"};
+  for (const std::string& of : names) {
+    for (const std::string& relative_to : names) {
+      for (const std::string& observer : names) {
+        if (of == relative_to) continue;
+        const auto place = [&](const NamedMotion& at) {
+          return Vector3d(at.now().position(Of(of), RelativeTo(relative_to), In(observer)).coordinates());
+        };
+        const Vector3d rate = (place(after) - place(before)) / (2.0 * step);
+        const auto found =
+            motion.now().velocity(Of(of), RelativeTo(relative_to), ObservedFrom(observer), In(observer));
+        EXPECT_LE((found.coordinates() - rate).norm(), tolerance) << found;
+      }
+    }
+  }
+}
+
+TEST(NamedSpacecraft, WhereATurningHubIsIsNotKnown) {
+  PlainSpacecraft plain = five();
+  plain.motion = HubMotion::turning;
+  const NamedSpacecraft craft(plain);
+  const NamedState state =
+      craft.state(at_origin(craft.inertial(), craft.hub(), Matrix3d::Identity()).turning(),
+                  starts_of_five(craft, Matrix3d::Identity()));
+  const auto motion = craft.motion(state, 0.0 * si::second);
+  const NamedNow now = motion.now();
+  EXPECT_LE(now.momentum().coordinates().norm(), 1e-12);
+  EXPECT_NEAR(now.position(Of("boom"), RelativeTo("hub"), In("gcrf")).coordinates().x(), 1.0, 1e-15);
+  const std::string said =
+      message<BadInput>([&] { (void)now.position(Of("boom"), RelativeTo("gcrf"), In("gcrf")); });
+  EXPECT_TRUE(contains(said, "the hub \"hub\" is only turning, and where it is is not known")) << said;
+  EXPECT_TRUE(contains(message<BadInput>([&] { (void)state.hub_motion(); }), "is only turning"));
+}
+
 TEST(NamedSpacecraft, LoadsActOnWhatTheyName) {
   RandomCraft random(20260322);
   const NamedSpacecraft craft(five());

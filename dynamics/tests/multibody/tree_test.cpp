@@ -9,8 +9,7 @@
 namespace vectrix_test::tree_test {
 namespace {
 
-/// The dense matrix of a chain of thirty bodies has a condition number of 1e5 or less, and 1e3 sums of
-/// products.
+/// Rounding of a dense solution of up to a thousand unknowns, with light bodies and heavy ones.
 constexpr double dense_tolerance = 1e-9;
 
 Vector3d eigen(const mb::Column<double>& v) {
@@ -75,7 +74,7 @@ struct Case {
 TEST(Tree, ArticulatedBodiesGiveWhatTheDenseMassMatrixGives) {
   RandomCraft random(20260301);
   for (int trial = 0; trial < trials(300); ++trial) {
-    Case c(random, 1 + random.below(29));
+    Case c(random, trial == 0 ? 199 : 1 + random.below(29));
     c.solve();
     const DenseMotion dense = dense_motion(c.craft, c.y.data(), c.acting);
     const double scale = std::max({1.0, dense.accelerations.cwiseAbs().maxCoeff(), dense.a_i.norm()});

@@ -101,8 +101,8 @@ template <class S> void Tree<S>::place_link(std::size_t i, const S* y, Work<S>& 
     }
     if (k.held[i])
       kind.give(rotation(link.parent, k), k.given.data() + (layout_.speed_at[i] - layout_.speeds_begin()), b);
+    load_rigid(less_rotors_[i + 1], b);
   });
-  load_rigid(less_rotors_[i + 1], b);
 }
 
 template <class S> void Tree<S>::place(const S* y, Work<S>& k) const {
