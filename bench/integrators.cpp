@@ -299,18 +299,18 @@ void stiff() {
       "| error | integrator | tolerance | error reached | evaluations | ms |\n| --- | --- | --- | --- | --- "
       "| --- |\n");
   for (const double target : {1e-6, 1e-9}) {
-    for (const auto& [name, method] :
+    for (const auto& row :
          {std::pair{"radau_iia_7", ode::Method::radau_iia_7}, std::pair{"cvode_bdf", ode::Method::cvode_bdf},
           std::pair{"verner_7", ode::Method::verner_7}}) {
       for (double tolerance = 1e-4; tolerance > 1e-14; tolerance /= std::sqrt(10.0)) {
-        const ode::Solution solution = run(method, tolerance);
+        const ode::Solution solution = run(row.second, tolerance);
         const double error = error_of(solution);
         if (error > target) continue;
         std::vector<double> ms;
         for (int round = 0; round < 5; ++round)
-          ms.push_back(milliseconds([&] { (void)run(method, tolerance); }));
-        std::printf("| %.0e | `solve`, %s | %.0e | %.1e | %zu | %.2f |\n", target, name, tolerance, error,
-                    solution.statistics().rhs_evaluations, median(ms));
+          ms.push_back(milliseconds([&] { (void)run(row.second, tolerance); }));
+        std::printf("| %.0e | `solve`, %s | %.0e | %.1e | %zu | %.2f |\n", target, row.first, tolerance,
+                    error, solution.statistics().rhs_evaluations, median(ms));
         break;
       }
     }
