@@ -6,9 +6,11 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <complex>
 #include <cstdio>
 #include <functional>
 #include <limits>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <sundials/sundials_context.hpp>
@@ -163,19 +165,23 @@ struct Row {
   std::string name;
   Engine engine;
   std::vector<double> ms = {};
-  double tolerance = 0.0, error = 0.0;
+  double tolerance = 0.0, error = std::numeric_limits<double>::infinity();
   std::size_t evaluations = 0;
+  bool reached = false;
 };
 
 /// The cheapest tolerance, half a decade apart, whose error is at most the target.
 bool find_tolerance(Row& row, double target, const Quaternion<Inertial, Body>& exact) {
   for (double tolerance = 1e-6; tolerance > 1e-15; tolerance /= std::sqrt(10.0)) {
     const Result result = row.engine(tolerance);
+    const double error = std::isfinite(result.y[0])
+                             ? log(inverse(before(attitude(result.y))) * exact).angle().value()
+                             : INFINITY;
+    if (error > row.error) continue;
+    row.error = error;
     row.tolerance = tolerance;
     row.evaluations = result.evaluations;
-    row.error = std::isfinite(result.y[0]) ? log(inverse(before(attitude(result.y))) * exact).angle().value()
-                                           : INFINITY;
-    if (row.error <= target) return true;
+    if (error <= target) return true;
   }
   return false;
 }
@@ -193,13 +199,18 @@ void long_run() {
                           {"`solve`, verner_9, nodes only", solved(ode::Method::verner_9, false)},
                           {"`solve`, verner_9", solved(ode::Method::verner_9, true)},
                           {"`solve`, arkode_fehlberg_8", solved(ode::Method::arkode_fehlberg_8, true)}};
-    std::erase_if(rows, [&](Row& row) { return !find_tolerance(row, target, exact); });
+    for (Row& row : rows) row.reached = find_tolerance(row, target, exact);
     constexpr int rounds = 7;
     for (int round = 0; round < rounds; ++round) {
       for (Row& row : rows) row.ms.push_back(milliseconds([&] { row.engine(row.tolerance); }));
     }
     const double reference = median(rows.front().ms);
     for (const Row& row : rows) {
+      if (!row.reached) {
+        std::printf("| %.0e rad | %s | not reached, at best | %.1e | %zu | %.2f | |\n", target,
+                    row.name.c_str(), row.error, row.evaluations, median(row.ms));
+        continue;
+      }
       std::printf("| %.0e rad | %s | %.0e | %.1e | %zu | %.2f | %.1f |\n", target, row.name.c_str(),
                   row.tolerance, row.error, row.evaluations, median(row.ms), reference / median(row.ms));
     }
@@ -260,6 +271,52 @@ void short_segments() {
   }
 }
 
+/// x'' = -2 z W x' - W^2 (x - cos t), W = 100 pi, z = 1 %, on its steady motion x = Re(G e^{it}), 100 s.
+void stiff() {
+  constexpr double W = 100.0 * std::numbers::pi, z = 0.01, duration = 100.0;
+  const std::complex<double> gain = W * W / std::complex<double>(W * W - 1.0, 2.0 * z * W);
+  const auto exact = [&](double t) { return gain * std::polar(1.0, t); };
+  const auto run = [&](ode::Method method, double tolerance) {
+    ode::Problem problem = problem_of(method, tolerance, duration);
+    problem.initial_state = {exact(0.0).real(), -exact(0.0).imag()};
+    problem.absolute_tolerances.assign(2, tolerance);
+    problem.dense_output = true;
+    problem.rhs = [](double, double t, std::span<const double> y, std::span<double> ydot) {
+      ydot[0] = y[1];
+      ydot[1] = -2.0 * z * W * y[1] - W * W * (y[0] - std::cos(t));
+    };
+    return ode::solve(problem);
+  };
+  const auto error_of = [&](const ode::Solution& solution) {
+    double largest = 0.0;
+    for (int i = 0; i <= 1000; ++i) {
+      const double t = duration * i / 1000.0;
+      largest = std::max(largest, std::abs(solution.at(t)[0] - exact(t).real()));
+    }
+    return largest;
+  };
+  std::printf(
+      "| error | integrator | tolerance | error reached | evaluations | ms |\n| --- | --- | --- | --- | --- "
+      "| --- |\n");
+  for (const double target : {1e-6, 1e-9}) {
+    for (const auto& row :
+         {std::pair{"radau_iia_7", ode::Method::radau_iia_7}, std::pair{"cvode_bdf", ode::Method::cvode_bdf},
+          std::pair{"verner_7", ode::Method::verner_7}}) {
+      for (double tolerance = 1e-4; tolerance > 1e-14; tolerance /= std::sqrt(10.0)) {
+        const ode::Solution solution = run(row.second, tolerance);
+        const double error = error_of(solution);
+        if (error > target) continue;
+        std::vector<double> ms;
+        for (int round = 0; round < 5; ++round)
+          ms.push_back(milliseconds([&] { (void)run(row.second, tolerance); }));
+        std::printf("| %.0e | `solve`, %s | %.0e | %.1e | %zu | %.2f |\n", target, row.first, tolerance,
+                    error, solution.statistics().rhs_evaluations, median(ms));
+        break;
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace bench
 
@@ -279,4 +336,10 @@ int main() {
       "The same body with a torque about x that changes every 0.1 s, as with a controller at 10 Hz, at a "
       "tolerance of 1e-9.\n\n");
   bench::short_segments();
+  std::printf(
+      "\n## A stiff mode\n\n"
+      "A mode of 50 Hz with 1 %% of damping, driven slowly, for 100 s: the largest error of its deflection "
+      "at 1001 "
+      "times, relative to its size. The cheapest run of each integrator, medians of five.\n\n");
+  bench::stiff();
 }

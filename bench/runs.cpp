@@ -186,7 +186,8 @@ void work_precision(const Attitudes& exact) {
                            std::pair{"arkode_dormand_prince_5", ode::Method::arkode_dormand_prince_5},
                            std::pair{"arkode_fehlberg_8", ode::Method::arkode_fehlberg_8},
                            std::pair{"verner_9", ode::Method::verner_9},
-                           std::pair{"verner_7", ode::Method::verner_7}};
+                           std::pair{"verner_7", ode::Method::verner_7},
+                           std::pair{"radau_iia_7", ode::Method::radau_iia_7}};
   const std::array targets{1e-6, 1e-9, 1e-12};
   std::printf("| method | attitude | 1e-6 rad | 1e-9 rad | 1e-12 rad |\n| --- | --- | --- | --- | --- |\n");
   std::array<std::pair<double, std::string>, 3> fastest;

@@ -102,7 +102,7 @@ void check(const Problem& problem) {
   require(problem, problem.max_steps > 0, "max_steps must be greater than 0");
   require(problem, problem.maximum_step > 0.0,
           "maximum_step must be greater than 0, got " + text(problem.maximum_step));
-  require(problem, problem.method >= Method::cvode_adams && problem.method <= Method::verner_7,
+  require(problem, problem.method >= Method::cvode_adams && problem.method <= Method::radau_iia_7,
           "unknown method " + text(static_cast<int>(problem.method)));
 }
 

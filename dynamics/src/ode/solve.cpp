@@ -6,6 +6,7 @@
 #include <vectrix/dynamics/ode/inlined.hpp>
 
 #include "check.hpp"
+#include "radau.hpp"
 #include "run.hpp"
 #include "sundials_stepper.hpp"
 
@@ -30,6 +31,8 @@ Solution solve(const Problem& problem) {
       case Method::arkode_dormand_prince_5:
       case Method::arkode_fehlberg_8:
         return make_arkode_stepper(problem);
+      case Method::radau_iia_7:
+        return make_radau_stepper(problem);
       case Method::verner_9:
       case Method::verner_7:
         break;

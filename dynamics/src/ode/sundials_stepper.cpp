@@ -21,7 +21,8 @@ void SundialsStepper::restart(double t, std::span<const double> y, double stop, 
   failures_before_ = error_test_failures();
   origin_ = reached_ = t;
   stop_ = stop;
-  clock_ = elapsed_ = elapsed_rest_ = clock_error_ = 0.0;
+  clock_ = clock_error_ = 0.0;
+  elapsed_ = {};
   require(reinitialize(y, longest));
 }
 
@@ -36,12 +37,8 @@ double SundialsStepper::step() {
   }
   require(flag);
 
-  // elapsed + rest += length. The rest takes the exact rounding error of the sum, whichever term is larger.
-  const double sum = elapsed_ + length;
-  const double part = sum - elapsed_;
-  elapsed_rest_ += (elapsed_ - (sum - part)) + (length - part);
-  elapsed_ = sum;
-  clock_error_ = (elapsed_ - clock_) + elapsed_rest_;
+  elapsed_.add(length);
+  clock_error_ = (elapsed_.sum - clock_) + elapsed_.rest;
   const double last_before_stop = std::nextafter(stop_, -std::numeric_limits<double>::infinity());
   reached_ = flag == stop_reached ? stop_ : std::min(time(clock_), last_before_stop);
   return reached_;

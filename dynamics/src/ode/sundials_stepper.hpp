@@ -6,6 +6,7 @@
 #include <string>
 
 #include <sundials/sundials_nvector.h>
+#include <vectrix/dynamics/ode/elapsed_time.hpp>
 #include <vectrix/dynamics/ode/solve.hpp>
 #include <vectrix/dynamics/ode/stepper.hpp>
 
@@ -59,10 +60,9 @@ class SundialsStepper : public Stepper {
 
   double origin_ = 0.0;
   double stop_ = 0.0;
-  double reached_ = 0.0;       ///< time of the last step
-  double elapsed_ = 0.0;       ///< sum of the steps since the origin
-  double elapsed_rest_ = 0.0;  ///< rounding error of elapsed_
-  double clock_error_ = 0.0;   ///< compensated sum minus clock_
+  double reached_ = 0.0;      ///< time of the last step
+  ElapsedTime elapsed_;       ///< since the origin
+  double clock_error_ = 0.0;  ///< compensated sum minus clock_
   std::size_t failures_before_ = 0;
 };
 

@@ -1,4 +1,5 @@
 #include <array>
+#include <complex>
 
 #include "problems.hpp"
 
@@ -22,6 +23,7 @@ double gathered(Method method) {
     case Method::arkode_fehlberg_8:
     case Method::verner_9:
     case Method::verner_7:
+    case Method::radau_iia_7:
       return 1e3;
   }
   return 0.0;
@@ -134,7 +136,11 @@ TEST_P(OdeAccuracy, dense_output_is_as_good_as_the_nodes) {
         between = vectrix::detail::larger(between, distance(solution.at(time), oscillator_state(time)));
       }
     }
-    EXPECT_LT(between, 1.1 * node_error(solution, oscillator_state)) << "tolerance " << t;
+    // The nodes of Radau IIA, of order 13, are far better than the tolerance; its polynomial, of order 7, is
+    // not.
+    const double expected =
+        GetParam() == Method::radau_iia_7 ? t : 1.1 * node_error(solution, oscillator_state);
+    EXPECT_LT(between, expected) << "tolerance " << t;
   }
 }
 
@@ -153,7 +159,8 @@ TEST_P(OdeAccuracy, dense_output_survives_crowded_nodes) {
   Problem problem = oscillator(GetParam(), 10.0, 1e-12);
   problem.breakpoints = {5.0};
   const Solution solution = solve(problem);
-  const double allowed = 1.1 * node_error(solution, oscillator_state);
+  const double allowed =
+      GetParam() == Method::radau_iia_7 ? 1e-12 : 1.1 * node_error(solution, oscillator_state);
   for (int i = 0; i <= 20'000; ++i) {
     const double t = 4.99 + 1e-6 * i;
     ASSERT_LE(distance(solution.at(t), oscillator_state(t)), allowed) << t;
@@ -197,9 +204,12 @@ TEST(OdeCost, fehlberg_8_takes_thirteen_evaluations_a_step) {
             13 * (run.steps + run.error_test_failures) + 10);  // plus the choice of the first step
 }
 
-TEST(OdeStiff, bdf_takes_long_steps_where_explicit_methods_cannot) {
+class OdeStiff : public testing::TestWithParam<Method> {};
+INSTANTIATE_TEST_SUITE_P(Methods, OdeStiff, testing::Values(Method::cvode_bdf, Method::radau_iia_7), name);
+
+TEST_P(OdeStiff, takes_long_steps_where_explicit_methods_cannot) {
   // x' = -1e6 (x - cos t) from 0: after microseconds x follows cos t + 1e-6 sin t.
-  Problem problem = oscillator(Method::cvode_bdf, 10.0, 1e-8);
+  Problem problem = oscillator(GetParam(), 10.0, 1e-8);
   problem.rhs = [](double, double t, State y, std::span<double> ydot) {
     ydot[0] = -1e6 * (y[0] - std::cos(t));
   };
@@ -210,6 +220,53 @@ TEST(OdeStiff, bdf_takes_long_steps_where_explicit_methods_cannot) {
   for (int i = 1; i <= 1000; ++i) {
     const double t = 0.01 * i;
     ASSERT_NEAR(solution.at(t)[0], std::cos(t) + 1e-6 * std::sin(t), 1e-6);  // a hundred times the tolerance
+  }
+}
+
+/// A mode of 50 Hz with 1 % of damping, driven by cos t: in steady state x = Re(G e^{it}),
+/// G = W^2 / (W^2 - 1 + 2 i z W). BDF stalls here; an explicit method needs a step below 1 / W, 30 000 of
+/// them.
+TEST(OdeRadau, passes_over_a_lightly_damped_mode) {
+  constexpr double W = 100.0 * std::numbers::pi, z = 0.01, tight = 1e-9;
+  const std::complex<double> gain = W * W / std::complex<double>(W * W - 1.0, 2.0 * z * W);
+  const auto exact = [&](double t) -> std::vector<double> {
+    const std::complex<double> x = gain * std::polar(1.0, t);
+    return {x.real(), -x.imag()};
+  };
+  Problem problem = oscillator(Method::radau_iia_7, 100.0, tight);
+  problem.rhs = [&](double, double t, State y, std::span<double> ydot) {
+    ydot[0] = y[1];
+    ydot[1] = -2.0 * z * W * y[1] - W * W * (y[0] - std::cos(t));
+  };
+  problem.initial_state = exact(0.0);
+  const Solution solution = solve(problem);
+  EXPECT_LT(solution.statistics().steps, 1000U);
+  EXPECT_LT(node_error(solution, exact), 10.0 * tight);
+  for (double t = 0.0; t <= 100.0; t += 0.37)
+    EXPECT_LT(std::abs(solution.at(t)[0] - exact(t)[0]), 10.0 * tight);
+}
+
+/// Robertson's reactions, rates 0.04, 3e7 and 1e4, keep the sum of their three states; the first two decay
+/// slowly. E. Hairer, G. Wanner, Solving Ordinary Differential Equations II, equation IV.1.4.
+TEST(OdeRadau, goes_through_eleven_decades_of_time_with_robertsons_reactions) {
+  Problem problem = oscillator(Method::radau_iia_7, 1e8, 1e-9);
+  problem.rhs = [](double, double, State y, std::span<double> ydot) {
+    ydot[0] = -0.04 * y[0] + 1e4 * y[1] * y[2];
+    ydot[2] = 3e7 * y[1] * y[1];
+    ydot[1] = -ydot[0] - ydot[2];
+  };
+  problem.initial_state = {1.0, 0.0, 0.0};
+  problem.absolute_tolerances.assign(3, 1e-14);
+  const Solution solution = solve(problem);
+  EXPECT_LT(solution.statistics().steps, 300U);
+  const std::vector<double> y = solution.at(1e8);
+  EXPECT_NEAR(y[0] + y[1] + y[2], 1.0, 1e-12);
+  EXPECT_NEAR(0.04 * y[0], 1e4 * y[1] * y[2], 1e-4 * 0.04 * y[0]);  // the slow manifold
+  problem.method = Method::cvode_bdf;
+  const Solution bdf = solve(problem);
+  for (const double t : {1.0, 1e4}) {
+    for (std::size_t c = 0; c < 3; ++c)
+      EXPECT_NEAR(solution.at(t)[c], bdf.at(t)[c], 1e-6 * bdf.at(t)[c]) << t;
   }
 }
 

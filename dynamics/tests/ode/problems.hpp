@@ -19,10 +19,14 @@ using State = std::span<const double>;
 
 inline const std::vector<Method> methods = {
     Method::cvode_adams,       Method::cvode_bdf, Method::arkode_dormand_prince_5,
-    Method::arkode_fehlberg_8, Method::verner_9,  Method::verner_7};
+    Method::arkode_fehlberg_8, Method::verner_9,  Method::verner_7,
+    Method::radau_iia_7};
 
-/// Methods of this library, whose dense output is their own.
-inline const std::vector<Method> own_methods = {Method::verner_9, Method::verner_7};
+/// Those of SUNDIALS, whose dense output goes through the nodes.
+inline const std::vector<Method> sundials_methods(methods.begin(), methods.begin() + 4);
+
+/// Those that inline the right-hand side.
+inline const std::vector<Method> inlined_methods = {Method::verner_9, Method::verner_7};
 
 inline std::string name(const testing::TestParamInfo<Method>& info) {
   switch (info.param) {
@@ -38,6 +42,8 @@ inline std::string name(const testing::TestParamInfo<Method>& info) {
       return "verner_9";
     case Method::verner_7:
       return "verner_7";
+    case Method::radau_iia_7:
+      return "radau_iia_7";
   }
   return "unknown";
 }

@@ -261,7 +261,7 @@ TYPED_TEST(InlinedRungeKutta, rounded_coefficients_do_not_drift) {
 }
 
 class InlinedSolve : public testing::TestWithParam<Method> {};
-INSTANTIATE_TEST_SUITE_P(Methods, InlinedSolve, testing::ValuesIn(own_methods), name);
+INSTANTIATE_TEST_SUITE_P(Methods, InlinedSolve, testing::ValuesIn(inlined_methods), name);
 
 constexpr auto oscillator_rates = [](double, double, std::span<const double, 2> y,
                                      std::span<double, 2> ydot) {
@@ -385,7 +385,7 @@ TEST_P(InlinedSolve, a_stiff_problem_ends_with_the_component_and_a_way_out) {
   } catch (const Failure& failure) {
     const std::string said = failure.what();
     EXPECT_NE(said.find("(ERR_FAILURE): the step fell below "), std::string::npos) << said;
-    EXPECT_NE(said.find("the error of component 1 is still too large; a stiff problem needs cvode_bdf"),
+    EXPECT_NE(said.find("the error of component 1 is still too large; a stiff problem needs radau_iia_7"),
               std::string::npos)
         << said;
     EXPECT_NEAR(failure.time(), 0.5 * std::numbers::pi, 1e-6);

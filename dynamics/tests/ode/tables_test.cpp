@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <vectrix/dynamics/ode/radau_iia_7.hpp>
 #include <vectrix/dynamics/ode/verner_7.hpp>
 #include <vectrix/dynamics/ode/verner_9.hpp>
 #include <vectrix/frames/scalar/larger.hpp>
@@ -114,6 +115,35 @@ TYPED_TEST(RungeKuttaTable, the_error_estimate_sees_a_quadrature) {
   for (std::size_t i = 0; i < TypeParam::stages; ++i)
     sum += TypeParam::e[i] * std::pow(TypeParam::c[i], TypeParam::error_order);
   EXPECT_GT(std::abs(sum), 1e-6);
+}
+
+/// B(13), C(7) and D(6), from which order 13 follows: J. C. Butcher, Implicit Runge-Kutta processes, 1964.
+///     sum b_i c_i^(k-1) = 1/k,  sum_j a_ij c_j^(k-1) = c_i^k / k,  sum_i b_i c_i^(k-1) a_ij = b_j (1 -
+///     c_j^k) / k
+TEST(RadauTable, solves_the_simplifying_conditions_of_order_13) {
+  const RadauIIA7& table = RadauIIA7::table();
+  constexpr std::size_t stages = RadauIIA7::stages;
+  const auto& b = table.a.back();
+  EXPECT_EQ(table.c.back(), 1.0);
+  const auto quadrature = [&](int k) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < stages; ++i) sum += b.at(i) * std::pow(table.c.at(i), k - 1);
+    return sum - 1.0 / k;
+  };
+  for (int k = 1; k <= RadauIIA7::order; ++k) EXPECT_NEAR(quadrature(k), 0.0, rounding) << k;
+  EXPECT_GT(std::abs(quadrature(RadauIIA7::order + 1)), 1e-8);
+  for (int k = 1; k <= 7; ++k) {
+    for (std::size_t i = 0; i < stages; ++i) {
+      double row = 0.0, column = 0.0;
+      for (std::size_t j = 0; j < stages; ++j) {
+        row += table.a.at(i).at(j) * std::pow(table.c.at(j), k - 1);
+        column += b.at(j) * std::pow(table.c.at(j), k - 1) * table.a.at(j).at(i);
+      }
+      EXPECT_NEAR(row, std::pow(table.c.at(i), k) / k, rounding);
+      if (k == 7) continue;
+      EXPECT_NEAR(column, b.at(i) * (1.0 - std::pow(table.c.at(i), k)) / k, rounding);
+    }
+  }
 }
 
 }  // namespace

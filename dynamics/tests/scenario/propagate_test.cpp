@@ -27,6 +27,7 @@ double accuracy(Method method) {
     case Method::arkode_fehlberg_8:
     case Method::verner_9:
     case Method::verner_7:
+    case Method::radau_iia_7:
       return 1e-10;
   }
   return 0.0;
@@ -45,18 +46,20 @@ class Propagate : public testing::TestWithParam<std::tuple<Method, AttitudeState
 };
 
 std::string name(const testing::TestParamInfo<Propagate::ParamType>& info) {
-  const char* methods[] = {"adams", "bdf", "dormand_prince_5", "fehlberg_8", "verner_9", "verner_7"};
+  const char* methods[] = {"adams",    "bdf",      "dormand_prince_5", "fehlberg_8",
+                           "verner_9", "verner_7", "radau_iia_7"};
   const bool quaternion = std::get<1>(info.param) == AttitudeState::quaternion;
   return std::string{methods[static_cast<int>(std::get<0>(info.param))]} +
          (quaternion ? "_quaternion" : "_dcm");
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Methods, Propagate,
-    testing::Combine(testing::Values(Method::cvode_adams, Method::cvode_bdf, Method::arkode_dormand_prince_5,
-                                     Method::arkode_fehlberg_8, Method::verner_9, Method::verner_7),
-                     testing::Values(AttitudeState::quaternion, AttitudeState::dcm)),
-    name);
+INSTANTIATE_TEST_SUITE_P(Methods, Propagate,
+                         testing::Combine(testing::Values(Method::cvode_adams, Method::cvode_bdf,
+                                                          Method::arkode_dormand_prince_5,
+                                                          Method::arkode_fehlberg_8, Method::verner_9,
+                                                          Method::verner_7, Method::radau_iia_7),
+                                          testing::Values(AttitudeState::quaternion, AttitudeState::dcm)),
+                         name);
 
 template <class Exact>
 double largest_node_error(const Trajectory<Gcrf, Body>& trajectory, const Exact& exact) {

@@ -116,7 +116,7 @@ template <class Table, std::size_t N, SegmentRates<N> F> class InlinedStepper fi
     throw Trouble{flag::step_too_short, t,
                   "the step fell below " + text(method_.next_step()) + ", and the error of " +
                       component_name(problem_, method_.worst_component()) +
-                      " is still too large; a stiff problem needs cvode_bdf",
+                      " is still too large; a stiff problem needs radau_iia_7",
                   nullptr};
   }
 

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include <vectrix/dynamics/ode/elapsed_time.hpp>
 #include <vectrix/dynamics/ode/solution.hpp>
 #include <vectrix/frames/errors.hpp>
 
@@ -99,7 +100,7 @@ template <class Table, std::size_t N, Rates<N> F> class RungeKutta {
     std::copy(y.begin(), y.end(), y_.data());
     origin_ = t;
     until_ = std::numeric_limits<double>::infinity();
-    elapsed_ = rest_ = 0.0;
+    elapsed_ = {};
     step_ = 0.0;
     next_step_ = first_step;
     rate_known_ = dense_ = false;
@@ -107,12 +108,12 @@ template <class Table, std::size_t N, Rates<N> F> class RungeKutta {
 
   /// One accepted step, at most to `until` and at most as long as `longest`.
   Advance step(double until, double longest = std::numeric_limits<double>::infinity()) {
-    const double remaining = (until - origin_) - elapsed_ - rest_;
+    const double remaining = (until - origin_) - elapsed_.sum - elapsed_.rest;
     require(remaining > 0.0 && std::isfinite(until), "a step from where it stands to", until);
     require(longest > 0.0, "a longest step of", longest);
     until_ = until;
     step_ = 0.0;
-    const double rounding = 16.0 * epsilon * (elapsed_ + remaining);
+    const double rounding = 16.0 * epsilon * (elapsed_.sum + remaining);
     find_rate();
     k_[0] = k_[Table::stages];
     if (!(next_step_ > 0.0)) next_step_ = first_step(std::min(remaining, longest));
@@ -121,7 +122,7 @@ template <class Table, std::size_t N, Rates<N> F> class RungeKutta {
       double h = std::min(next_step_, longest);
       const bool last = h >= remaining - rounding;
       if (last) h = remaining;
-      if (!last && !(h > 4.0 * epsilon * elapsed_)) return Advance::too_short;
+      if (!last && !(h > 4.0 * epsilon * elapsed_.sum)) return Advance::too_short;
       const double error = attempt(h);
       if (!std::isfinite(error)) return Advance::not_finite;
       const double factor = safety * std::pow(error, -1.0 / (Table::error_order + 1));
@@ -157,7 +158,7 @@ template <class Table, std::size_t N, Rates<N> F> class RungeKutta {
   /// The state at a time within the last step: an interpolant of the order of the method. The first call
   /// after a step evaluates the stages it needs. Throws BadInput outside that step, and after a failed one.
   void interpolate(double t, std::span<double, N> y) {
-    const double theta = 1.0 + ((t - origin_) - elapsed_ - rest_) / step_;
+    const double theta = 1.0 + ((t - origin_) - elapsed_.sum - elapsed_.rest) / step_;
     const double slack = 4.0 * epsilon * (1.0 + std::abs(t) / step_);
     require(step_ > 0.0 && theta >= -slack && theta <= 1.0 + slack, "a state outside the last step, at", t);
     polynomial();
@@ -196,7 +197,7 @@ template <class Table, std::size_t N, Rates<N> F> class RungeKutta {
   }
 
   [[nodiscard]] double time_of(double since) const {
-    return std::min(origin_ + (elapsed_ + (rest_ + since)), until_);
+    return std::min(origin_ + (elapsed_.sum + (elapsed_.rest + since)), until_);
   }
 
   void evaluate(double t, const Numbers& y, Numbers& ydot) {
@@ -263,15 +264,8 @@ template <class Table, std::size_t N, Rates<N> F> class RungeKutta {
     std::swap(before_, y_);
     std::swap(y_, stage_);
     step_ = h;
-    if (last) {
-      elapsed_ = until_ - origin_;
-      rest_ = 0.0;
-    } else {  // elapsed + rest += h, without a rounding error
-      const double sum = elapsed_ + h;
-      const double part = sum - elapsed_;
-      rest_ += (elapsed_ - (sum - part)) + (h - part);
-      elapsed_ = sum;
-    }
+    elapsed_.add(h);
+    if (last) elapsed_ = {until_ - origin_, 0.0};
     rate_known_ = dense_ = false;
   }
 
@@ -356,9 +350,8 @@ template <class Table, std::size_t N, Rates<N> F> class RungeKutta {
   std::array<Numbers, degree> terms_ = make_terms(size_, std::make_index_sequence<degree>{});
   double origin_ = 0.0;
   double until_ = 0.0;
-  double elapsed_ = 0.0;  ///< from the origin to y_
-  double rest_ = 0.0;     ///< rounding error of elapsed_
-  double step_ = 0.0;     ///< the last accepted one
+  ElapsedTime elapsed_;  ///< from the origin to y_
+  double step_ = 0.0;    ///< the last accepted one
   double next_step_ = 0.0;
   std::size_t rejections_ = 0;
   std::size_t worst_ = 0;

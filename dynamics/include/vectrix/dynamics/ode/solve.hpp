@@ -15,20 +15,31 @@
 
 namespace vectrix::ode {
 
-/// Integration methods. Verner's Runge-Kutta pairs are of this library; the others are of SUNDIALS.
+/// Integration methods. Verner's Runge-Kutta pairs and Radau IIA are of this library, the others of SUNDIALS.
 ///
 /// | method | order | dense output | for |
 /// | --- | --- | --- | --- |
 /// | `verner_9` | 9 | of order 9, 9 evaluations a step | smooth problems, long segments |
 /// | `verner_7` | 7 | of order 7, 5 evaluations a step | segments of few steps: a controller |
+/// | `radau_iia_7` | 13 | of order 7, none | stiff problems |
 /// | `arkode_dormand_prince_5`, `arkode_fehlberg_8` | 5, 8 | through six nodes | comparison |
 /// | `cvode_adams` | up to 12 | through six nodes | rates that are costly to evaluate |
-/// | `cvode_bdf` | up to 5 | through six nodes | stiff problems |
+/// | `cvode_bdf` | up to 5 | through six nodes | stiff problems, large states |
 ///
-/// A segment of Verner's methods may be one step; the others take at least five. The error estimate of
-/// Fehlberg 7(8) cannot detect a rate that depends on time alone (a quadrature): for such a problem, set
-/// `maximum_step` or choose another method. The same tolerances give another error with another method.
-enum class Method { cvode_adams, cvode_bdf, arkode_dormand_prince_5, arkode_fehlberg_8, verner_9, verner_7 };
+/// A segment of our methods may be one step; those of SUNDIALS take at least five. The steps of Radau IIA are
+/// bounded by its dense output, to the tolerance, so that its nodes are far better; its Jacobian comes from
+/// differences. The error estimate of Fehlberg 7(8) cannot detect a rate that depends on time alone (a
+/// quadrature): for such a problem, set `maximum_step` or choose another method. The same tolerances give
+/// another error with another method.
+enum class Method {
+  cvode_adams,
+  cvode_bdf,
+  arkode_dormand_prince_5,
+  arkode_fehlberg_8,
+  verner_9,
+  verner_7,
+  radau_iia_7
+};
 
 /// ydot = f(t, y) in the smooth segment that begins at `segment_start`. A function that switches at a
 /// breakpoint must decide by segment_start alone: t equals the breakpoint at the end of one segment and also
@@ -37,7 +48,7 @@ using RightHandSide =
     std::function<void(double segment_start, double t, std::span<const double> y, std::span<double> ydot)>;
 
 /// A function of time and state whose zeros are found and reported. A zero is found where the function
-/// changes sign, or becomes 0, from one step to the next, or within a quarter of a step of Verner's methods.
+/// changes sign, or becomes 0, from one step to the next, or within a quarter of a step of our methods.
 /// Two zeros in between are not found; set `maximum_step` to prevent this. A value of 0 at the start is not
 /// an event. With `stop` the solution ends at the first zero.
 struct Root {
@@ -62,7 +73,7 @@ struct Problem {
   Method method = Method::cvode_adams;
   std::size_t max_steps = 10'000'000;
   double maximum_step = std::numeric_limits<double>::infinity();
-  /// False: Verner's methods make their dense output, which costs evaluations and memory, only where it is
+  /// False: our methods make their dense output, which costs evaluations and memory, only where it is
   /// needed: for the output times and the roots. Solution::at refuses times within other steps.
   bool dense_output = true;
   std::string caller = "ode::solve";         ///< name of the calling function, for messages
