@@ -1,5 +1,14 @@
 #pragma once
 
+#include <vectrix/dynamics/craft/forces.hpp>
+#include <vectrix/dynamics/craft/graph.hpp>
+#include <vectrix/dynamics/craft/motion.hpp>
+#include <vectrix/dynamics/craft/now.hpp>
+#include <vectrix/dynamics/craft/solve.hpp>
+#include <vectrix/dynamics/craft/spacecraft.hpp>
+#include <vectrix/dynamics/craft/springs.hpp>
+#include <vectrix/dynamics/craft/start.hpp>
+#include <vectrix/dynamics/craft/state.hpp>
 #include <vectrix/dynamics/force/about.hpp>
 #include <vectrix/dynamics/force/gravity.hpp>
 #include <vectrix/dynamics/force/moment.hpp>

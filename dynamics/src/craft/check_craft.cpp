@@ -14,7 +14,7 @@ constexpr double least_angle =
     1e-6;  // between the axes of a gimbal, rad: rounding grows as its inverse square
 
 [[noreturn]] void refuse(const std::string& part, const std::string& fault) {
-  throw BadInput("NamedSpacecraft: " + part + ": " + fault);
+  throw BadInput(part + ": " + fault);
 }
 /// Calls a typed door; its errors get the name of the part.
 template <class Door> auto through(const std::string& part, const Door& door) {
@@ -94,14 +94,14 @@ void check_names(const PlainSpacecraft& craft) {
   for (const auto& rotor : craft.rotors) names.emplace_back(rotor.name, "a rotor");
   for (const auto& mode : craft.modes) names.emplace_back(mode.name, "a mode");
   for (const auto& [name, what] : names)
-    if (name.empty()) throw BadInput("NamedSpacecraft: " + what + " has no name");
+    if (name.empty()) throw BadInput(what + " has no name");
   std::stable_sort(names.begin(), names.end(),
                    [](const auto& a, const auto& b) { return a.first < b.first; });
   const auto twice = std::adjacent_find(names.begin(), names.end(),
                                         [](const auto& a, const auto& b) { return a.first == b.first; });
   if (twice != names.end()) {
-    throw BadInput("NamedSpacecraft: the name " + in_quotes(twice->first) + " is that of " + twice->second +
-                   " and of " + std::next(twice)->second);
+    throw BadInput("the name " + in_quotes(twice->first) + " is that of " + twice->second + " and of " +
+                   std::next(twice)->second);
   }
 }
 
@@ -134,7 +134,7 @@ std::vector<PlainBody> in_order(const PlainSpacecraft& craft) {
       way.erase(way.begin(), std::find(way.begin(), way.end(), way.back()));
       std::string loop = in_quotes(way.front());
       for (std::size_t i = 1; i < way.size(); ++i) loop += " - " + in_quotes(way[i]);
-      throw BadInput("NamedSpacecraft: bodies hang on each other in a loop, " + loop);
+      throw BadInput("bodies hang on each other in a loop, " + loop);
     }
     ordered.push_back(*next);
     placed.push_back(ordered.back().name);
@@ -172,9 +172,7 @@ void check_internals(const PlainSpacecraft& craft, const std::string& name, doub
   }
 }
 
-}  // namespace
-
-PlainSpacecraft checked_craft(PlainSpacecraft craft) {
+void check_parts(const PlainSpacecraft& craft) {
   check_names(craft);
   check_mass(in_quotes(craft.hub), craft.mass, craft.r_hc_h, craft.J_c_h);
   std::vector<std::string_view> bodies{craft.hub};
@@ -204,7 +202,17 @@ PlainSpacecraft checked_craft(PlainSpacecraft craft) {
   }
   check_internals(craft, craft.hub, craft.mass, craft.r_hc_h, craft.J_c_h);
   for (const auto& body : craft.bodies) check_internals(craft, body.name, body.mass, body.r_bc_b, body.J_c_b);
-  craft.bodies = in_order(craft);
+}
+
+}  // namespace
+
+PlainSpacecraft checked_craft(PlainSpacecraft craft, const char* form) {
+  try {
+    check_parts(craft);
+    craft.bodies = in_order(craft);
+  } catch (const BadInput& error) {
+    throw BadInput(std::string{form} + ": " + error.what());
+  }
   return craft;
 }
 

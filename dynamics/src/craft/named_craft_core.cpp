@@ -94,8 +94,8 @@ std::size_t positions_of(JointKind kind) {
   return speeds_of(kind) + (kind == JointKind::ball || kind == JointKind::free ? 1 : 0);
 }
 
-NamedCraftCore::NamedCraftCore(PlainSpacecraft given)
-    : plain_(checked_craft(std::move(given))), tree_(tree_of(plain_, links_)) {
+NamedCraftCore::NamedCraftCore(PlainSpacecraft given, const char* form)
+    : plain_(checked_craft(std::move(given), form)), tree_(tree_of(plain_, links_)) {
   const auto add = [&](const std::string& name, FrameMotion motion) {
     FrameRecord& frame = frames_.emplace_back();
     frame.graph = this;

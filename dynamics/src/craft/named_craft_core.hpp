@@ -1,35 +1,16 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <deque>
 #include <unordered_map>
+#include <vectrix/dynamics/craft/eigen_numbers.hpp>
 #include <vectrix/dynamics/craft/named_spacecraft.hpp>
 
 namespace vectrix::detail {
 
-using Column3 = multibody::Column<double>;
-using Square3 = multibody::Square<double>;
-
-inline Column3 numbers(const Eigen::Vector3d& v) {
-  return {v.x(), v.y(), v.z()};
-}
-inline Square3 numbers(const Eigen::Matrix3d& m) {
-  return {numbers(Eigen::Vector3d(m.col(0))), numbers(Eigen::Vector3d(m.col(1))),
-          numbers(Eigen::Vector3d(m.col(2)))};
-}
-inline Eigen::Vector3d eigen(const Column3& v) {
-  return {v.x, v.y, v.z};
-}
-inline Eigen::Matrix3d eigen(const Square3& m) {
-  Eigen::Matrix3d matrix;
-  matrix << m.x.x, m.y.x, m.z.x, m.x.y, m.y.y, m.z.y, m.x.z, m.y.z, m.z.z;
-  return matrix;
-}
-
 /// A NamedSpacecraft: what it is, its tree, and where each name is.
 class NamedCraftCore {
  public:
-  explicit NamedCraftCore(PlainSpacecraft given);
+  NamedCraftCore(PlainSpacecraft given, const char* form);
   NamedCraftCore(const NamedCraftCore&) = delete;
 
   const PlainSpacecraft& plain() const { return plain_; }
@@ -65,8 +46,8 @@ class NamedCraftCore {
 };
 
 const char* name_of(JointKind kind);
-/// Checks the craft, and puts parents before the bodies that hang on them.
-PlainSpacecraft checked_craft(PlainSpacecraft craft);
+/// Checks the craft, and puts parents before the bodies that hang on them. `form` begins the messages.
+PlainSpacecraft checked_craft(PlainSpacecraft craft, const char* form);
 /// Numbers of axes: position and speed numbers of a joint.
 std::size_t positions_of(JointKind kind);
 std::size_t speeds_of(JointKind kind);

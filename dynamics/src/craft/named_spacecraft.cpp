@@ -96,30 +96,10 @@ struct Evaluation {
   }
 };
 
-std::vector<double> absolute(const NamedCraftCore& core, const NamedTolerances& by) {
-  const double angle = by.angle.value(), rate = by.rate.value(), length = by.length.value(),
-               velocity = by.velocity.value();
-  std::vector<double> list{angle, angle, angle, angle, rate, rate, rate};
-  if (core.plain().motion == HubMotion::free)
-    list.insert(list.end(), {length, length, length, velocity, velocity, velocity});
-  const auto add = [&](std::size_t (*count)(JointKind), double turning, double moving, std::size_t turns) {
-    for (const PlainBody& body : core.plain().bodies) {
-      const std::size_t all = count(body.joint);
-      for (std::size_t i = 0; i < all; ++i)
-        list.push_back(body.joint == JointKind::slider || i >= turns ? moving : turning);
-    }
-  };
-  add(detail::positions_of, angle, length, 4);
-  add(detail::speeds_of, rate, velocity, 3);
-  list.insert(list.end(), core.plain().rotors.size(), rate);
-  list.insert(list.end(), 2 * core.plain().modes.size(), by.mode);
-  return list;
-}
-
 }  // namespace
 
 NamedSpacecraft::NamedSpacecraft(const PlainSpacecraft& plain)
-    : core_(std::make_shared<NamedCraftCore>(plain)) {}
+    : core_(std::make_shared<NamedCraftCore>(plain, "NamedSpacecraft")) {}
 NamedSpacecraft::NamedSpacecraft(const NamedHub& hub, const std::vector<NamedBody>& bodies,
                                  const std::vector<NamedRotor>& rotors, const std::vector<NamedMode>& modes)
     : NamedSpacecraft(plain_of(hub, bodies, rotors, modes)) {}
@@ -161,7 +141,7 @@ NamedMotion NamedSpacecraft::motion(const NamedState& state, const Quantity<si::
 
 ode::Problem NamedSpacecraft::problem(const NamedState& state, const Quantity<si::time>& start,
                                       const Quantity<si::time>& end, double relative_tolerance,
-                                      const NamedTolerances& tolerances, const NamedLoads& loads,
+                                      const CraftTolerances& tolerances, const NamedLoads& loads,
                                       const std::vector<NamedHeld>& held) const {
   if (state.view().core != core_.get()) throw BadInput("problem: the state is of another craft");
   ode::Problem problem;
@@ -173,7 +153,7 @@ ode::Problem NamedSpacecraft::problem(const NamedState& state, const Quantity<si
   problem.start = start.value();
   problem.end = end.value();
   problem.relative_tolerance = relative_tolerance;
-  problem.absolute_tolerances = absolute(*core_, tolerances);
+  problem.absolute_tolerances = absolute_tolerances(core_->plain(), tolerances);
   problem.caller = "NamedSpacecraft " + in_quotes(core_->plain().hub);
   problem.component_names = core_->component_names();
   return problem;

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <vectrix/dynamics/craft/craft_core.hpp>
 #include <vectrix/kinematics/named/quaternion.hpp>
 
 #include "named_craft_core.hpp"
@@ -28,17 +29,6 @@ std::vector<double> quaternion_numbers(const NamedDcm& R) {
 }
 void append(std::vector<double>& numbers, const Eigen::Vector3d& v) {
   numbers.insert(numbers.end(), {v.x(), v.y(), v.z()});
-}
-
-/// The positions of a ball or free joint, from R_b^p and r_pb^p to what the engine counts from the mount.
-std::vector<double> from_mount(const PlainBody& body, std::vector<double> positions) {
-  const Eigen::Quaterniond mount(body.R_p_from_b);
-  const Eigen::Quaterniond q =
-      mount.conjugate() * Eigen::Quaterniond(positions[0], positions[1], positions[2], positions[3]);
-  positions[0] = q.w(), positions[1] = q.x(), positions[2] = q.y(), positions[3] = q.z();
-  for (std::size_t i = 4; i < positions.size(); ++i)
-    positions[i] -= body.r_pb_p[static_cast<Eigen::Index>(i - 4)];
-  return positions;
 }
 
 /// Puts the starts in the places of a state; each part once.

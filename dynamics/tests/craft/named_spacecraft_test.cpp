@@ -378,7 +378,7 @@ TEST(NamedSpacecraft, RefusesStartsThatDoNotFit) {
       contains(said([&] { (void)other.motion(state, 0.0 * si::second); }), "the state is of another craft"));
 }
 
-const NamedTolerances tight{1e-12 * rad, 1e-12 * rad_s, 1e-12 * si::metre, 1e-12 * m_s, 1e-12};
+const CraftTolerances tight{1e-12 * rad, 1e-12 * rad_s, 1e-12 * si::metre, 1e-12 * m_s, 1e-12};
 
 TEST(NamedSpacecraft, KeepsMomentumOverARun) {
   RandomCraft random(20260323);

@@ -5,21 +5,12 @@
 #include <string_view>
 #include <vectrix/dynamics/craft/named_body.hpp>
 #include <vectrix/dynamics/craft/named_motion.hpp>
+#include <vectrix/dynamics/craft/tolerances.hpp>
 #include <vectrix/dynamics/ode/solve.hpp>
 #include <vectrix/kinematics/named/quaternion.hpp>
 #include <vectrix/kinematics/named/transform_doors.hpp>
 
 namespace vectrix {
-
-/// Tolerances by unit: of unit quaternions and angles, of rates, lengths, velocities, and modes, kg^1/2 m and
-/// kg^1/2 m/s. There is no default.
-struct NamedTolerances {
-  Quantity<si::angle> angle;
-  Quantity<si::angular_velocity> rate;
-  Quantity<si::length> length;
-  Quantity<si::velocity> velocity;
-  double mode;
-};
 
 /// A spacecraft whose bodies, joints, rotors and modes have their names at run time, for example from a file:
 /// a tree of any number of bodies. Its equations of motion are those of multibody::Tree; the state is
@@ -69,7 +60,7 @@ class VECTRIX_EXPORT NamedSpacecraft {
   /// The problem keeps what it works with: two threads must not solve the same one, but copies of it.
   [[nodiscard]] ode::Problem problem(const NamedState& state, const Quantity<si::time>& start,
                                      const Quantity<si::time>& end, double relative_tolerance,
-                                     const NamedTolerances& absolute, const NamedLoads& loads = {},
+                                     const CraftTolerances& absolute, const NamedLoads& loads = {},
                                      const std::vector<NamedHeld>& held = {}) const;
 
  private:

@@ -1,0 +1,90 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <vectrix/dynamics/craft/spacecraft.hpp>
+
+namespace vectrix {
+namespace detail {
+
+/// The units of the numbers of a joint with axes.
+template <JointKind> struct JointUnits {
+  using coordinate = si::angle;
+  using speed = si::angular_velocity;
+  using effort = si::torque;
+};
+template <> struct JointUnits<JointKind::slider> {
+  using coordinate = si::length;
+  using speed = si::velocity;
+  using effort = si::force;
+};
+
+/// One quantity of a hinge or slider; two of a gimbal.
+template <class U, JointKind kind> struct AxisNumbers {
+  using type = Quantity<U>;
+  static type read(const double* numbers) { return type::from_value(numbers[0]); }
+};
+template <class U> struct AxisNumbers<U, JointKind::gimbal> {
+  using type = std::array<Quantity<U>, 2>;
+  static type read(const double* numbers) {
+    return {Quantity<U>::from_value(numbers[0]), Quantity<U>::from_value(numbers[1])};
+  }
+};
+
+/// Typed access to the numbers of a state of the craft C. A joint has the name of the body that hangs on it.
+template <class Derived, class C> class CraftNumbers {
+  using Shape = typename C::shape;
+
+ public:
+  /// The angle of a hinge, the length of a slider, both angles of a gimbal.
+  template <class B>
+  requires Shape::template has_axes<B> auto coordinate(Of<B>) const {
+    constexpr JointKind kind = Shape::template Part<B>::joint;
+    return AxisNumbers<typename JointUnits<kind>::coordinate, kind>::read(y() +
+                                                                          Shape::template position_at<B>);
+  }
+  template <class B>
+  auto coordinate(  // of a hinge, a slider or a gimbal: of a body of the craft C that hangs on one
+      Of<B>) const -> Refused = delete;
+
+  /// Its rate.
+  template <class B>
+  requires Shape::template has_axes<B> auto speed(Of<B>) const {
+    constexpr JointKind kind = Shape::template Part<B>::joint;
+    return AxisNumbers<typename JointUnits<kind>::speed, kind>::read(y() + Shape::template speed_at<B>);
+  }
+  template <class B>
+  auto speed(  // of a hinge, a slider or a gimbal: of a body of the craft C that hangs on one
+      Of<B>) const -> Refused = delete;
+
+  /// The speed of a rotor relative to its body.
+  template <class W>
+  requires Shape::template has_rotor<W> Quantity<si::angular_velocity> spin(Of<W>) const {
+    return Quantity<si::angular_velocity>::from_value(y()[Shape::template spin_at<W>]);
+  }
+  template <class W> auto spin(Of<W>) const -> Refused = delete;  // of a rotor of the craft C
+
+  /// The coordinates of the modes of an appendage, kg^1/2 m, and their rates, kg^1/2 m/s.
+  template <class A>
+  requires Shape::template has_modes<A> auto deflections(Of<A>) const {
+    return modal<A>(Shape::template modes_at<A>);
+  }
+  template <class A> auto deflections(Of<A>) const -> Refused = delete;  // of modes of the craft C
+  template <class A>
+  requires Shape::template has_modes<A> auto deflection_rates(Of<A>) const {
+    return modal<A>(Shape::template modes_at<A> + Shape::total.modes);
+  }
+  template <class A> auto deflection_rates(Of<A>) const -> Refused = delete;  // of modes of the craft C
+
+ private:
+  const double* y() const { return static_cast<const Derived&>(*this).data(); }
+  template <class A> auto modal(std::size_t at) const {
+    std::array<double, Shape::template Part<A>::counts.modes> numbers;
+    std::copy(y() + at, y() + at + numbers.size(), numbers.begin());
+    return numbers;
+  }
+};
+
+}  // namespace detail
+}  // namespace vectrix

@@ -1,0 +1,183 @@
+#pragma once
+
+#include <array>
+#include <concepts>
+#include <cstddef>
+#include <tuple>
+#include <type_traits>
+#include <vectrix/dynamics/craft/now.hpp>
+#include <vectrix/dynamics/force/wrench.hpp>
+
+namespace vectrix {
+namespace detail {
+
+/// Whether a value is a torque that can act on b, and its frame.
+template <class B, class Given> struct TorqueOn {
+  using frame = void;
+  static constexpr bool about = false;
+};
+template <class B, class D> struct TorqueOn<B, Vector<D, si::torque>> {
+  using frame = D;
+  static constexpr bool about = true;
+};
+template <class B, class P, class D> struct TorqueOn<B, Torque<P, In<D>>> {
+  using frame = D;
+  static constexpr bool about = std::is_same_v<B, P>;
+};
+
+template <class Shape, class B, class... Given> struct ForceOn : std::false_type {};
+template <class Shape, class B, class D>
+struct ForceOn<Shape, B, Vector<D, si::force>> : std::bool_constant<Shape::template has_frame<D>> {};
+template <class Shape, class B, class Q, class E, class D>
+struct ForceOn<Shape, B, Displacement<B, Q, In<E>>, Vector<D, si::force>>
+    : std::bool_constant<Shape::template has_frame<E> && Shape::template has_frame<D>> {};
+
+/// Whether values are the effort of the joint of b.
+template <class Shape, class B, class Given> constexpr bool is_effort_on() {
+  if constexpr (Shape::template has_joint_of<B, JointKind::hinge>) {
+    return std::is_same_v<Given, std::tuple<Quantity<si::torque>>>;
+  } else if constexpr (Shape::template has_joint_of<B, JointKind::slider>) {
+    return std::is_same_v<Given, std::tuple<Quantity<si::force>>>;
+  } else if constexpr (Shape::template has_joint_of<B, JointKind::gimbal>) {
+    return std::is_same_v<Given, std::tuple<Quantity<si::torque>, Quantity<si::torque>>>;
+  } else if constexpr (Shape::template has_joint_of<B, JointKind::ball> ||
+                       Shape::template has_joint_of<B, JointKind::free>) {
+    if constexpr (std::tuple_size_v<Given> == 1) {
+      using Frame = typename TorqueOn<void, std::tuple_element_t<0, Given>>::frame;
+      return Shape::template has_frame<Frame>;
+    }
+  }
+  return false;
+}
+
+}  // namespace detail
+
+/// Where a load puts its forces; those of several loads add up. Vectors may be expressed in any frame of the
+/// craft. What acts on a mount acts on its body.
+template <CraftType C> class Forces {
+  using Shape = typename C::shape;
+  template <class Given> using FrameOf = typename detail::TorqueOn<void, Given>::frame;
+  template <class F> static constexpr bool turns = Shape::template has_frame<F>;
+  template <class F> static constexpr bool placed = Shape::template has_place<F>;
+  template <class B, class Given>
+  static constexpr bool is_torque = detail::TorqueOn<B, Given>::about&& turns<FrameOf<Given>>;
+  template <class B, class... Given>
+  static constexpr bool is_force = detail::ForceOn<Shape, B, Given...>::value;
+  template <class B, class... Given>
+  static constexpr bool is_effort = detail::is_effort_on<Shape, B, std::tuple<Given...>>();
+
+ public:
+  Forces(detail::Trusted, const Now<C>& now, multibody::Work<double>& work)
+      : at_(now.instant()), work_(&work) {}
+
+  /// A torque on a body: a Vector, a couple; or a Torque about b's origin.
+  template <class B, class Given>
+    requires(placed<B>&& is_torque<B, Given>)
+  void torque(Of<B>, const Given& M_d) {
+    add<B>(multibody::zero_column<double>(), hub<FrameOf<Given>>(M_d.coordinates()));
+  }
+  template <class B, class Given>
+  auto torque(  // on a body or mount b of the craft C: a torque, about b if it says so, in a frame of C
+      Of<B>, const Given&) -> Refused = delete;
+
+  /// A force on a body, through its origin: force(of<B>, F_d); or through the point q of the body:
+  /// force(of<B>, r_bq_e, F_d).
+  template <class B, class... Given>
+    requires(placed<B>&& is_force<B, Given...>)
+  void force(Of<B>, const Given&... given) { push(of<B>, given...); }
+  template <class B, class... Given>
+  auto force(  // on a body or mount b of the craft C: F, or r_bq from b's origin and F; in frames of C
+      Of<B>, const Given&...) -> Refused = delete;
+
+  /// A force and a torque about b's origin.
+  template <class B, class D>
+    requires(placed<B>&& turns<D>)
+  void wrench(Of<B>, const Wrench<B, In<D>>& W_b_d) {
+    force(of<B>, W_b_d.force());
+    torque(of<B>, W_b_d.torque());
+  }
+  template <class B, class Given>
+  auto wrench(  // on a body or mount b of the craft C: about b's origin, in a frame of C
+      Of<B>, const Given&) -> Refused = delete;
+
+  /// A torque of the parent on the body about the axis of its hinge; a force along its slider; torques about
+  /// both axes of its gimbal; a torque vector on a body that hangs on a ball joint or a free one. The parent
+  /// has the reaction. Springs, dampers and motors of joints are efforts.
+  template <class B, class... Given>
+    requires is_effort<B, Given...>
+  void effort(Of<B>, const Given&... given) {
+    constexpr std::size_t first = Shape::template speed_at<B> - Shape::speeds_begin;
+    if constexpr (Shape::template has_axes<B>) {
+      std::size_t at = first;
+      ((work_->efforts[at++] += given.value()), ...);
+    } else {
+      const auto M_b = at_.template from_hub<B>(hub<FrameOf<Given>...>(given.coordinates()...));
+      work_->efforts[first] += M_b.x, work_->efforts[first + 1] += M_b.y, work_->efforts[first + 2] += M_b.z;
+    }
+  }
+  template <class B, class... Given>
+  auto effort(  // of the joint of b in the craft C: N m of a hinge, N of a slider, both N m of a gimbal
+      Of<B>, const Given&...) -> Refused = delete;
+
+  /// A torque of the body on its rotor.
+  template <class W, class Given>
+    requires(Shape::template has_rotor<W>&& std::is_same_v<Given, Quantity<si::torque>>)
+  void motor(Of<W>, const Given& torque) {
+    work_->motors[Shape::template spin_at<W> - Shape::rotors_begin] += torque.value();
+  }
+  template <class W, class Given>
+  auto motor(Of<W>, const Given&) -> Refused = delete;  // on a rotor of the craft C, in N m
+
+  /// Forces on the modes of an appendage, kg^1/2 m/s^2.
+  template <class A>
+  requires Shape::template has_modes<A> void modal(
+      Of<A>, const std::array<double, Shape::template Part<A>::counts.modes>& forces) {
+    for (std::size_t i = 0; i < forces.size(); ++i)
+      work_->modal[Shape::template modes_at<A> - Shape::modes_begin + i] += forces[i];
+  }
+  template <class A, class Given>
+  auto modal(Of<A>, const Given&) -> Refused = delete;  // on the modes of an appendage of the craft C
+
+  /// A uniform field: the same acceleration for every mass.
+  template <class D>
+    requires turns<D>
+  void field(const Vector<D, si::acceleration>& g_d) {
+    work_->field += work_->R_i_from_h * hub<D>(g_d.coordinates());
+  }
+  template <class Given> auto field(const Given&) -> Refused = delete;  // an acceleration in a frame of C
+
+ private:
+  template <class D> [[gnu::always_inline]] detail::Column3 hub(const Eigen::Vector3d& v_d) const {
+    return at_.template to_hub<D>(detail::numbers(v_d));
+  }
+  template <class B> static constexpr auto carrier_of() {
+    if constexpr (Shape::template is<B, detail::PartRole::mount>)
+      return std::type_identity<typename Shape::template Part<B>::carrier>{};
+    else
+      return std::type_identity<B>{};
+  }
+  template <class B, class D> void push(Of<B>, const Vector<D, si::force>& F_d) {
+    push_at<B>(at_.template position<B>(), hub<D>(F_d.coordinates()));
+  }
+  template <class B, class Q, class E, class D>
+  void push(Of<B>, const Displacement<B, Q, In<E>>& r_bq_e, const Vector<D, si::force>& F_d) {
+    push_at<B>(at_.template position<B>() + hub<E>(r_bq_e.coordinates()), hub<D>(F_d.coordinates()));
+  }
+  // Through the point q, from the hub's origin.
+  template <class B>
+  [[gnu::always_inline]] void push_at(const detail::Column3& r_hq, const detail::Column3& F) {
+    using Body = typename decltype(carrier_of<B>())::type;
+    add<B>(F, multibody::cross(r_hq - at_.template position<Body>(), F));
+  }
+  template <class B> [[gnu::always_inline]] void add(const detail::Column3& F, const detail::Column3& M) {
+    constexpr std::size_t link = Shape::template link_of<B>();
+    auto& I = link == 0 ? work_->hub : work_->links[link == 0 ? 0 : link - 1].I;
+    I.n -= M;
+    I.f -= F;
+  }
+
+  detail::CraftInstant<Shape> at_;
+  multibody::Work<double>* work_;
+};
+
+}  // namespace vectrix

@@ -1,0 +1,150 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+#include <vectrix/dynamics/craft/forces.hpp>
+#include <vectrix/dynamics/craft/state.hpp>
+#include <vectrix/kinematics/points/acceleration.hpp>
+#include <vectrix/kinematics/rates/angular_acceleration.hpp>
+
+namespace vectrix {
+namespace detail {
+
+template <class... Loads> inline constexpr bool any_refused = (std::is_same_v<Loads, Refused> || ...);
+
+/// The results of the loads; their mistakes are found here, near the call of the user.
+template <class C, class... Loads>
+using CheckedLoads = std::tuple<std::type_identity<decltype(std::declval<const Loads&>()(
+    std::declval<const Now<C>&>(), std::declval<Forces<C>&>()))>...>;
+
+/// ydot = f(t, y) of a craft with its loads, in the order given. One for each thread.
+template <class C, class... Loads> class CraftRates {
+ public:
+  CraftRates(std::shared_ptr<const CraftCore> core, const Loads&... loads)
+      : core_(std::move(core)), work_(core_->tree.work()), loads_(loads...) {}
+
+  void operator()(double segment_start, double t, const double* y, double* ydot) {
+    core_->tree.place(y, work_);
+    if constexpr (sizeof...(Loads) > 0) {
+      const Now<C> now{trusted, *core_, segment_start, t, y, work_};
+      Forces<C> forces{trusted, now, work_};
+      add(now, forces, std::index_sequence_for<Loads...>{});
+    }
+    core_->tree.solve(y, ydot, work_);
+  }
+  multibody::Work<double>& work() { return work_; }
+
+ private:
+  template <std::size_t... i>
+  [[gnu::always_inline]] void add(const Now<C>& now, Forces<C>& forces, std::index_sequence<i...>) const {
+    (std::get<i>(loads_)(now, forces), ...);
+  }
+
+  std::shared_ptr<const CraftCore> core_;
+  multibody::Work<double> work_;
+  std::tuple<Loads...> loads_;
+};
+
+}  // namespace detail
+
+/// A state with its accelerations and what its joints transmit. Made by motion().
+template <CraftType C> class CraftMotion {
+  using Shape = typename C::shape;
+  using I = typename Shape::inertial;
+  template <class F> static constexpr bool turns = Shape::template has_frame<F>;
+  template <class F> static constexpr bool hangs = Shape::template is<F, detail::PartRole::body>;
+
+ public:
+  CraftMotion() = delete;  // motion(craft, state, loads...)
+  CraftMotion(detail::Trusted, std::shared_ptr<const detail::CraftCore> core, const CraftState<C>& state,
+              const typename CraftState<C>::Numbers& rates, multibody::Work<double> work)
+      : core_(std::move(core)), state_(state), rates_(rates), work_(std::move(work)) {}
+
+  /// Places and velocities. It must not outlive the motion.
+  Now<C> now() const& {
+    const double t = state_.time().value();
+    return {detail::trusted, *core_, t, t, state_.data(), work_};
+  }
+  Now<C> now() && = delete;  // the view refers to the motion: give the motion a name first
+
+  /// As Now has them.
+  Quantity<si::energy> energy() const { return now().energy(); }
+  Vector<I, si::momentum> momentum() const { return now().momentum(); }
+  Vector<I, si::angular_momentum> angular_momentum() const { return now().angular_momentum(); }
+
+  const CraftState<C>& state() const& { return state_; }
+  CraftState<C> state() && { return state_; }
+  operator const CraftState<C>&() const& { return state_; }
+  operator Quantity<si::time>() const { return state_.time(); }
+  /// The derivative of the state.
+  const typename CraftState<C>::Numbers& rates() const& { return rates_; }
+  typename CraftState<C>::Numbers rates() && { return rates_; }
+
+  /// alpha_ib^c and a_ib|i^c of the body's origin, relative to the inertial frame.
+  template <class B, class D>
+    requires(Shape::template has_body<B>&& turns<D>)
+  AngularAcceleration<I, B, In<D>> angular_acceleration(Of<B>, In<D>)
+  const { return AngularAcceleration<I, B, In<D>>{detail::trusted, in<D>(accelerations<B>().alpha)}; }
+  template <class B, class D>
+    requires(Shape::template has_body<B>&& turns<D>)
+  Acceleration<I, B, ObservedFrom<I>, In<D>> acceleration(Of<B>, In<D>)
+  const { return Acceleration<I, B, ObservedFrom<I>, In<D>>{detail::trusted, in<D>(accelerations<B>().a)}; }
+  template <class B, class D>
+  auto angular_acceleration(  // of a body of the craft C, in a frame of C; of other frames: a frame graph
+      Of<B>, In<D>) const -> Refused = delete;
+  template <class B, class D>
+  auto acceleration(  // of a body of the craft C, in a frame of C; of other frames: a frame graph
+      Of<B>, In<D>) const -> Refused = delete;
+
+  /// What the joint of b transmits to b: a force, and a torque about b's origin, with the effort.
+  template <class B, class D>
+    requires(hangs<B>&& turns<D>)
+  Vector<D, si::force> joint_force(Of<B>, In<D>)
+  const { return {detail::trusted, in<D>(reaction<B>().force)}; }
+  template <class B, class D>
+    requires(hangs<B>&& turns<D>)
+  Torque<B, In<D>> joint_torque(Of<B>, In<D>)
+  const { return Torque<B, In<D>>{detail::trusted, in<D>(reaction<B>().torque)}; }
+  template <class B, class D>
+  auto joint_force(  // of a body of the craft C that hangs on a joint, in a frame of C
+      Of<B>, In<D>) const -> Refused = delete;
+  template <class B, class D>
+  auto joint_torque(  // of a body of the craft C that hangs on a joint, in a frame of C
+      Of<B>, In<D>) const -> Refused = delete;
+
+ private:
+  template <class D> Eigen::Vector3d in(const detail::Column3& v_h) const {
+    return detail::eigen(detail::CraftInstant<Shape>{*core_, state_.data(), work_}.template from_hub<D>(v_h));
+  }
+  template <class B> static constexpr int link = static_cast<int>(Shape::template link_of<B>());
+  template <class B> auto accelerations() const { return core_->tree.accelerations(link<B>, work_); }
+  template <class B> auto reaction() const { return core_->tree.reaction(link<B>, work_); }
+
+  std::shared_ptr<const detail::CraftCore> core_;
+  CraftState<C> state_;
+  typename CraftState<C>::Numbers rates_;
+  multibody::Work<double> work_;
+};
+
+/// The accelerations in a state under loads: functions of const Now<C>& and Forces<C>&. Throws BadInput if a
+/// result is not finite.
+template <CraftType C, class... Loads>
+  requires(!detail::any_refused<Loads...>)
+CraftMotion<C> motion(const C& craft, const CraftState<C>& state, const Loads&... loads) {
+  static_cast<void>(sizeof(detail::CheckedLoads<C, Loads...>));
+  detail::CraftRates<C, Loads...> rates(craft.core(), loads...);
+  typename CraftState<C>::Numbers ydot{};
+  const double t = state.time().value();
+  rates(t, t, state.data(), ydot.data());
+  detail::require_finite_state("the derivative in motion", *craft.core(), t, ydot);
+  return {detail::trusted, craft.core(), state, ydot, std::move(rates.work())};
+}
+
+template <CraftType C, class... Loads>
+  requires detail::any_refused<Loads...> Refused motion(const C&, const CraftState<C>&, const Loads&...);
+
+}  // namespace vectrix

@@ -1,0 +1,103 @@
+#pragma once
+
+#include <concepts>
+#include <vectrix/dynamics/craft/craft_numbers.hpp>
+#include <vectrix/dynamics/craft/instant.hpp>
+#include <vectrix/kinematics/points/velocity.hpp>
+#include <vectrix/kinematics/rates/angular_velocity.hpp>
+
+namespace vectrix {
+
+/// A craft at one instant: a view of its state, with the place and the velocity of every body and mount. A
+/// load sees it. Frames are those of the bodies and mounts, and the inertial one; each answer is one product.
+template <CraftType C> class Now : public detail::CraftNumbers<Now<C>, C> {
+  using Shape = typename C::shape;
+  using I = typename Shape::inertial;
+
+  template <class F> static constexpr bool turns = Shape::template has_frame<F>;
+  /// The position of a hub that is only turning is not known.
+  template <class F>
+  static constexpr bool placed = Shape::template has_place<F> || (Shape::free && std::is_same_v<F, I>);
+
+ public:
+  Now(detail::Trusted, const detail::CraftCore& core, double segment_start, double t, const double* y,
+      const multibody::Work<double>& work)
+      : at_(core, y, work), segment_start_(segment_start), t_(t) {}
+
+  Quantity<si::time> time() const { return Quantity<si::time>::from_value(t_); }
+  /// The start of the smooth segment. A load that jumps at a breakpoint decides by this, not by the time: the
+  /// time of the breakpoint is the end of one segment and the start of the next.
+  Quantity<si::time> segment_start() const { return Quantity<si::time>::from_value(segment_start_); }
+
+  /// R_a^b
+  template <class B, class A>
+    requires(turns<B>&& turns<A> && !std::is_same_v<A, B>)
+  Dcm<B, A> rotation(To<B>, From<A>)
+  const { return Dcm<B, A>{detail::trusted, detail::eigen(at_.template rotation_between<B, A>())}; }
+  template <class B, class A>
+  auto rotation(  // to<B>, from<A>: two frames of the craft C, its bodies, mounts and inertial frame
+      To<B>, From<A>) const -> Refused = delete;
+
+  /// w_ab^c
+  template <class B, class A, class D>
+    requires(turns<B>&& turns<A>&& turns<D> && !std::is_same_v<A, B>)
+  AngularVelocity<A, B, In<D>> angular_velocity(Of<B>, RelativeTo<A>, In<D>)
+  const {
+    return AngularVelocity<A, B, In<D>>{detail::trusted,
+                                        in<D>(at_.template turning<B>() - at_.template turning<A>())};
+  }
+  template <class B, class A, class D>
+  auto angular_velocity(  // frames of the craft C, its bodies, mounts and inertial frame
+      Of<B>, RelativeTo<A>, In<D>) const -> Refused = delete;
+
+  /// r_ab^c of the origins.
+  template <class B, class A, class D>
+    requires(placed<B>&& placed<A>&& turns<D> && !std::is_same_v<A, B>)
+  Displacement<A, B, In<D>> position(Of<B>, RelativeTo<A>, In<D>)
+  const {
+    return Displacement<A, B, In<D>>{detail::trusted,
+                                     in<D>(at_.template position<B>() - at_.template position<A>())};
+  }
+  template <class B, class A, class D>
+  auto position(  // frames of the craft C; relative to the inertial one if the hub is free_in<I>
+      Of<B>, RelativeTo<A>, In<D>) const -> Refused = delete;
+
+  /// v_ab|o^c of the origins: v_b - v_a - w_io x r_ab.
+  template <class B, class A, class O, class D>
+    requires(placed<B>&& placed<A>&& turns<O>&& turns<D> && !std::is_same_v<A, B>)
+  Velocity<A, B, ObservedFrom<O>, In<D>> velocity(Of<B>, RelativeTo<A>, ObservedFrom<O>, In<D>)
+  const {
+    const auto r = at_.template position<B>() - at_.template position<A>();
+    return Velocity<A, B, ObservedFrom<O>, In<D>>{
+        detail::trusted, in<D>(at_.template velocity<B>() - at_.template velocity<A>() -
+                               multibody::cross(at_.template turning<O>(), r))};
+  }
+  template <class B, class A, class O, class D>
+  auto velocity(  // frames of the craft C; relative to the inertial one if the hub is free_in<I>
+      Of<B>, RelativeTo<A>, ObservedFrom<O>, In<D>) const -> Refused = delete;
+
+  /// Kinetic energy, and that of the modes' springs. Of a turning hub: relative to the centre of mass.
+  Quantity<si::energy> energy() const { return Quantity<si::energy>::from_value(conserved().energy); }
+  /// The angular momentum is about the inertial origin; of a turning hub about the centre of mass, where the
+  /// momentum is zero.
+  Vector<I, si::momentum> momentum() const { return {detail::trusted, detail::eigen(conserved().momentum)}; }
+  Vector<I, si::angular_momentum> angular_momentum() const {
+    return {detail::trusted, detail::eigen(conserved().angular_momentum)};
+  }
+
+  const double* data() const { return at_.y(); }
+  const detail::CraftInstant<Shape>& instant() const { return at_; }
+
+ private:
+  template <class D> [[gnu::always_inline]] Eigen::Vector3d in(const detail::Column3& v_h) const {
+    return detail::eigen(at_.template from_hub<D>(v_h));
+  }
+  multibody::Conserved<double> conserved() const {
+    return at_.core().tree.conserved(at_.y(), multibody::zero_column<double>(), at_.work());
+  }
+
+  detail::CraftInstant<Shape> at_;
+  double segment_start_, t_;
+};
+
+}  // namespace vectrix

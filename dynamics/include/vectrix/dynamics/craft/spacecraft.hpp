@@ -1,0 +1,88 @@
+#pragma once
+
+#include <concepts>
+#include <cstddef>
+#include <memory>
+#include <utility>
+#include <vector>
+#include <vectrix/dynamics/craft/shape.hpp>
+
+namespace vectrix {
+
+/// What a spacecraft is: a hub, and parts that hang on it or on a part before them. Frames, topology and
+/// kinds of joints are types; masses, places and axes are values, which lose their names once, here: its
+/// equations of motion are those of multibody::Tree, and its state has the numbers of the NamedSpacecraft of
+/// the same parts, in the same order. Made by spacecraft(). Immutable and cheap to copy; threads may share
+/// it.
+///
+/// A name of its own makes messages and signatures short:
+///     struct Sat : decltype(make_sat()) { Sat() : decltype(make_sat())(make_sat()) {} };
+template <class Hub, class... Parts> class Spacecraft {
+ public:
+  using shape = detail::CraftShape<Hub, Parts...>;
+  static constexpr std::size_t state_size = shape::size;
+
+  Spacecraft() = delete;  // spacecraft(hub, parts...)
+  Spacecraft(detail::Trusted, std::shared_ptr<const detail::CraftCore> core) : core_(std::move(core)) {}
+
+  const std::shared_ptr<const detail::CraftCore>& core() const& { return core_; }
+
+ private:
+  std::shared_ptr<const detail::CraftCore> core_;
+};
+
+template <class C>
+concept CraftType = requires {
+  typename C::shape;
+  C::state_size;
+};
+
+namespace detail {
+
+struct LoweredParts {
+  PlainSpacecraft plain;
+  std::vector<PlainMount> mounts;
+
+  template <class B, JointKind kind, class P> void add(const BodyPart<B, kind, P>& part) {
+    plain.bodies.push_back(part.numbers);
+  }
+  template <class W, class B> void add(const RotorPart<W, B>& part) { plain.rotors.push_back(part.numbers); }
+  template <class A, class B, std::size_t count> void add(const ModesPart<A, B, count>& part) {
+    plain.modes.insert(plain.modes.end(), part.numbers.begin(), part.numbers.end());
+  }
+  template <class C, class B> void add(const MountPart<C, B>& part) { mounts.push_back(part.numbers); }
+};
+
+template <class Fault> struct CraftUnless {};
+template <> struct CraftUnless<Nothing> { template <class... Parts> using type = Spacecraft<Parts...>; };
+template <> struct CraftUnless<Refused> { template <class...> using type = Refused; };
+template <class Hub, class... Parts>
+using CraftOf = typename CraftUnless<CraftFault<Hub, Parts...>>::template type<Hub, Parts...>;
+
+}  // namespace detail
+
+/// The spacecraft of a hub and of parts, each after the body on which it hangs. Throws BadInput with the name
+/// of the part, as NamedSpacecraft does: for a mass or an inertia that no body has, an axis that is not a
+/// unit vector, a number that is not finite, a rotor with more inertia than its body, modes with more than
+/// their craft, a joint about which nothing has inertia.
+template <class Hub, class... Parts>
+detail::CraftOf<Hub, Parts...> spacecraft(const Hub& hub, const Parts&... parts) {
+  if constexpr (std::is_same_v<detail::CraftFault<Hub, Parts...>, Refused>) {
+    return Refused{};
+  } else {
+    detail::LoweredParts lowered{hub.numbers, {}};
+    (lowered.add(parts), ...);
+    return {detail::trusted, detail::make_craft_core(std::move(lowered.plain), std::move(lowered.mounts))};
+  }
+}
+template <class Hub, class... Parts, class Fault = detail::CraftFault<Hub, Parts...>>
+  requires(!std::is_same_v<Fault, Nothing> && !std::is_same_v<Fault, Refused>)
+auto spacecraft(  // the hub, then parts that hang on a body before them, each name once: see Fault
+    const Hub&, const Parts&...) -> Refused = delete;
+
+/// The craft in names and plain numbers; the names are those of the frames.
+template <CraftType C> const PlainSpacecraft& plain(const C& craft) {
+  return craft.core()->plain;
+}
+
+}  // namespace vectrix

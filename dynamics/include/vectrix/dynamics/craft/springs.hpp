@@ -1,0 +1,59 @@
+#pragma once
+
+#include <type_traits>
+#include <vectrix/dynamics/craft/forces.hpp>
+
+namespace vectrix {
+namespace detail {
+
+/// Whether b hangs on a hinge or slider of the craft, and its effort is P times a Q.
+template <class C, class B, class P, class Q> constexpr bool is_effort_per() {
+  using Shape = typename C::shape;
+  if constexpr (Shape::template has_joint_of<B, JointKind::hinge>) {
+    return std::is_same_v<unit_product<P, Q>, si::torque>;
+  } else {
+    return Shape::template has_joint_of<B, JointKind::slider> &&
+           std::is_same_v<unit_product<P, Q>, si::force>;
+  }
+}
+
+}  // namespace detail
+
+/// A load: the effort -k (q - q_0) on a hinge or slider.
+template <CraftType C, class B, class K, class Q> struct JointSpring {
+  Quantity<K> stiffness;
+  Quantity<Q> at_rest;
+  void operator()(const Now<C>& now, Forces<C>& forces) const {
+    forces.effort(of<B>, stiffness * (at_rest - now.coordinate(of<B>)));
+  }
+};
+/// A load: the effort -c u on a hinge or slider.
+template <CraftType C, class B, class D> struct JointDamper {
+  Quantity<D> damping;
+  void operator()(const Now<C>& now, Forces<C>& forces) const {
+    forces.effort(of<B>, -(damping * now.speed(of<B>)));
+  }
+};
+
+/// A spring on the joint of b, N m/rad or N/m, and where it is at rest.
+template <CraftType C, class B, class K, class Q>
+  requires(detail::is_effort_per<C, B, K, Q>())
+JointSpring<C, B, K, Q> spring(const C&, Of<B>, const Quantity<K>& stiffness, const Quantity<Q>& at_rest) {
+  return {stiffness, at_rest};
+}
+template <class C, class B, class K, class Q>
+auto spring(  // spring(craft, of<B>, k, q_0): b on a hinge, N m/rad and rad, or on a slider, N/m and m
+    const C&, Of<B>, const K&, const Q&) -> Refused = delete;
+
+/// A damper on the joint of b, N m s/rad or N s/m.
+template <CraftType C, class B, class D>
+  requires(detail::is_effort_per<C, B, D, si::angular_velocity>() ||
+           detail::is_effort_per<C, B, D, si::velocity>())
+JointDamper<C, B, D> damper(const C&, Of<B>, const Quantity<D>& damping) {
+  return {damping};
+}
+template <class C, class B, class D>
+auto damper(  // damper(craft, of<B>, c): b on a hinge, N m s/rad, or on a slider, N s/m
+    const C&, Of<B>, const D&) -> Refused = delete;
+
+}  // namespace vectrix

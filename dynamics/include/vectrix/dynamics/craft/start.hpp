@@ -1,0 +1,187 @@
+#pragma once
+
+#include <array>
+#include <concepts>
+#include <cstddef>
+#include <vector>
+#include <vectrix/dynamics/craft/spacecraft.hpp>
+#include <vectrix/kinematics/attitude/quaternion.hpp>
+#include <vectrix/kinematics/points/moving_transform.hpp>
+
+namespace vectrix {
+
+// The starts of joints, rotors and modes. A joint has the name of the body that hangs on it.
+template <class B, JointKind kind_of_joint, class RelativeTo = void> struct JointStart {
+  using of = B;
+  using relative_to = RelativeTo;
+  static constexpr JointKind kind = kind_of_joint;
+  std::vector<double> positions, speeds;
+};
+template <class W> struct SpinStart {
+  using of = W;
+  double speed;
+};
+template <class A, std::size_t count_of_modes> struct DeflectionStart {
+  using of = A;
+  static constexpr std::size_t count = count_of_modes;
+  std::array<double, count> coordinates, rates;
+};
+
+/// A hinge; a slider; a gimbal.
+template <Frame B>
+JointStart<B, JointKind::hinge> starts(Of<B>, const Quantity<si::angle>& angle,
+                                       const Quantity<si::angular_velocity>& rate) {
+  return {{angle.value()}, {rate.value()}};
+}
+template <Frame B>
+JointStart<B, JointKind::slider> starts(Of<B>, const Quantity<si::length>& length,
+                                        const Quantity<si::velocity>& rate) {
+  return {{length.value()}, {rate.value()}};
+}
+template <Frame B>
+JointStart<B, JointKind::gimbal> starts(Of<B>, const Quantity<si::angle>& angle_1,
+                                        const Quantity<si::angular_velocity>& rate_1,
+                                        const Quantity<si::angle>& angle_2,
+                                        const Quantity<si::angular_velocity>& rate_2) {
+  return {{angle_1.value(), angle_2.value()}, {rate_1.value(), rate_2.value()}};
+}
+template <class B, class... Given>
+auto starts(  // an angle and its rate of a hinge, both of a gimbal, a length and its rate of a slider
+    Of<B>, const Given&...) -> Refused = delete;
+
+namespace detail {
+
+template <class P, class B> std::vector<double> quaternion_numbers(const Dcm<P, B>& R_p_from_b) {
+  const auto q = quaternion(R_p_from_b).scalar_first();
+  return {q[0], q[1], q[2], q[3]};
+}
+inline void append(std::vector<double>& numbers, const Eigen::Vector3d& v) {
+  numbers.insert(numbers.end(), {v.x(), v.y(), v.z()});
+}
+
+}  // namespace detail
+
+/// A ball joint, by R_b^p and w_pb^b; a free joint, with r_pb^p and v_pb|p^p.
+template <class P, class B> JointStart<B, JointKind::ball, P> starts(const MovingDcm<P, B>& R_p_from_b) {
+  JointStart<B, JointKind::ball, P> start{detail::quaternion_numbers(R_p_from_b.rotation), {}};
+  detail::append(start.speeds, R_p_from_b.angular_velocity.coordinates());
+  return start;
+}
+template <class P, class B>
+JointStart<B, JointKind::free, P> starts(const MovingTransform<P, B>& X_p_from_b) {
+  JointStart<B, JointKind::free, P> start{detail::quaternion_numbers(X_p_from_b.turning.rotation), {}};
+  detail::append(start.positions, X_p_from_b.translation.coordinates());
+  detail::append(start.speeds, X_p_from_b.turning.angular_velocity.coordinates());
+  detail::append(start.speeds, X_p_from_b.velocity.coordinates());
+  return start;
+}
+
+/// The speed of a rotor relative to its body.
+template <Point W> SpinStart<W> spins(Of<W>, const Quantity<si::angular_velocity>& speed) {
+  return {speed.value()};
+}
+template <class W, class Given>
+  requires(!std::convertible_to<const Given&, Quantity<si::angular_velocity>>)
+auto spins(Of<W>, const Given&) -> Refused = delete;  // a speed in rad/s
+
+/// The coordinates of the modes of an appendage, kg^1/2 m, and their rates, kg^1/2 m/s.
+template <Point A, std::size_t count>
+DeflectionStart<A, count> deflects(Of<A>, const std::array<double, count>& coordinates,
+                                   const std::array<double, count>& rates) {
+  return {coordinates, rates};
+}
+template <Point A> DeflectionStart<A, 1> deflects(Of<A>, double coordinate, double rate) {
+  return {{coordinate}, {rate}};
+}
+
+// The mistakes in a list of starts, for messages.
+template <class F> struct StartIsMissing {};
+template <class F> struct StartIsGivenTwice {};
+template <class F> struct NoStartOf {};
+template <class Start, class Part> struct StartIsNotThatOf {};
+template <class Given, class Motion> struct HubMovesWith {};
+
+namespace detail {
+
+/// What the motion of a hub starts with.
+template <class Shape>
+struct HubStart : std::type_identity<MovingDcm<typename Shape::inertial, typename Shape::hub>> {};
+template <class Shape>
+requires Shape::free struct HubStart<Shape>
+    : std::type_identity<MovingTransform<typename Shape::inertial, typename Shape::hub>> {
+};
+
+template <class Shape, class Start> constexpr bool start_fits() {
+  using F = typename Start::of;
+  if constexpr (!Shape::template has_part<F>) {
+    return false;
+  } else if constexpr (requires { Start::kind; }) {
+    if constexpr (!Shape::template has_joint_of<F, Start::kind>)
+      return false;
+    else
+      return std::is_void_v<typename Start::relative_to> ||
+             std::is_same_v<typename Start::relative_to, typename Shape::template Part<F>::carrier>;
+  } else if constexpr (requires { Start::count; }) {
+    return Shape::template has_modes<F> && Shape::template Part<F>::counts.modes == Start::count;
+  } else {
+    return Shape::template has_rotor<F>;
+  }
+}
+template <class Part>
+inline constexpr bool moves = Part::counts.speeds + Part::counts.rotors + Part::counts.modes > 0;
+
+template <std::size_t i, class... F>
+inline constexpr bool is_again =
+    first_of<std::is_same_v<std::tuple_element_t<i, std::tuple<F...>>, F>...>() != i;
+
+/// The first mistake in the starts of a craft; Nothing if each part that moves has one, of its kind.
+template <class Shape, class... Starts> struct StartFault {
+  template <class F> static constexpr bool given = (std::is_same_v<F, typename Starts::of> || ...);
+  template <std::size_t... i> static constexpr std::size_t again(std::index_sequence<i...>) {
+    return first_of<is_again<i, typename Starts::of...>...>();
+  }
+  template <class... Parts> static constexpr auto missing(std::type_identity<std::tuple<Parts...>>) {
+    constexpr std::size_t at = first_of<(moves<Parts> && !given<typename Parts::frame>)...>();
+    if constexpr (at == nowhere) {
+      return std::type_identity<Nothing>{};
+    } else {
+      using Part = std::tuple_element_t<at, std::tuple<Parts...>>;
+      return std::type_identity<StartIsMissing<typename Part::frame>>{};
+    }
+  }
+  static constexpr auto fault() {
+    constexpr std::size_t bad = first_of<!start_fits<Shape, Starts>()...>();
+    constexpr std::size_t twice = again(std::index_sequence_for<Starts...>{});
+    if constexpr (bad != nowhere) {
+      using Start = std::tuple_element_t<bad, std::tuple<Starts...>>;
+      if constexpr (Shape::template has_part<typename Start::of>) {
+        return std::type_identity<
+            StartIsNotThatOf<Start, typename Shape::template Part<typename Start::of>>>{};
+      } else {
+        return std::type_identity<NoStartOf<typename Start::of>>{};
+      }
+    } else if constexpr (twice != nowhere) {
+      return std::type_identity<
+          StartIsGivenTwice<typename std::tuple_element_t<twice, std::tuple<Starts...>>::of>>{};
+    } else {
+      return missing(std::type_identity<typename Shape::parts>{});
+    }
+  }
+  using type = typename decltype(fault())::type;
+};
+template <class Shape, class Motion, class... Starts> struct FaultOfState {
+  using Wanted = typename HubStart<Shape>::type;
+  static constexpr auto fault() {
+    if constexpr ((std::is_same_v<Starts, Refused> || ...)) {
+      return std::type_identity<Refused>{};
+    } else if constexpr (!std::is_same_v<Motion, Wanted>) {
+      return std::type_identity<HubMovesWith<Motion, Wanted>>{};
+    } else {
+      return StartFault<Shape, Starts...>{};
+    }
+  }
+  using type = typename decltype(fault())::type;
+};
+
+}  // namespace detail
+}  // namespace vectrix

@@ -1,0 +1,119 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <concepts>
+#include <vectrix/dynamics/craft/craft_numbers.hpp>
+#include <vectrix/dynamics/craft/start.hpp>
+
+namespace vectrix {
+
+/// The state of a spacecraft at one instant: the numbers that are integrated, in the order
+///     [ q_h^i 4 | w_ih^h 3 | r_i 3 | v_i 3 | joints' positions | joints' speeds | rotors | eta | eta' ]
+/// without r and v if the hub is only turning. An edge of a frame graph that is a function of time takes a
+/// state, too. Made by state().
+template <CraftType C> class CraftState : public detail::CraftNumbers<CraftState<C>, C> {
+  using Shape = typename C::shape;
+  using I = typename Shape::inertial;
+  using H = typename Shape::hub;
+
+ public:
+  using Numbers = std::array<double, C::state_size>;
+
+  CraftState() = delete;  // state(craft, t, X_i_from_hub, starts...)
+  CraftState(detail::Trusted, const Quantity<si::time>& time, const Numbers& numbers)
+      : time_(time), numbers_(numbers) {}
+
+  Quantity<si::time> time() const { return time_; }
+  operator Quantity<si::time>() const { return time_; }
+  const Numbers& numbers() const& { return numbers_; }
+  Numbers numbers() && { return numbers_; }
+  const double* data() const { return numbers_.data(); }
+
+  /// R_h^i, the nearest rotation to the integrated numbers, and w_ih^h.
+  MovingDcm<I, H> turning() const {
+    return {Dcm<I, H>{detail::trusted, detail::eigen(multibody::matrix_of_quaternion(data()))},
+            AngularVelocity<I, H, In<H>>{detail::trusted, column(4)}};
+  }
+  /// With r_ih^i and v_ih|i^i.
+  template <class S = Shape>
+    requires S::free MovingTransform<I, H> hub_motion()
+  const {
+    return {turning(), Displacement<I, H, In<I>>{detail::trusted, column(7)},
+            Velocity<I, H, ObservedFrom<I>, In<I>>{detail::trusted, column(10)}};
+  }
+  template <class S = Shape>
+  auto hub_motion() const -> Refused = delete;  // the hub is turning_in<I>: where it is is not a state
+
+ private:
+  Eigen::Vector3d column(std::size_t at) const { return {numbers_[at], numbers_[at + 1], numbers_[at + 2]}; }
+
+  Quantity<si::time> time_;
+  Numbers numbers_;
+};
+
+namespace detail {
+
+template <class I, class H> void put_hub(const MovingDcm<I, H>& X, double* y) {
+  auto numbers = quaternion_numbers(X.rotation);
+  append(numbers, X.angular_velocity.coordinates());
+  std::copy(numbers.begin(), numbers.end(), y);
+}
+template <class I, class H> void put_hub(const MovingTransform<I, H>& X, double* y) {
+  put_hub(X.turning, y);
+  std::vector<double> numbers;
+  append(numbers, X.translation.coordinates());
+  append(numbers, X.velocity.coordinates());
+  std::copy(numbers.begin(), numbers.end(), y + 7);
+}
+template <class Shape, class B, JointKind kind, class P>
+void put_start(const CraftCore& core, const JointStart<B, kind, P>& start, double* y) {
+  auto positions = start.positions;
+  if constexpr (!std::is_void_v<P>)
+    positions = from_mount(core.plain.bodies[Shape::template body_at<B>], std::move(positions));
+  std::copy(positions.begin(), positions.end(), y + Shape::template position_at<B>);
+  std::copy(start.speeds.begin(), start.speeds.end(), y + Shape::template speed_at<B>);
+}
+template <class Shape, class W> void put_start(const CraftCore&, const SpinStart<W>& start, double* y) {
+  y[Shape::template spin_at<W>] = start.speed;
+}
+template <class Shape, class A, std::size_t count>
+void put_start(const CraftCore&, const DeflectionStart<A, count>& start, double* y) {
+  y += Shape::template modes_at<A>;
+  std::copy(start.coordinates.begin(), start.coordinates.end(), y);
+  std::copy(start.rates.begin(), start.rates.end(), y + Shape::total.modes);
+}
+
+template <class C, class Motion, class... Starts>
+using StateFault = typename FaultOfState<typename C::shape, Motion, Starts...>::type;
+
+}  // namespace detail
+
+/// The state at the time t: the motion of the hub in the inertial frame, and the starts of all joints, rotors
+/// and modes; none is zero by default. A motion relative to any other frame is a product away:
+///     state(craft, t, X_i_from_lvlh * X_lvlh_from_hub, starts(of<Panel>, angle, rate), spins(of<Wheel>, w))
+/// The hub of turning_in<I> needs a MovingDcm only. Throws BadInput for a number that is not finite.
+template <CraftType C, class Motion, class... Starts>
+  requires std::is_same_v<detail::StateFault<C, Motion, Starts...>, Nothing> CraftState<C> state(
+      const C& craft, const Quantity<si::time>& t, const Motion& X_i_from_hub, const Starts&... starts) {
+    typename CraftState<C>::Numbers y{};
+    detail::put_hub(X_i_from_hub, y.data());
+    (detail::put_start<typename C::shape>(*craft.core(), starts, y.data()), ...);
+    detail::require_finite_state("state", *craft.core(), t.value(), y);
+    return {detail::trusted, t, y};
+  }
+template <CraftType C, class Time, class Motion, class... Starts,
+          class Fault = detail::StateFault<C, Motion, Starts...>>
+  requires(!std::is_same_v<Fault, Nothing>)
+auto state(  // state(craft, t, X_i_from_hub, starts...): each part that moves has one start: see Fault
+    const C&, const Time&, const Motion&, const Starts&...) -> Refused = delete;
+
+/// Claims that the numbers are a state. Throws BadInput if one is not finite.
+template <CraftType C>
+CraftState<C> state_from_numbers(const C& craft, const Quantity<si::time>& t,
+                                 const std::array<double, C::state_size>& y) {
+  detail::require_finite_state("state_from_numbers", *craft.core(), t.value(), y);
+  return {detail::trusted, t, y};
+}
+
+}  // namespace vectrix
