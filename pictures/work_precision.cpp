@@ -127,8 +127,8 @@ std::string work_precision() {
   draw(adaptive, "BDF", propagated(ode::Method::cvode_bdf, 12), {colour::grey}, {-4, 18});
   draw(adaptive, "Adams", propagated(ode::Method::cvode_adams, 13), {colour::blue}, {-8, 4}, "end");
   draw(adaptive, "Fehlberg 7(8)", propagated(ode::Method::arkode_fehlberg_8, 11), {colour::purple}, {7, 12});
-  draw(adaptive, "Verner 9(8)", propagated(ode::Method::verner_9, 12), {colour::green}, {-8, 4}, "end");
-  draw(adaptive, "Verner 7(6)", propagated(ode::Method::verner_7, 12), {colour::orange}, {7, 12});
+  draw(adaptive, "Verner 9(8)", propagated(ode::Method::verner_9, 11), {colour::green}, {-8, 4}, "end");
+  draw(adaptive, "Verner 7(6)", propagated(ode::Method::verner_7, 11), {colour::orange}, {9, -8});
   draw(adaptive, "Dormand-Prince 5", propagated(ode::Method::arkode_dormand_prince_5, 11), {colour::brown},
        {7, -2});
   return svg.text();

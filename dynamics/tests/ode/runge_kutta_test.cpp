@@ -7,6 +7,7 @@
 #include <vectrix/frames/errors.hpp>
 
 #include "problems.hpp"
+#include "testing/trials.hpp"
 
 // The inlined integrators, alone and in solve<N>().
 namespace vectrix::ode::test::runge_kutta_test {
@@ -243,7 +244,7 @@ TYPED_TEST(InlinedRungeKutta, rounded_coefficients_do_not_drift) {
   std::array<double, 7> absolute;
   absolute.fill(accepts_all);
   RungeKutta<TypeParam, 7, FreeBody> method(FreeBody(), accepts_all, absolute);
-  constexpr double h = 0.025, end = 4000.0;  // truncation: below 1e-16
+  constexpr double h = 0.025, end = vectrix_test::trials(4000);  // truncation: below 1e-16
   method.start(0.0, std::array{1.0, 0.0, 0.0, 0.0, 0.7, 0.6, 0.65}, h);
   const auto momentum = [&] {
     const auto y = method.state();
