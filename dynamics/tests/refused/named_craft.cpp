@@ -6,7 +6,8 @@ using namespace vectrix;
 
 namespace craft_mount_turned_round {
 // mistake: where the parent is on the body, instead of where the body is on its parent
-// expect: MountGiven = (vectrix::)?Transform<(vectrix::)?ThisBody, (vectrix::)?ParentBody
+// expect: P = (vectrix::)?ThisBody
+// expect: B = (vectrix::)?ParentBody
 auto panel(const Transform<ThisBody, ParentBody>& X_b_from_p) {
 #ifdef REPAIRED
   return hinge(inverse(X_b_from_p), unit_y(in<ThisBody>));
@@ -18,7 +19,8 @@ auto panel(const Transform<ThisBody, ParentBody>& X_b_from_p) {
 
 namespace craft_axis_of_the_parent {
 // mistake: the axis of a slider in the axes of the parent
-// expect: AxisGiven = (vectrix::)?Vector<(vectrix::)?ParentBody
+// expect: B = (vectrix::)?ThisBody
+// expect: C = (vectrix::)?ParentBody
 auto boom(const Transform<ParentBody, ThisBody>& X_p_from_b,
           const Vector<ParentBody, si::dimensionless>& axis_p) {
 #ifdef REPAIRED
@@ -31,7 +33,8 @@ auto boom(const Transform<ParentBody, ThisBody>& X_p_from_b,
 
 namespace craft_length_as_axis {
 // mistake: a length for a direction
-// expect: SecondAxisGiven = (vectrix::)?Vector<(vectrix::)?ThisBody, (vectrix::)?si::length
+// expect: D = (vectrix::)?ThisBody
+// expect: V = (vectrix::)?si::length
 auto antenna(const Transform<ParentBody, ThisBody>& X_p_from_b, const Vector<ThisBody, si::length>& r_b) {
 #ifdef REPAIRED
   return gimbal(X_p_from_b, unit_x(in<ThisBody>), r_b / norm(r_b));

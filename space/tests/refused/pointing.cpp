@@ -75,13 +75,15 @@ auto nadir(const Motion& motion, const Velocity<Gcrf, Satellite, ObservedFrom<It
 namespace angular_acceleration_of_a_law_without_it {
 // mistake: the angular acceleration of a law of which the accelerations were not given
 // expect: AccelerationOn<(vectrix::)?Link<(vectrix::)?earth::Gcrf, Body>
-auto change(const Motion& motion, const Acceleration<Gcrf, Satellite, ObservedFrom<Gcrf>, In<Gcrf>>& a,
-            const ToSun& sun, const Acceleration<Satellite, Sun, ObservedFrom<Gcrf>, In<Gcrf>>& a_sun) {
+struct Given {
+  Acceleration<Gcrf, Satellite, ObservedFrom<Gcrf>, In<Gcrf>> a;
+  Acceleration<Satellite, Sun, ObservedFrom<Gcrf>, In<Gcrf>> a_sun;
+};
+auto change(const Motion& motion, const ToSun& sun, [[maybe_unused]] const Given& given) {
 #ifdef REPAIRED
-  const auto graph =
-      frame_graph(edge([=](Quantity<si::time>) { return yaw_steering(from<Body>, motion, a, sun, a_sun); }));
+  const auto graph = frame_graph(
+      edge([=](Quantity<si::time>) { return yaw_steering(from<Body>, motion, given.a, sun, given.a_sun); }));
 #else
-  static_cast<void>(a), static_cast<void>(a_sun);
   const auto graph =
       frame_graph(edge([=](Quantity<si::time>) { return yaw_steering(from<Body>, motion, sun); }));
 #endif

@@ -52,11 +52,12 @@ BodyJoint<JointKind::gimbal, P, B> gimbal(const Transform<P, B>& X_p_from_b,
                                           const Vector<B, si::dimensionless>& axis_2_b) {
   return {X_p_from_b, {axis_1_b, axis_2_b}};
 }
-template <class P, class B, class C, class D>
-  requires(std::is_same_v<P, B> || !std::is_same_v<B, C> || !std::is_same_v<B, D>)
-auto gimbal(  // gimbal(X_p_from_b, axis_1_b, axis_2_b): b on another frame p; axes in the frame b that turns
-    const Transform<P, B>&, const Vector<C, si::dimensionless>&, const Vector<D, si::dimensionless>&)
-    -> Refused = delete;
+template <class P, class B, class C, class U, class D, class V>
+  requires(std::is_same_v<P, B> || !std::is_same_v<Vector<C, U>, Vector<B, si::dimensionless>> ||
+           !std::is_same_v<Vector<D, V>, Vector<B, si::dimensionless>>)
+auto gimbal(  // gimbal(X_p_from_b, axis_1_b, axis_2_b): b on another frame p; unit vectors in the frame b
+              // that turns
+    const Transform<P, B>&, const Vector<C, U>&, const Vector<D, V>&) -> Refused = delete;
 
 /// b turns freely about its origin, which its parent holds.
 template <class P, class B>

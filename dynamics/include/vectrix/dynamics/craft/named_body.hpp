@@ -1,6 +1,8 @@
 #pragma once
 
-#include <utility>
+#include <string>
+#include <vector>
+#include <vectrix/dynamics/craft/joint.hpp>
 #include <vectrix/dynamics/craft/plain_spacecraft.hpp>
 #include <vectrix/dynamics/mass/mass_properties.hpp>
 #include <vectrix/frames/transform.hpp>
@@ -12,59 +14,17 @@ namespace vectrix {
 struct ThisBody : moving_frame {};
 struct ParentBody : moving_frame {};
 
-/// A joint, with the place of the body at zero. Made by hinge(), slider(), gimbal(), ball(), free_joint() and
-/// fixed_joint().
+/// A joint of the body on its parent: hinge(), slider(), gimbal(), ball(), free_joint() or fixed_joint() with
+/// these two frames.
 struct NamedJoint {
+  template <JointKind joint>
+  NamedJoint(const BodyJoint<joint, ParentBody, ThisBody>& given)
+      : kind(joint), X_p_from_b(given.X_p_from_b), axes_b(given.axes_b) {}
+
   JointKind kind;
   Transform<ParentBody, ThisBody> X_p_from_b;
   std::vector<Vector<ThisBody, si::dimensionless>> axes_b;
 };
-
-namespace detail {
-
-using MountOfBody = Transform<ParentBody, ThisBody>;
-using AxisOfBody = Vector<ThisBody, si::dimensionless>;
-
-}  // namespace detail
-
-/// b turns about a unit vector that is fixed in b and in its parent.
-inline NamedJoint hinge(const detail::MountOfBody& X_p_from_b, const detail::AxisOfBody& axis_b) {
-  return {JointKind::hinge, X_p_from_b, {axis_b}};
-}
-/// b slides along a unit vector that is fixed in b and in its parent.
-inline NamedJoint slider(const detail::MountOfBody& X_p_from_b, const detail::AxisOfBody& axis_b) {
-  return {JointKind::slider, X_p_from_b, {axis_b}};
-}
-/// b turns about axis 1, fixed in its parent, and then about axis 2, fixed in b; both in b's axes at zero.
-inline NamedJoint gimbal(const detail::MountOfBody& X_p_from_b, const detail::AxisOfBody& axis_1_b,
-                         const detail::AxisOfBody& axis_2_b) {
-  return {JointKind::gimbal, X_p_from_b, {axis_1_b, axis_2_b}};
-}
-/// b turns freely about its origin, which its parent holds.
-inline NamedJoint ball(const detail::MountOfBody& X_p_from_b) {
-  return {JointKind::ball, X_p_from_b, {}};
-}
-/// b moves freely; its numbers are counted from the given place.
-inline NamedJoint free_joint(const detail::MountOfBody& X_p_from_b) {
-  return {JointKind::free, X_p_from_b, {}};
-}
-inline NamedJoint fixed_joint(const detail::MountOfBody& X_p_from_b) {
-  return {JointKind::fixed, X_p_from_b, {}};
-}
-
-template <class MountGiven, class AxisGiven>
-auto hinge(  // hinge(X_p_from_b, axis_b): b is ThisBody, p ParentBody
-    const MountGiven&, const AxisGiven&) -> Refused = delete;
-template <class MountGiven, class AxisGiven>
-auto slider(  // slider(X_p_from_b, axis_b): b is ThisBody, p ParentBody
-    const MountGiven&, const AxisGiven&) -> Refused = delete;
-template <class MountGiven, class FirstAxisGiven, class SecondAxisGiven>
-auto gimbal(  // gimbal(X_p_from_b, axis_1_b, axis_2_b): b is ThisBody, p ParentBody
-    const MountGiven&, const FirstAxisGiven&, const SecondAxisGiven&) -> Refused = delete;
-template <class MountGiven> auto ball(const MountGiven&) -> Refused = delete;        // ball(X_p_from_b)
-template <class MountGiven> auto free_joint(const MountGiven&) -> Refused = delete;  // free_joint(X_p_from_b)
-template <class MountGiven>
-auto fixed_joint(const MountGiven&) -> Refused = delete;  // fixed_joint(X_p_from_b)
 
 /// The parts of a NamedSpacecraft, with their units and frames. See PlainSpacecraft for what each is.
 struct NamedHub {
