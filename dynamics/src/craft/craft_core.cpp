@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 #include <utility>
+#include <vectrix/kinematics/attitude/quaternion.hpp>
 
 #include "named_craft_core.hpp"
 
@@ -12,6 +13,11 @@ std::shared_ptr<const CraftCore> make_craft_core(PlainSpacecraft plain, std::vec
   const NamedCraftCore named(std::move(plain), "Spacecraft");
   return std::make_shared<const CraftCore>(
       CraftCore{named.plain(), named.tree(), named.component_names(), std::move(mounts)});
+}
+
+std::vector<double> quaternion_numbers(const Eigen::Matrix3d& R) {
+  const Eigen::Quaterniond q = unit_quaternion_of(R);
+  return {q.w(), q.x(), q.y(), q.z()};
 }
 
 std::vector<double> from_mount(const PlainBody& body, std::vector<double> positions) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <memory>
 #include <span>
 #include <string>
@@ -27,6 +28,9 @@ struct CraftCore {
 /// Throws BadInput as NamedSpacecraft does, with "Spacecraft" before the message.
 VECTRIX_EXPORT std::shared_ptr<const CraftCore> make_craft_core(PlainSpacecraft plain,
                                                                 std::vector<PlainMount> mounts);
+
+/// q of a rotation matrix, scalar first.
+VECTRIX_EXPORT std::vector<double> quaternion_numbers(const Eigen::Matrix3d& R);
 
 /// The positions of a ball or free joint, from q of R_b^p, scalar first, and r_pb^p to what the engine counts
 /// from the mount.

@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <vector>
 #include <vectrix/dynamics/craft/spacecraft.hpp>
-#include <vectrix/kinematics/attitude/quaternion.hpp>
 #include <vectrix/kinematics/points/moving_transform.hpp>
 
 namespace vectrix {
@@ -51,10 +50,6 @@ auto starts(  // an angle and its rate of a hinge, both of a gimbal, a length an
 
 namespace detail {
 
-template <class P, class B> std::vector<double> quaternion_numbers(const Dcm<P, B>& R_p_from_b) {
-  const auto q = quaternion(R_p_from_b).scalar_first();
-  return {q[0], q[1], q[2], q[3]};
-}
 inline void append(std::vector<double>& numbers, const Eigen::Vector3d& v) {
   numbers.insert(numbers.end(), {v.x(), v.y(), v.z()});
 }
@@ -63,13 +58,14 @@ inline void append(std::vector<double>& numbers, const Eigen::Vector3d& v) {
 
 /// A ball joint, by R_b^p and w_pb^b; a free joint, with r_pb^p and v_pb|p^p.
 template <class P, class B> JointStart<B, JointKind::ball, P> starts(const MovingDcm<P, B>& R_p_from_b) {
-  JointStart<B, JointKind::ball, P> start{detail::quaternion_numbers(R_p_from_b.rotation), {}};
+  JointStart<B, JointKind::ball, P> start{detail::quaternion_numbers(R_p_from_b.rotation.matrix()), {}};
   detail::append(start.speeds, R_p_from_b.angular_velocity.coordinates());
   return start;
 }
 template <class P, class B>
 JointStart<B, JointKind::free, P> starts(const MovingTransform<P, B>& X_p_from_b) {
-  JointStart<B, JointKind::free, P> start{detail::quaternion_numbers(X_p_from_b.turning.rotation), {}};
+  JointStart<B, JointKind::free, P> start{detail::quaternion_numbers(X_p_from_b.turning.rotation.matrix()),
+                                          {}};
   detail::append(start.positions, X_p_from_b.translation.coordinates());
   detail::append(start.speeds, X_p_from_b.turning.angular_velocity.coordinates());
   detail::append(start.speeds, X_p_from_b.velocity.coordinates());

@@ -55,7 +55,7 @@ template <CraftType C> class CraftState : public detail::CraftNumbers<CraftState
 namespace detail {
 
 template <class I, class H> void put_hub(const MovingDcm<I, H>& X, double* y) {
-  auto numbers = quaternion_numbers(X.rotation);
+  auto numbers = quaternion_numbers(X.rotation.matrix());
   append(numbers, X.angular_velocity.coordinates());
   std::copy(numbers.begin(), numbers.end(), y);
 }
