@@ -81,7 +81,7 @@ auto spacecraft(  // the hub, then parts that hang on a body before them, each n
     const Hub&, const Parts&...) -> Refused = delete;
 
 /// The craft in names and plain numbers; the names are those of the frames.
-template <CraftType C> const PlainSpacecraft& plain(const C& craft) {
+template <CraftType C> PlainSpacecraft plain(const C& craft) {
   return craft.core()->plain;
 }
 
