@@ -18,7 +18,7 @@ using Eigen::Vector3d;
 constexpr double acceleration_tolerance = 1e-11;
 /// A reaction is a difference of larger forces.
 constexpr double reaction_tolerance = 1e-10;
-constexpr const char* reason = "rounding of both, for up to 30 bodies on each other";
+constexpr const char* rounding_of_both = "rounding of both, for up to 30 bodies on each other";
 
 Vector3 plain(const Vector3d& v) {
   return {v.x(), v.y(), v.z()};
@@ -40,8 +40,8 @@ class Draw {
   /// Of a box, about its centre, in other axes.
   Matrix3d inertia(double mass) {
     const Vector3d squares = Vector3d(between(0.1, 1.0), between(0.1, 1.0), between(0.1, 1.0)).cwiseAbs2();
-    const Vector3d moments = mass / 3.0 * (Vector3d::Constant(squares.sum()) - squares);
-    const Matrix3d axes = rotation(), J = axes * moments.asDiagonal() * axes.transpose();
+    const Vector3d principal = mass / 3.0 * (Vector3d::Constant(squares.sum()) - squares);
+    const Matrix3d axes = rotation(), J = axes * principal.asDiagonal() * axes.transpose();
     return 0.5 * (J + J.transpose());
   }
 
@@ -198,7 +198,7 @@ Rows multibody_rows(const std::string&) {
     const std::string scenario =
         std::to_string(count) + " random crafts of 2 to 30 bodies, all kinds of joints, " + what;
     rows.push_back({"Simbody, trees of bodies", scenario, "accelerations, relative to the largest",
-                    acceleration_tolerance, "", reason, reached.acceleration});
+                    acceleration_tolerance, "", rounding_of_both, reached.acceleration});
     rows.push_back({"Simbody, trees of bodies", scenario, "what each joint transmits, relative",
                     reaction_tolerance, "", "a difference of larger forces", reached.reaction});
   };

@@ -22,11 +22,6 @@ void require_finite(const std::string& place, const std::vector<double>& numbers
     if (!std::isfinite(number)) throw BadInput(place + ": a number of the start is " + text(number));
 }
 
-/// q of a rotation, scalar first.
-std::vector<double> quaternion_numbers(const NamedDcm& R) {
-  const Eigen::Quaterniond q = quaternion(R).eigen();
-  return {q.w(), q.x(), q.y(), q.z()};
-}
 void append(std::vector<double>& numbers, const Eigen::Vector3d& v) {
   numbers.insert(numbers.end(), {v.x(), v.y(), v.z()});
 }
@@ -124,12 +119,13 @@ NamedStart starts(const NamedMovingDcm& R_p_from_b) {
   return {detail::trusted,
           R_p_from_b.rotation().from().name(),
           NamedStart::Of::ball,
-          detail::quaternion_numbers(R_p_from_b.rotation()),
+          detail::quaternion_numbers(R_p_from_b.rotation().matrix()),
           w,
           R_p_from_b.rotation().to().name()};
 }
 NamedStart starts(const NamedMovingTransform& X_p_from_b) {
-  std::vector<double> positions = detail::quaternion_numbers(X_p_from_b.turning().rotation()), speeds;
+  std::vector<double> positions = detail::quaternion_numbers(X_p_from_b.turning().rotation().matrix()),
+                      speeds;
   detail::append(positions, X_p_from_b.translation().coordinates());
   detail::append(speeds, X_p_from_b.turning().angular_velocity().coordinates());
   detail::append(speeds, X_p_from_b.velocity().coordinates());
@@ -143,7 +139,7 @@ NamedState NamedSpacecraft::state(const NamedMovingTransform& X_i_from_hub,
   if (plain().motion != HubMotion::free)
     throw BadInput("state: the hub " + detail::in_quotes(plain().hub) +
                    " is only turning; its position is not a state");
-  std::vector<double> y = detail::quaternion_numbers(X_i_from_hub.turning().rotation());
+  std::vector<double> y = detail::quaternion_numbers(X_i_from_hub.turning().rotation().matrix());
   detail::append(y, X_i_from_hub.turning().angular_velocity().coordinates());
   detail::append(y, X_i_from_hub.translation().coordinates());
   detail::append(y, X_i_from_hub.velocity().coordinates());
@@ -157,7 +153,7 @@ NamedState NamedSpacecraft::state(const NamedMovingDcm& R_i_from_hub,
   if (plain().motion != HubMotion::turning)
     throw BadInput("state: the hub " + detail::in_quotes(plain().hub) +
                    " is free; its position and velocity are missing");
-  std::vector<double> y = detail::quaternion_numbers(R_i_from_hub.rotation());
+  std::vector<double> y = detail::quaternion_numbers(R_i_from_hub.rotation().matrix());
   detail::append(y, R_i_from_hub.angular_velocity().coordinates());
   y.resize(core_->tree().layout().size());
   detail::place_starts(*core_, starts, y);
