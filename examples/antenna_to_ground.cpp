@@ -1,8 +1,8 @@
 // When does a cubesat's antenna reach a ground station, and how well? A day of passes.
 //
-//     Antenna --- Body --- Satellite --- Teme --- Itrf --- Gcrf
-//                                                  |
-//                                               Station
+//     Satellite --- Teme --- Itrf --- Gcrf --- Body --- Antenna
+//                             |
+//                          Station
 //
 //     r^teme, v^teme      SGP4 from two-line elements; the axes of Satellite are those of Teme
 //     R_itrf^teme, w      sidereal time of 1982 and the observed pole: the Earth as SGP4 sees it
@@ -18,9 +18,9 @@
 // A pass is an interval of time in which a function is positive: elevation less 5 deg. The highest point is
 // where the elevation's rate is zero.
 //
-// Expected results: an orbit 450 km high is seen for up to 8 min, 1900 km away at 5 deg; the range rate
-// changes its sign at the highest point and is 7 km/s at most. The antenna looks forward: it sees the station
-// while the cubesat comes.
+// Expected results: an orbit 450 km high is seen for up to 9 min, almost 2000 km away at 5 deg; the range
+// rate changes its sign at the highest point and is 7 km/s at most. The antenna looks forward: it sees the
+// station while the cubesat comes.
 //
 //     antenna_to_ground [data directory]
 

@@ -6,8 +6,11 @@
 //     r^teme, v^teme      SGP4 from two-line elements; the axes of Satellite are those of Teme
 //     R_itrf^teme, w      sidereal time of 1982 and the observed pole: the Earth as SGP4 sees it
 //     R_itrf^gcrf, w      IAU 2006/2000A, observed by the IERS
-//     R_gcrf^body         quaternions each 10 s, scalar first, of norm 2e9; between two of them the turn at
-//     constant rate R_body^radiometer   the mounting, a quaternion
+//     R_gcrf^body         quaternions each 10 s, scalar first, of norm 2e9; the turn between two has a
+//     constant
+//                         rate
+//
+//     R_radiometer^body   the mounting, a quaternion
 //
 // The instrument looks along -z of the radiometer. Every figure is an angle between that axis and a body of
 // the sky, both in Gcrf:
@@ -15,9 +18,9 @@
 //
 // The flight's own ground processing has published these cosines. Neither its code nor its ephemerides are
 // used here. What differs if one link is taken otherwise:
-//     the Sun as it is seen, apparent, not where it is: 12.7 arcsec         so its Sun is geometric
-//     the Sun from the centre of the Earth: 4.5 arcsec                      so its Sun has the parallax
-//     the mounting the other way round: 0.57 deg
+//     the Sun as it is seen, apparent, not where it is: 12.9 arcsec rms     so its Sun is geometric
+//     the Sun from the centre of the Earth: 4.5 arcsec rms                  so its Sun has the parallax
+//     the mounting the other way round: up to 1.1 deg, twice its 0.57 deg
 //
 // Expected results: the Sun to some hundredths of an arcsecond, what is left of a printed cosine near 1; the
 // Moon to some arcseconds, the accuracy of ERFA's eraMoon98.
