@@ -42,8 +42,8 @@ HarrisPriester::HarrisPriester(double exponent) : exponent_(exponent) {
   }
 }
 
-Quantity<si::density> HarrisPriester::density(detail::Trusted, const Vector<earth::Itrf, si::length>& r_itrf,
-                                              const Eigen::Vector3d& to_the_sun) const {
+Quantity<si::density> HarrisPriester::under_the_sun(const Vector<earth::Itrf, si::length>& r_itrf,
+                                                    const Eigen::Vector3d& to_the_sun) const {
   const double height = wgs84::geodetic(r_itrf).height.value() / 1e3;
   const Row* const last = std::prev(std::end(table));
   if (!(height >= std::begin(table)->height && height <= last->height)) {

@@ -55,7 +55,8 @@ class VECTRIX_EXPORT NamedSpacecraft {
                                    const std::vector<NamedHeld>& held = {}) const;
 
   /// The problem from a state at the time `start` to `end`: right-hand side, initial state, tolerances and
-  /// names of components. The method and the rest are the caller's. A result is a state again:
+  /// names of components. The method and the rest are the caller's; the default is that of ode::Problem. A
+  /// result is a state again:
   ///     craft.state(ode::solve(problem).at(t))
   /// The problem keeps what it works with: two threads must not solve the same one, but copies of it.
   [[nodiscard]] ode::Problem problem(const NamedState& state, const Quantity<si::time>& start,

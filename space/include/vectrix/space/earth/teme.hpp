@@ -17,7 +17,7 @@ struct Teme : inertial_frame {};
 }  // namespace earth
 
 /// The rotation of the Earth in TEME, by the sidereal time of 1982, as SGP4 has it:
-///     R_teme^itrf = W(x, y, s') R3(GMST82(UT1))
+///     R_itrf^teme = R3(-GMST82(UT1)) W(x, y, s'),    W = R_itrf^tirf
 ///     w_ti^i = dGMST82/dUT1 (1 + d(UT1-TAI)/dTAI) along the celestial intermediate pole, and polar motion
 /// (Vallado, Crawford, Hujsak, Kelso: Revisiting Spacetrack Report #3, 2006, appendix C). An edge between
 /// Teme and Itrf by edge([&](const Epoch& t) { return teme_from_itrf(t, orientation.parameters(t)); }).

@@ -30,7 +30,7 @@ class VECTRIX_EXPORT HarrisPriester {
   template <class U>
   [[nodiscard]] Quantity<si::density> density(const Vector<earth::Itrf, si::length>& r_itrf,
                                               const Vector<earth::Itrf, U>& to_the_sun) const {
-    return density(detail::trusted, r_itrf, direction(to_the_sun).coordinates());
+    return under_the_sun(r_itrf, direction(to_the_sun).coordinates());
   }
   template <class P, class S>
   [[nodiscard]] std::enable_if_t<detail::is_sun<S>, Quantity<si::density>> density(
@@ -42,8 +42,8 @@ class VECTRIX_EXPORT HarrisPriester {
       const Given&...) const -> Refused = delete;
 
  private:
-  [[nodiscard]] Quantity<si::density> density(detail::Trusted, const Vector<earth::Itrf, si::length>& r_itrf,
-                                              const Eigen::Vector3d& to_the_sun) const;
+  [[nodiscard]] Quantity<si::density> under_the_sun(const Vector<earth::Itrf, si::length>& r_itrf,
+                                                    const Eigen::Vector3d& to_the_sun) const;
 
   double exponent_;
 };

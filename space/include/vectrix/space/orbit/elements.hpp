@@ -20,8 +20,8 @@ VECTRIX_EXPORT OrbitNumbers orbit_of_keplerian(const OrbitName& name, double mu,
 /// The conic of q about p relative to the axes of the inertial frame a, and the place of q on it: semi-latus
 /// rectum p, eccentricity e, inclination i in [0, pi], right ascension of the ascending node, argument of
 /// periapsis, and true anomaly nu. Every orbit with a plane has them:
-///     1.  in the plane of x and y the node is at x: its right ascension is 0, and if i = pi angles count
-///         backwards      2.  on a circle periapsis is at the node
+///     1.  in the plane of x and y the node is at x: its right ascension is 0; if i = pi, angles go backwards
+///     2.  on a circle periapsis is at the node
 /// Near those orbits two angles are poorly defined, but their sum (or difference) is accurate, and so is the
 /// way back. Made by keplerian_elements().
 template <Point P, Point Q, Frame A> class KeplerianElements {

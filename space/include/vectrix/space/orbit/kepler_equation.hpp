@@ -38,8 +38,8 @@ auto eccentric_anomaly(const Given&, double) -> Refused = delete;  // of a MeanA
 
 /// The same for every e >= 0, the parabola included, from the time since periapsis and the periapsis
 /// distance q:
-///     (mu/q^3)^1/2 t = s + e s^3 c_3((1 - e) s^2),  tan nu/2 = (1 + e)^1/2 tan(x)/(1 - e)^1/2, x = (1 -
-///     e)^1/2 s/2
+///     (mu/q^3)^1/2 t = s + e s^3 c_3((1 - e) s^2)
+///     tan nu/2 = (1 + e)^1/2 tan(x)/(1 - e)^1/2,  x = (1 - e)^1/2 s/2
 /// which is Barker's equation at e = 1. Throws BadInput if mu or q is not positive or a number is not finite.
 VECTRIX_EXPORT TrueAnomaly true_anomaly(const Quantity<si::time>& since_periapsis,
                                         const Quantity<si::gravitational_parameter>& mu,
