@@ -16,7 +16,7 @@ Eigen::Array3d series(const JulianDate<scale::Tt>& tt, double later) {
 }  // namespace
 
 CelestialPole celestial_pole(const JulianDate<scale::Tt>& tt) {
-  // The largest fast term has 14 days and 0.09 arcsec: h^2/6 of its third derivative is 1e-17 rad/s. X is
+  // h^2/6 of the third derivative of X and Y is 2e-17 rad/s where the nutations of 5 to 14 days add up. X is
   // rounded to 1e-18 rad.
   constexpr double h = 0.01, seconds = h * ERFA_DAYSEC;
   const Eigen::Array3d before = series(tt, -h), now = series(tt, 0.0), after = series(tt, h);

@@ -7,7 +7,7 @@
 namespace vectrix::detail {
 
 /// X and Y of the celestial intermediate pole in GCRF and the locator s of the origin, rad, by eraXy06 and
-/// eraS06, and their derivatives by TT, from three calls 864 s apart: to 1e-17 rad/s and 1e-23 rad/s^2.
+/// eraS06, and their derivatives by TT, from three calls 864 s apart: to 2e-17 rad/s and 1e-23 rad/s^2.
 struct CelestialPole {
   Varying X, Y, s;
 };
