@@ -11,6 +11,7 @@
 #include <vectrix/space/earth/eme2000.hpp>
 #include <vectrix/space/earth/intermediate_frames.hpp>
 #include <vectrix/space/earth/teme.hpp>
+#include <vectrix/space/sky/bodies.hpp>
 
 namespace vectrix::earth_frames_test {
 namespace {
@@ -23,6 +24,12 @@ constexpr double arcsecond = 4.84813681109536e-6;  // rad
 // below.
 constexpr double printed_bias = 5e-7 * arcsecond + 1e-14;
 constexpr double printed_bias_of_equinox = 5e-5 * arcsecond;
+
+// g++ leaves out the namespace of the library, clang writes it: messages do not.
+TEST(EarthFrames, HaveTheSameNamesWithAllCompilers) {
+  EXPECT_EQ(frame_name<earth::Gcrf>(), "earth::Gcrf");
+  EXPECT_EQ((frame_name<sky::Image<sky::Sun, Apparent>>()), "sky::Image<sky::Sun, Apparent>");
+}
 
 TEST(Eme2000, HasThePublishedBias) {
   const Eigen::Matrix3d R = eme2000_from_gcrf().matrix();

@@ -40,11 +40,28 @@ concept Point =
     std::is_same_v<P, std::remove_cv_t<P>> && std::is_empty_v<P> && !std::is_same_v<P, named_point> &&
     (detail::either_inertial_or_moving<P> || std::is_base_of_v<named_point, P>);
 
-/// The name of the frame as the compiler writes it, for messages.
+namespace detail {
+
+/// A type's name without the namespace of this library, which clang writes and g++ leaves out here.
+inline std::string short_name(std::string_view name) {
+  constexpr std::string_view own = "vectrix::", before_names = "< ,";
+  std::string result;
+  while (!name.empty()) {
+    const bool at_start = result.empty() || before_names.find(result.back()) != std::string_view::npos;
+    if (at_start && name.starts_with(own)) name.remove_prefix(own.size());
+    result += name.front();
+    name.remove_prefix(1);
+  }
+  return result;
+}
+
+}  // namespace detail
+
+/// The name of the frame as the compiler writes it, for messages: "earth::Gcrf".
 template <Point F> std::string frame_name() {
   const std::string_view signature = __PRETTY_FUNCTION__;
   const auto begin = signature.find("F = ") + 4;
-  return std::string{signature.substr(begin, signature.find_first_of(";]", begin) - begin)};
+  return detail::short_name(signature.substr(begin, signature.find_first_of(";]", begin) - begin));
 }
 
 // The arguments of doors and queries: to<B>, from<A>, in<C>, of<B>, relative_to<A>. of and relative_to also
