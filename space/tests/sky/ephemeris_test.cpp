@@ -32,8 +32,15 @@ constexpr double difference_error = 1e-5, join_error = 3e-4;  // m/s
 constexpr double precession_at_the_moon = 7.8e-12 * 4.07e8;  // m/s
 
 const auto span = from_until(Epoch::from_tt("2021-12-20T00:00:00"), Epoch::from_tt("2023-02-01T00:00:00"));
-const Ephemeris<Sun> the_sun(span);
-const Ephemeris<Moon> the_moon(span);
+// Built by the first test that asks: all tests of the program start with this file's constants.
+const Ephemeris<Sun>& the_sun() {
+  static const Ephemeris<Sun> sun(span);
+  return sun;
+}
+const Ephemeris<Moon>& the_moon() {
+  static const Ephemeris<Moon> moon(span);
+  return moon;
+}
 
 rc::Gen<Epoch> epoch_of_span() {
   return rc::gen::map(rc::gen::inRange(0, 1'000'000'000),
@@ -88,8 +95,8 @@ RC_GTEST_PROP(Ephemeris, GeocentricIsErfas, ()) {
 
 RC_GTEST_PROP(Ephemeris, FollowsTheSeries, ()) {
   const auto t = *epoch_of_span();
-  RC_ASSERT((r_of(the_sun.motion(t)) - sun_by_erfa(t).r).norm() < sun_error);
-  RC_ASSERT((r_of(the_moon.motion(t)) - moon_by_erfa(t).r).norm() < moon_error);
+  RC_ASSERT((r_of(the_sun().motion(t)) - sun_by_erfa(t).r).norm() < sun_error);
+  RC_ASSERT((r_of(the_moon().motion(t)) - moon_by_erfa(t).r).norm() < moon_error);
 }
 
 // v = dr/dt
@@ -101,10 +108,10 @@ RC_GTEST_PROP(Ephemeris, VelocityIsTheDerivativeOfThePosition, ()) {
     const Eigen::Vector3d moved = r_of(body.motion(t + h)) - r_of(body.motion(t - h));
     return (moved / (2.0 * h.value()) - v_of(body.motion(t))).norm();
   };
-  RC_ASSERT(difference(the_sun) < join_error);
-  RC_ASSERT(difference(the_moon) < difference_error);
-  RC_ASSERT((v_of(the_sun.motion(t)) - sun_by_erfa(t).v).norm() < join_error);
-  RC_ASSERT((v_of(the_moon.motion(t)) - moon_by_erfa(t).v).norm() < precession_at_the_moon);
+  RC_ASSERT(difference(the_sun()) < join_error);
+  RC_ASSERT(difference(the_moon()) < difference_error);
+  RC_ASSERT((v_of(the_sun().motion(t)) - sun_by_erfa(t).v).norm() < join_error);
+  RC_ASSERT((v_of(the_moon().motion(t)) - moon_by_erfa(t).v).norm() < precession_at_the_moon);
 }
 
 // The pieces begin at days of TAI whose number since 2000 January 1 is a multiple of 16, or of 4.
@@ -113,17 +120,17 @@ TEST(Ephemeris, IsContinuousBetweenPieces) {
   ASSERT_TRUE(span.contains(join));
   const auto before = join - 1e-6 * si::second;
   constexpr double moved = 1e-6 * 1.2e3 + 1e-4;  // m: the Moon's path in between, and the rounding of 1e11 m
-  EXPECT_LT((r_of(the_moon.motion(join)) - r_of(the_moon.motion(before))).norm(), moved);
-  EXPECT_LT((r_of(the_sun.motion(join)) - r_of(the_sun.motion(before))).norm(), moved + 1e-6 * 3e4);
+  EXPECT_LT((r_of(the_moon().motion(join)) - r_of(the_moon().motion(before))).norm(), moved);
+  EXPECT_LT((r_of(the_sun().motion(join)) - r_of(the_sun().motion(before))).norm(), moved + 1e-6 * 3e4);
 }
 
 TEST(Ephemeris, DoesNotDependOnTheSpan) {
   const auto t = Epoch::from_utc("2022-07-03T04:05:06.789");
   const auto shorter = from_until(t - 100.0 * si::second, 200.0 * si::second);
-  EXPECT_EQ(r_of(Ephemeris<Sun>(shorter).motion(t)), r_of(the_sun.motion(t)));
-  EXPECT_EQ(v_of(Ephemeris<Moon>(shorter).motion(t)), v_of(the_moon.motion(t)));
+  EXPECT_EQ(r_of(Ephemeris<Sun>(shorter).motion(t)), r_of(the_sun().motion(t)));
+  EXPECT_EQ(v_of(Ephemeris<Moon>(shorter).motion(t)), v_of(the_moon().motion(t)));
   const auto instant = from_until(t, t);
-  EXPECT_EQ(r_of(Ephemeris<Moon>(instant).motion(t)), r_of(the_moon.motion(t)));
+  EXPECT_EQ(r_of(Ephemeris<Moon>(instant).motion(t)), r_of(the_moon().motion(t)));
 }
 
 // Published: Earth at perihelion on 2022 January 4, 6:55 UTC, 0.9833365 au away; Meeus' example 47.a, the
@@ -131,7 +138,7 @@ TEST(Ephemeris, DoesNotDependOnTheSpan) {
 TEST(Ephemeris, KnownDistances) {
   const auto perihelion = Epoch::from_utc("2022-01-04T06:55:00");
   const auto distance = [&](double minutes) {
-    return norm(the_sun.motion(perihelion + minutes * 60.0 * si::second).position).value();
+    return norm(the_sun().motion(perihelion + minutes * 60.0 * si::second).position).value();
   };
   EXPECT_NEAR(distance(0.0) / ERFA_DAU, 0.9833365, 5e-8);
   EXPECT_GT(distance(-20.0), distance(0.0));
@@ -164,16 +171,16 @@ void obeys_the_light_time(const Ephemeris<B>& body, Series series, double error,
 RC_GTEST_PROP(Ephemeris, LightTimeIsWhereTheLightLeft, ()) {
   const auto t = *epoch_of_span();
   const Eigen::Vector3d r = 5e8 * *triple();
-  obeys_the_light_time(the_sun, sun_by_erfa, sun_error, t, r);
-  obeys_the_light_time(the_moon, moon_by_erfa, moon_error, t, r);
+  obeys_the_light_time(the_sun(), sun_by_erfa, sun_error, t, r);
+  obeys_the_light_time(the_moon(), moon_by_erfa, moon_error, t, r);
 }
 
 RC_GTEST_PROP(Ephemeris, ApparentIsTheAberrationOfErfa, ()) {
   const auto t = *epoch_of_span();
   const Eigen::Vector3d r = 5e7 * *triple();
   const Eigen::Vector3d v = 8e3 * *triple();
-  const Eigen::Vector3d seen = the_sun.line_of_sight(t, moving(r, v), apparent).coordinates();
-  const Eigen::Vector3d left = the_sun.line_of_sight(t, moving(r, v), light_time).coordinates();
+  const Eigen::Vector3d seen = the_sun().line_of_sight(t, moving(r, v), apparent).coordinates();
+  const Eigen::Vector3d left = the_sun().line_of_sight(t, moving(r, v), light_time).coordinates();
   Eigen::Vector3d natural = left.normalized();
   Eigen::Vector3d velocity = (earth_by_erfa(t).v + v) / light;
   Eigen::Vector3d expected;
@@ -189,7 +196,7 @@ RC_GTEST_PROP(Ephemeris, ApparentIsTheAberrationOfErfa, ()) {
 RC_GTEST_PROP(Ephemeris, ApparentMoonIsBehindByItsOwnMotionOnly, ()) {
   const auto t = *epoch_of_span();
   const Eigen::Vector3d zero = Eigen::Vector3d::Zero();
-  const Eigen::Vector3d seen = the_moon.line_of_sight(t, moving(zero, zero), apparent).coordinates();
+  const Eigen::Vector3d seen = the_moon().line_of_sight(t, moving(zero, zero), apparent).coordinates();
   const auto left = t - (seen.norm() / light) * si::second;
   const Eigen::Vector3d there = moon_by_erfa(left).r.normalized();
   constexpr double second_order = 2e-8;  // rad
@@ -204,7 +211,7 @@ TEST(Ephemeris, TheApparentSunCrossesTheEquatorAtTheEquinox) {
   const auto declination = [&](const char* utc) {
     const auto t = Epoch::from_utc(utc);
     const Eigen::Vector3d zero = Eigen::Vector3d::Zero();
-    const auto line = the_sun.line_of_sight(t, moving(zero, zero), apparent);
+    const auto line = the_sun().line_of_sight(t, moving(zero, zero), apparent);
     return std::asin(direction((true_of_date_from_gcrf(t) * line).vector()).z().value());
   };
   EXPECT_LT(declination("2022-03-20T15:33:00"), 0.0);
@@ -238,25 +245,25 @@ TEST(Ephemeris, AnswersInTheWordsOfAGraph) {
     const auto still = moving(Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero());
     EXPECT_EQ(central.coordinates(), body.line_of_sight(t, still, correction).coordinates());
   };
-  agree(the_sun, geometric);
-  agree(the_sun, light_time);
-  agree(the_sun, apparent);
-  agree(the_moon, apparent);
+  agree(the_sun(), geometric);
+  agree(the_sun(), light_time);
+  agree(the_sun(), apparent);
+  agree(the_moon(), apparent);
 }
 
 TEST(Ephemeris, RefusesEpochsOutsideTheSpan) {
-  EXPECT_NO_THROW((void)the_sun.motion(span.start()));
-  EXPECT_NO_THROW((void)the_moon.motion(span.end()));
-  EXPECT_EQ(complaint([] { (void)the_moon.motion(Epoch::from_utc("2024-01-01T00:00:00")); }),
+  EXPECT_NO_THROW((void)the_sun().motion(span.start()));
+  EXPECT_NO_THROW((void)the_moon().motion(span.end()));
+  EXPECT_EQ(complaint([] { (void)the_moon().motion(Epoch::from_utc("2024-01-01T00:00:00")); }),
             "Ephemeris<Moon>: the epoch 2024-01-01T00:00:00.000000 UTC is outside the span, "
             "2021-12-19T23:58:50.816000 UTC to 2023-01-31T23:58:50.816000 UTC");
   const auto early = span.start() - 1e-6 * si::second;
   const Eigen::Vector3d r(7e6, 0, 0);
-  EXPECT_THROW((void)the_sun.motion(early), BadInput);
-  EXPECT_THROW((void)the_sun.line_of_sight(early, at(r), geometric), BadInput);
-  EXPECT_THROW((void)the_sun.line_of_sight(early, at(r), light_time), BadInput);
-  EXPECT_THROW((void)the_sun.line_of_sight(early, moving(r, r), apparent), BadInput);
-  EXPECT_NO_THROW((void)the_sun.line_of_sight(span.start(), moving(r, r), apparent));
+  EXPECT_THROW((void)the_sun().motion(early), BadInput);
+  EXPECT_THROW((void)the_sun().line_of_sight(early, at(r), geometric), BadInput);
+  EXPECT_THROW((void)the_sun().line_of_sight(early, at(r), light_time), BadInput);
+  EXPECT_THROW((void)the_sun().line_of_sight(early, moving(r, r), apparent), BadInput);
+  EXPECT_NO_THROW((void)the_sun().line_of_sight(span.start(), moving(r, r), apparent));
 }
 
 TEST(Ephemeris, RefusesYearsThatTheSeriesDoesNotHave) {
@@ -272,9 +279,9 @@ TEST(Ephemeris, RefusesYearsThatTheSeriesDoesNotHave) {
 TEST(Ephemeris, RefusesAnObserverFarAway) {
   const auto far = at(Eigen::Vector3d(0.0, 0.0, 1e12));
   EXPECT_TRUE(
-      vectrix_test::contains(complaint([&] { (void)the_moon.line_of_sight(span.end(), far, light_time); }),
+      vectrix_test::contains(complaint([&] { (void)the_moon().line_of_sight(span.end(), far, light_time); }),
                              "Ephemeris<Moon>: the light takes 33"));
-  EXPECT_NO_THROW((void)the_moon.line_of_sight(span.end(), far, geometric));
+  EXPECT_NO_THROW((void)the_moon().line_of_sight(span.end(), far, geometric));
 }
 
 template <class... Given>
