@@ -83,14 +83,14 @@ struct Evaluation {
       std::fill_n(work.held.begin() + static_cast<std::ptrdiff_t>(joint.first_link), joint.links, char{1});
   }
 
-  void operator()(double t, const double* y, double* ydot) {
+  void operator()(double segment_start, double t, const double* y, double* ydot) {
     for (const Held& joint : held)
       std::fill_n(work.given.begin() + static_cast<std::ptrdiff_t>(joint.first_speed), joint.speeds,
                   joint.how.acceleration(t));
     core->tree().place(y, work);
     if (loads) {
       NamedForces forces{detail::trusted, *core, work};
-      loads(NamedNow{detail::trusted, *core, t, y, work}, forces);
+      loads(NamedNow{detail::trusted, *core, segment_start, t, y, work}, forces);
     }
     core->tree().solve(y, ydot, work);
   }
@@ -130,7 +130,7 @@ NamedMotion NamedSpacecraft::motion(const NamedState& state, const Quantity<si::
     throw BadInput("motion: the time is " + detail::text(time.value()) + " s");
   Evaluation evaluate(core_, loads, held);
   std::vector<double> ydot(state.numbers().size());
-  evaluate(time.value(), state.numbers().data(), ydot.data());
+  evaluate(time.value(), time.value(), state.numbers().data(), ydot.data());
   for (std::size_t i = 0; i < ydot.size(); ++i) {
     if (std::isfinite(ydot[i])) continue;
     throw BadInput("motion at " + detail::text(time.value()) + " s: the derivative of " +
@@ -145,10 +145,9 @@ ode::Problem NamedSpacecraft::problem(const NamedState& state, const Quantity<si
                                       const std::vector<NamedHeld>& held) const {
   if (state.view().core != core_.get()) throw BadInput("problem: the state is of another craft");
   ode::Problem problem;
-  problem.rhs = [evaluate = Evaluation(core_, loads, held)](double, double t, std::span<const double> y,
-                                                            std::span<double> ydot) mutable {
-    evaluate(t, y.data(), ydot.data());
-  };
+  problem.rhs = [evaluate = Evaluation(core_, loads, held)](
+                    double segment_start, double t, std::span<const double> y,
+                    std::span<double> ydot) mutable { evaluate(segment_start, t, y.data(), ydot.data()); };
   problem.initial_state = state.numbers();
   problem.start = start.value();
   problem.end = end.value();

@@ -288,10 +288,11 @@ TEST(NamedSpacecraft, RefusesWhatNoCraftHas) {
   };
   EXPECT_EQ(refused_craft([](auto&) {}), "");
   refused([](auto& craft) { craft.mass = -1.0; }, "\"hub\": mass_properties");
-  refused([](auto& craft) { craft.bodies[1].mass = 0.0; }, "ThisBody): the mass is 0 kg");
+  refused([](auto& craft) { craft.bodies[1].mass = 0.0; },
+          "\"boom\": mass_properties(ThisBody): the mass is 0 kg");
   refused([](auto& craft) { craft.bodies[1].J_c_b(0, 0) = 9.0; }, "\"boom\": inertia_from_tensor");
   refused([](auto& craft) { craft.bodies[1].J_c_b(0, 1) = 0.1; }, "differ by 0.1 kg m^2");
-  refused([](auto& craft) { craft.bodies[1].r_bc_b.x() = nan; }, "\"boom\": vector(in<");
+  refused([](auto& craft) { craft.bodies[1].r_bc_b.x() = nan; }, "\"boom\": vector(in<ThisBody>)");
   refused([](auto& craft) { craft.bodies[1].r_pb_p.x() = nan; },
           "\"boom\": the position on the parent (nan, 0.2, 0) is not finite");
   refused([](auto& craft) { craft.bodies[1].R_p_from_b(0, 1) = 0.1; }, "\"boom\": dcm(");
@@ -398,6 +399,42 @@ TEST(NamedSpacecraft, KeepsMomentumOverARun) {
   EXPECT_LE(relative([](const auto& now) { return now.momentum().coordinates(); }), 1e-9);
   EXPECT_LE(relative([](const auto& now) { return now.angular_momentum().coordinates(); }), 1e-9);
   EXPECT_NEAR(last.now().energy() / first.now().energy(), 1.0, 1e-9);
+}
+
+// A hub of inertia J alone, with a torque that acts from 1 s to 3 s: w = M t / J, exactly: the
+// method integrates a constant without an error, so only its steps, of which there are some ten, are rounded.
+TEST(NamedSpacecraft, ALoadJumpsAtABreakpoint) {
+  const NamedSpacecraft craft({"gcrf",
+                               "hub",
+                               HubMotion::turning,
+                               1.0,
+                               Vector3d::Zero(),
+                               Vector3d(1.0, 2.0, 2.0).asDiagonal(),
+                               {},
+                               {},
+                               {}});
+  const NamedFrame i = craft.inertial(), hub = craft.hub();
+  const NamedState start = craft.state(
+      moving_dcm(aligned(To(i), From(hub)),
+                 angular_velocity(Of(hub), RelativeTo(i),
+                                  vector<si::angular_velocity>(In(hub), Vector3d(0.0, 0.0, 0.0)))),
+      {});
+  auto run = craft.problem(
+      start, 0.0 * si::second, 4.0 * si::second, 1e-12, tight, [&](const NamedNow& now, NamedForces& forces) {
+        if (now.segment_start() >= 1.0 * si::second && now.segment_start() < 3.0 * si::second)
+          forces.torque(hub, vector<si::torque>(In(hub), Vector3d(0.0, 0.0, 0.4)));
+      });
+  run.method = ode::Method::verner_9;
+  run.breakpoints = {1.0, 3.0};
+  const auto solution = ode::solve(run);
+  const auto rate = [&](double t) {
+    return Vector3d(craft.state(solution.at(t)).turning().angular_velocity().coordinates());
+  };
+  // A step adds a sum of sixteen products, of at most the final rate: 16 roundings.
+  const double rounded = 16.0 * static_cast<double>(solution.statistics().steps) * epsilon * 0.4;
+  EXPECT_EQ(rate(1.0).norm(), 0.0);
+  EXPECT_NEAR(rate(2.0).z(), 0.2, rounded);
+  EXPECT_NEAR(rate(4.0).z(), 0.4, rounded);
 }
 
 TEST(NamedSpacecraft, HeldJointsMoveAsTheyAreTold) {

@@ -30,7 +30,8 @@ class NamedHeld {
 inline NamedHeld locked(std::string body) {
   return {detail::trusted, std::move(body), NamedHeld::Of::any, [](double) { return 0.0; }};
 }
-/// A hinge, or a slider, with the given acceleration.
+/// A hinge, or a slider, with the given acceleration, which must be smooth between the breakpoints of the run
+/// and at them: it is not told on which side of one it is asked.
 inline NamedHeld prescribed(
     std::string body,
     std::function<Quantity<si::angular_acceleration>(const Quantity<si::time>&)> acceleration) {
