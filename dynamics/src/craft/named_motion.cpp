@@ -38,17 +38,20 @@ void require_free(const NamedCraftCore& core, const char* what, NamedFrame f) {
                    in_quotes(core.plain().hub) + " is only turning, and where it is is not known");
   }
 }
-/// From the hub's origin to that of f, in the hub's axes.
+/// From the hub's origin to that of f, in the hub's axes: between two bodies no digits go to where the craft
+/// is.
 Eigen::Vector3d place(const NamedCraftCore& core, const Work<double>& work, const double* y, NamedFrame f) {
   if (f.motion() != FrameMotion::inertial) return eigen(core.tree().position(core.link(f, "position"), work));
   require_free(core, "position", f);
   return eigen(work.R_i_from_h).transpose() * -Eigen::Vector3d(y[7], y[8], y[9]);
 }
-/// Inertial velocity of the origin of f, in the hub's axes.
+/// The velocity of the origin of f relative to that of the hub, observed from the inertial frame, in the
+/// hub's axes: between two bodies no digits go to the speed of the craft.
 Eigen::Vector3d moving(const NamedCraftCore& core, const Work<double>& work, const double* y, NamedFrame f) {
+  if (f.motion() != FrameMotion::inertial)
+    return eigen(core.tree().velocity_beyond_hub(core.link(f, "velocity"), y, work));
   require_free(core, "velocity", f);
-  if (f.motion() == FrameMotion::inertial) return Eigen::Vector3d::Zero();
-  return eigen(core.tree().velocity(core.link(f, "velocity"), y, work));
+  return eigen(work.R_i_from_h).transpose() * -Eigen::Vector3d(y[10], y[11], y[12]);
 }
 
 /// The joint, if it is of one of the kinds.

@@ -173,6 +173,26 @@ TEST(NamedSpacecraft, AVelocityIsTheRateOfThePositionThatItsObserverSees) {
   }
 }
 
+TEST(NamedSpacecraft, ARelativeVelocityHasNoDigitsOfTheSpeedInOrbit) {
+  RandomCraft random(20260326);
+  const NamedSpacecraft craft(five());
+  auto y = state_of_five(craft, random.rotation()).numbers();
+  const std::string names[]{"hub", "boom", "antenna", "mass", "gyro", "box", "probe"};
+  const auto velocity = [&](const NamedMotion& at, const std::string& of, const std::string& relative_to) {
+    const auto v = at.now().velocity(Of(of), RelativeTo(relative_to), ObservedFrom("hub"), In("boom"));
+    return Vector3d(v.coordinates());
+  };
+  const auto slow = craft.motion(craft.state(y), 0.0 * si::second);
+  y[10] += 7600.0, y[11] -= 3.3;
+  const auto fast = craft.motion(craft.state(y), 0.0 * si::second);
+  for (const std::string& of : names) {
+    for (const std::string& relative_to : names) {
+      if (of == relative_to) continue;
+      EXPECT_EQ(velocity(fast, of, relative_to), velocity(slow, of, relative_to));
+    }
+  }
+}
+
 TEST(NamedSpacecraft, WhereATurningHubIsIsNotKnown) {
   PlainSpacecraft plain = five();
   plain.motion = HubMotion::turning;

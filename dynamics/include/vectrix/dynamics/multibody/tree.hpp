@@ -92,6 +92,7 @@ template <class S> class VECTRIX_EXPORT Tree {
   [[nodiscard]] const TreeLayout& layout() const { return layout_; }
   [[nodiscard]] Work<S> work() const;
 
+  /// Places are from the hub's origin, and its velocity does not occur: orbits cost no digits.
   void place(const S* y, Work<S>& k) const;
   /// A force, and a torque about the origin of the body, in the hub's axes.
   void add_wrench(int body, const Column<S>& force, const Column<S>& torque, Work<S>& k) const;
@@ -102,6 +103,9 @@ template <class S> class VECTRIX_EXPORT Tree {
   [[nodiscard]] const Square<S>& rotation(int body, const Work<S>& k) const;
   [[nodiscard]] Column<S> position(int body, const Work<S>& k) const;
   [[nodiscard]] const Column<S>& angular_velocity(int body, const Work<S>& k) const;
+  /// The velocity of b's origin relative to the hub's, observed from the inertial frame, in the hub's axes:
+  /// no digits go to the speed of the hub.
+  [[nodiscard]] Column<S> velocity_beyond_hub(int body, const S* y, const Work<S>& k) const;
   /// The velocity of b's origin in the hub's axes. Of a turning hub: relative to the centre of mass.
   [[nodiscard]] Column<S> velocity(int body, const S* y, const Work<S>& k) const;
   /// About the point with the inertial coordinates `about`; of a turning hub, all relative to the centre of
@@ -127,7 +131,6 @@ template <class S> class VECTRIX_EXPORT Tree {
   [[nodiscard]] Accelerations<S> solve_hub(const Work<S>& k) const;
   [[nodiscard]] Articulated<S>& inertia(int body, Work<S>& k) const;
   [[nodiscard]] Accelerations<S> less_field(int body, const Work<S>& k) const;
-  [[nodiscard]] Column<S> velocity_beyond_hub(int body, const S* y, const Work<S>& k) const;
   [[nodiscard]] Column<S> hub_velocity(const S* y, const Work<S>& k) const;
   [[nodiscard]] Conserved<S> sum_over_bodies(const S* y, const Column<S>& hub_velocity,
                                              const Work<S>& k) const;
