@@ -2,6 +2,7 @@
 
 #include <deque>
 #include <unordered_map>
+#include <vectrix/dynamics/craft/craft_core.hpp>
 #include <vectrix/dynamics/craft/eigen_numbers.hpp>
 #include <vectrix/dynamics/craft/named_spacecraft.hpp>
 
@@ -13,8 +14,9 @@ class NamedCraftCore {
   NamedCraftCore(PlainSpacecraft given, const char* form);
   NamedCraftCore(const NamedCraftCore&) = delete;
 
-  const PlainSpacecraft& plain() const { return plain_; }
-  const multibody::Tree<double>& tree() const { return tree_; }
+  const CraftCore& core() const { return core_; }
+  const PlainSpacecraft& plain() const { return core_.plain; }
+  const multibody::Tree<double>& tree() const { return core_.tree; }
 
   /// 0: the inertial frame; 1: the hub; then the bodies.
   NamedFrame frame(std::size_t number) const { return NamedFrame{frames_[number]}; }
@@ -35,12 +37,9 @@ class NamedCraftCore {
   std::size_t position_at(const Joint& joint, int axis) const;
   std::size_t speed_at(const Joint& joint, int axis) const;
 
-  std::vector<std::string> component_names() const;
-
  private:
-  PlainSpacecraft plain_;
   std::vector<int> links_;  // by body, the hub first
-  multibody::Tree<double> tree_;
+  CraftCore core_;
   std::deque<FrameRecord> frames_;
   std::unordered_map<std::string_view, std::size_t> numbers_;  // of the frames, by name
 };

@@ -1,7 +1,6 @@
 #include <vectrix/dynamics/craft/named_spacecraft.hpp>
 
 #include <algorithm>
-#include <cmath>
 
 #include "named_craft_core.hpp"
 
@@ -126,16 +125,11 @@ NamedFrame NamedSpacecraft::inertial() const {
 NamedMotion NamedSpacecraft::motion(const NamedState& state, const Quantity<si::time>& time,
                                     const NamedLoads& loads, const std::vector<NamedHeld>& held) const {
   if (state.view().core != core_.get()) throw BadInput("motion: the state is of another craft");
-  if (!std::isfinite(time.value()))
-    throw BadInput("motion: the time is " + detail::text(time.value()) + " s");
+  detail::require_finite_time(core_->core(), "motion", time.value());
   Evaluation evaluate(core_, loads, held);
   std::vector<double> ydot(state.numbers().size());
   evaluate(time.value(), time.value(), state.numbers().data(), ydot.data());
-  for (std::size_t i = 0; i < ydot.size(); ++i) {
-    if (std::isfinite(ydot[i])) continue;
-    throw BadInput("motion at " + detail::text(time.value()) + " s: the derivative of " +
-                   core_->component_names()[i] + " is " + detail::text(ydot[i]));
-  }
+  detail::require_finite_rates(core_->core(), time.value(), ydot);
   return {detail::trusted, core_, time.value(), state.numbers(), std::move(ydot), std::move(evaluate.work)};
 }
 
@@ -154,7 +148,7 @@ ode::Problem NamedSpacecraft::problem(const NamedState& state, const Quantity<si
   problem.relative_tolerance = relative_tolerance;
   problem.absolute_tolerances = absolute_tolerances(core_->plain(), tolerances);
   problem.caller = "NamedSpacecraft " + in_quotes(core_->plain().hub);
-  problem.component_names = core_->component_names();
+  problem.component_names = core_->core().component_names;
   return problem;
 }
 

@@ -2,7 +2,6 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <cmath>
 #include <vectrix/dynamics/craft/craft_core.hpp>
 #include <vectrix/kinematics/named/quaternion.hpp>
 
@@ -15,11 +14,6 @@ namespace {
 const char* name_of(NamedStart::Of of) {
   constexpr const char* names[]{"hinge", "slider", "gimbal", "ball", "free", "rotor", "mode"};
   return names[static_cast<std::size_t>(of)];
-}
-
-void require_finite(const std::string& place, const std::vector<double>& numbers) {
-  for (const double number : numbers)
-    if (!std::isfinite(number)) throw BadInput(place + ": a number of the start is " + text(number));
 }
 
 void append(std::vector<double>& numbers, const Eigen::Vector3d& v) {
@@ -37,8 +31,6 @@ void place_starts(const NamedCraftCore& core, const std::vector<NamedStart>& sta
   for (const auto& mode : plain.modes) missing.push_back(mode.name);
   for (const NamedStart& start : starts) {
     const std::string place = "state: the start of " + in_quotes(start.name());
-    require_finite(place, start.positions());
-    require_finite(place, start.speeds());
     if (start.of() == NamedStart::Of::rotor) {
       y[layout.rotors_begin() + core.rotor(start.name())] = start.speeds()[0];
     } else if (start.of() == NamedStart::Of::mode) {
@@ -165,10 +157,7 @@ NamedState NamedSpacecraft::state(std::span<const double> numbers) const {
     throw BadInput("state: " + detail::text(numbers.size()) + " numbers; the craft of " +
                    detail::in_quotes(plain().hub) + " has " + detail::text(size));
   }
-  for (std::size_t i = 0; i < size; ++i) {
-    if (std::isfinite(numbers[i])) continue;
-    throw BadInput("state: " + core_->component_names()[i] + " is " + detail::text(numbers[i]));
-  }
+  detail::require_state(core_->core(), numbers);
   return {detail::trusted, core_, {numbers.begin(), numbers.end()}};
 }
 

@@ -369,7 +369,7 @@ TEST(NamedSpacecraft, RefusesStartsThatDoNotFit) {
   refused([](auto& list) { list[1] = starts("boom", 0.0 * si::metre, 0.0 * m_s); },
           "the start of \"boom\" is that of a slider, its joint is a hinge");
   refused([](auto& list) { list[1] = starts("boom", nan * rad, 0.0 * rad_s); },
-          "a number of the start is nan");
+          "position 1 of \"boom\" is nan");
   refused([&](auto& list) { list[3] = starts(at_origin(craft.hub(), craft.frame("gyro"), unit).turning()); },
           "is relative to \"hub\", and it hangs on \"boom\"");
   const auto said = [](const auto& action) { return message<BadInput>(action); };
@@ -382,6 +382,19 @@ TEST(NamedSpacecraft, RefusesStartsThatDoNotFit) {
   EXPECT_TRUE(contains(said([&] { (void)craft.state(std::vector<double>(3)); }),
                        "3 numbers; the craft of \"hub\" has 44"));
   const NamedState state = state_of_five(craft, unit);
+  const auto changed = [&](std::size_t at, std::size_t count, double number) {
+    auto numbers = state.numbers();
+    std::fill_n(numbers.begin() + std::ptrdiff_t(at), count, number);
+    return said([&] { (void)craft.state(numbers); });
+  };
+  // The hub has 13 numbers, then come a hinge, a gimbal and a slider with four positions, the gyro, the
+  // probe.
+  EXPECT_EQ(changed(5, 1, nan), "state of the craft of \"hub\": wy is nan");
+  EXPECT_EQ(changed(0, 4, 0.0), "state of the craft of \"hub\": the quaternion from q0 on has the norm 0");
+  EXPECT_TRUE(contains(changed(17, 4, 0.0), "the quaternion from position 1 of \"gyro\" on has the norm 0"));
+  EXPECT_TRUE(
+      contains(changed(21, 4, 1e200), "the quaternion from position 1 of \"probe\" on has the norm 2e+200"));
+  EXPECT_EQ(changed(0, 4, 0.1), "");
   EXPECT_TRUE(
       contains(said([&] { (void)state.angle("mass"); }), "angle 1 of \"mass\": its joint is a slider"));
   EXPECT_TRUE(

@@ -454,11 +454,23 @@ TEST(Spacecraft, BadNumbersAreRefusedWithTheFrame) {
             std::string::npos);
   const auto start =
       state(craft, 0.0 * s, R, starts(of<Boom>, 0.0 * rad, 0.0 * rad_s), spins(of<WheelOfHub>, 0.0 * rad_s));
+  auto numbers = start.numbers();
+  EXPECT_EQ(state_from_numbers(craft, 1.0 * s, numbers).numbers(), numbers);
+  EXPECT_NE(refusal([&] { state_from_numbers(craft, nan * s, numbers); }).find("the time is nan s"),
+            std::string::npos);
+  numbers[5] = nan;
+  EXPECT_NE(refusal([&] { state_from_numbers(craft, 1.0 * s, numbers); }).find("Hub\": wy is nan"),
+            std::string::npos);
+  numbers = {0.0, 0.0, 0.0, 0.0, 1.0};
+  EXPECT_NE(refusal([&] {
+              state_from_numbers(craft, 1.0 * s, numbers);
+            }).find("the quaternion from q0 on has the norm 0"),
+            std::string::npos);
   EXPECT_NE(refusal([&] {
               motion(craft, start, [&](const auto&, auto& forces) {
                 forces.motor(of<WheelOfHub>, nan * si::newton_metre);
               });
-            }).find("the derivative in motion"),
+            }).find("at 0 s: the derivative of "),
             std::string::npos);
 }
 

@@ -45,7 +45,8 @@ class VECTRIX_EXPORT NamedSpacecraft {
                                  const std::vector<NamedStart>& starts) const;
   /// How many numbers a state has.
   [[nodiscard]] std::size_t state_size() const;
-  /// Claims that the numbers are a state. Throws BadInput if their count is wrong or one is not finite.
+  /// Claims that the numbers are a state. Throws BadInput if their count is wrong, one is not finite, or a
+  /// quaternion is zero; any other norm is accepted.
   [[nodiscard]] NamedState state(std::span<const double> numbers) const;
 
   /// The state at a time with its accelerations and what its joints transmit. Throws BadInput if a result is

@@ -89,6 +89,16 @@ using StateFault = typename FaultOfState<typename C::shape, Motion, Starts...>::
 
 }  // namespace detail
 
+/// Claims that the numbers are a state. Throws BadInput if one is not finite, or a quaternion is zero; any
+/// other norm is accepted.
+template <CraftType C>
+CraftState<C> state_from_numbers(const C& craft, const Quantity<si::time>& t,
+                                 const std::array<double, C::state_size>& y) {
+  detail::require_finite_time(*craft.core(), "state", t.value());
+  detail::require_state(*craft.core(), y);
+  return {detail::trusted, t, y};
+}
+
 /// The state at the time t: the motion of the hub in the inertial frame, and the starts of all joints, rotors
 /// and modes; none is zero by default. A motion relative to any other frame is a product away:
 ///     state(craft, t, X_i_from_lvlh * X_lvlh_from_hub, starts(of<Panel>, angle, rate), spins(of<Wheel>, w))
@@ -99,21 +109,12 @@ template <CraftType C, class Motion, class... Starts>
     typename CraftState<C>::Numbers y{};
     detail::put_hub(X_i_from_hub, y.data());
     (detail::put_start<typename C::shape>(*craft.core(), starts, y.data()), ...);
-    detail::require_finite_state("state", *craft.core(), t.value(), y);
-    return {detail::trusted, t, y};
+    return state_from_numbers(craft, t, y);
   }
 template <CraftType C, class Time, class Motion, class... Starts,
           class Fault = detail::StateFault<C, Motion, Starts...>>
   requires(!std::is_same_v<Fault, Nothing>)
 auto state(  // state(craft, t, X_i_from_hub, starts...): each part that moves has one start: see Fault
     const C&, const Time&, const Motion&, const Starts&...) -> Refused = delete;
-
-/// Claims that the numbers are a state. Throws BadInput if one is not finite.
-template <CraftType C>
-CraftState<C> state_from_numbers(const C& craft, const Quantity<si::time>& t,
-                                 const std::array<double, C::state_size>& y) {
-  detail::require_finite_state("state_from_numbers", *craft.core(), t.value(), y);
-  return {detail::trusted, t, y};
-}
 
 }  // namespace vectrix
