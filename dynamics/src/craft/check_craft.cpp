@@ -45,11 +45,6 @@ void check_mass(const std::string& part, double mass, const Eigen::Vector3d& cen
   });
 }
 
-std::size_t axes_of(JointKind kind) {
-  if (kind == JointKind::hinge || kind == JointKind::slider) return 1;
-  return kind == JointKind::gimbal ? 2 : 0;
-}
-
 /// J about the origin.
 Eigen::Matrix3d about_origin(double mass, const Eigen::Vector3d& centre, const Eigen::Matrix3d& J) {
   return J + inertia_of_point_mass<double>(mass, centre);
@@ -58,9 +53,9 @@ Eigen::Matrix3d about_origin(double mass, const Eigen::Vector3d& centre, const E
 void check_joint(const std::string& part, const PlainBody& body) {
   through(part, [&] { return dcm(to<ParentBody>, from<ThisBody>, body.R_p_from_b); });
   require_finite(part, "the position on the parent", body.r_pb_p);
-  if (body.axes_b.size() != axes_of(body.joint)) {
-    refuse(part, "a " + std::string{name_of(body.joint)} + " joint has " + text(axes_of(body.joint)) +
-                     " axes, not " + text(body.axes_b.size()));
+  if (const std::size_t axes = counts_of(body.joint).axes; body.axes_b.size() != axes) {
+    refuse(part, "a " + std::string{name_of(body.joint)} + " joint has " + text(axes) + " axes, not " +
+                     text(body.axes_b.size()));
   }
   for (const auto& axis : body.axes_b) require_axis(part, axis);
   if (body.joint == JointKind::gimbal) {

@@ -75,13 +75,13 @@ std::vector<std::string> component_names_of(const PlainSpacecraft& craft) {
   std::vector<std::string> names{"q0", "q1", "q2", "q3", "wx", "wy", "wz"};
   if (craft.motion == HubMotion::free)
     for (const char* name : {"rx", "ry", "rz", "vx", "vy", "vz"}) names.emplace_back(name);
-  const auto add = [&](const char* what, std::size_t (*count)(JointKind)) {
+  const auto add = [&](const char* what, std::size_t JointCounts::*count) {
     for (const PlainBody& body : craft.bodies)
-      for (std::size_t i = 1; i <= count(body.joint); ++i)
+      for (std::size_t i = 1; i <= counts_of(body.joint).*count; ++i)
         names.push_back(std::string{what} + text(i) + " of " + in_quotes(body.name));
   };
-  add("position ", positions_of);
-  add("speed ", speeds_of);
+  add("position ", &JointCounts::positions);
+  add("speed ", &JointCounts::speeds);
   for (const PlainRotor& rotor : craft.rotors) names.push_back("spin of " + in_quotes(rotor.name));
   for (const PlainMode& mode : craft.modes) names.push_back("coordinate of " + in_quotes(mode.name));
   for (const PlainMode& mode : craft.modes) names.push_back("rate of " + in_quotes(mode.name));
@@ -108,13 +108,6 @@ template <class Parts>
 const char* name_of(JointKind kind) {
   constexpr const char* names[]{"hinge", "slider", "gimbal", "ball", "free", "fixed"};
   return names[static_cast<std::size_t>(kind)];
-}
-std::size_t speeds_of(JointKind kind) {
-  constexpr std::size_t counts[]{1, 1, 2, 3, 6, 0};
-  return counts[static_cast<std::size_t>(kind)];
-}
-std::size_t positions_of(JointKind kind) {
-  return speeds_of(kind) + (kind == JointKind::ball || kind == JointKind::free ? 1 : 0);
 }
 
 NamedCraftCore::NamedCraftCore(PlainSpacecraft given, const char* form)
@@ -155,7 +148,7 @@ NamedCraftCore::Joint NamedCraftCore::joint(std::string_view body) const {
   const std::size_t number = found->second - 1;  // the hub is 0
   const PlainBody& given = core_.plain.bodies[number - 1];
   const std::size_t last = static_cast<std::size_t>(links_[number]) - 1;
-  return {&given, given.joint == JointKind::gimbal ? last - 1 : last};
+  return {&given, last + 1 - counts_of(given.joint).links};
 }
 std::size_t NamedCraftCore::rotor(std::string_view name) const {
   const std::size_t found = find_part(core_.plain.rotors, name);

@@ -4,6 +4,7 @@
 #include <unordered_map>
 #include <vectrix/dynamics/craft/craft_core.hpp>
 #include <vectrix/dynamics/craft/eigen_numbers.hpp>
+#include <vectrix/dynamics/craft/joint_counts.hpp>
 #include <vectrix/dynamics/craft/named_spacecraft.hpp>
 
 namespace vectrix::detail {
@@ -47,8 +48,5 @@ class NamedCraftCore {
 const char* name_of(JointKind kind);
 /// Checks the craft, and puts parents before the bodies that hang on them. `form` begins the messages.
 PlainSpacecraft checked_craft(PlainSpacecraft craft, const char* form);
-/// Numbers of axes: position and speed numbers of a joint.
-std::size_t positions_of(JointKind kind);
-std::size_t speeds_of(JointKind kind);
 
 }  // namespace vectrix::detail

@@ -126,7 +126,7 @@ void NamedForces::torque(NamedFrame body, const NamedVector<si::torque>& M_c) {
 void NamedForces::effort(std::string_view body, const Quantity<si::torque>& about, int axis) {
   const auto joint =
       joint_of_kind(*core_, body, "a torque about an axis", {JointKind::hinge, JointKind::gimbal});
-  if (axis < 1 || axis > (joint.body->joint == JointKind::gimbal ? 2 : 1))
+  if (axis < 1 || static_cast<std::size_t>(axis) > detail::counts_of(joint.body->joint).axes)
     throw BadInput("effort on " + in_quotes(body) + ": its joint has no axis " + detail::text(axis));
   work_->efforts[core_->speed_at(joint, axis)] += about.value();
 }

@@ -60,8 +60,8 @@ std::vector<Held> resolved(const NamedCraftCore& core, const std::vector<NamedHe
     for (const Held& other : list)
       if (other.how.body() == how.body())
         throw BadInput("the joint of " + in_quotes(how.body()) + " is held twice");
-    list.push_back({how, joint.link, kind == JointKind::gimbal ? 2U : 1U, core.speed_at(joint, 1),
-                    detail::speeds_of(kind)});
+    const detail::JointCounts counts = detail::counts_of(kind);
+    list.push_back({how, joint.link, counts.links, core.speed_at(joint, 1), counts.speeds});
   }
   return list;
 }

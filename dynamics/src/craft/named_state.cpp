@@ -90,11 +90,8 @@ double named_number(const NamedView& view, NamedNumber number, std::string_view 
   const auto joint = core.joint(name);
   const JointKind kind = joint.body->joint;
   const bool turns = number == NamedNumber::angle || number == NamedNumber::angle_rate;
-  const int axes = turns ? (kind == JointKind::hinge    ? 1
-                            : kind == JointKind::gimbal ? 2
-                                                        : 0)
-                         : (kind == JointKind::slider ? 1 : 0);
-  if (axis < 1 || axis > axes) {
+  const bool fits = turns == (kind != JointKind::slider);
+  if (!fits || axis < 1 || static_cast<std::size_t>(axis) > counts_of(kind).axes) {
     throw BadInput(std::string{turns ? "angle " : "length "} + text(axis) + " of " + in_quotes(name) +
                    ": its joint is a " + name_of(kind));
   }

@@ -7,6 +7,7 @@
 #include <vectrix/dynamics/craft/craft_core.hpp>
 #include <vectrix/dynamics/craft/eigen_numbers.hpp>
 #include <vectrix/dynamics/craft/joint.hpp>
+#include <vectrix/dynamics/craft/joint_counts.hpp>
 #include <vectrix/dynamics/mass/mass_properties.hpp>
 
 namespace vectrix {
@@ -28,21 +29,9 @@ struct PartCounts {
             rotors + b.rotors, modes + b.modes, mounts + b.mounts};
   }
 };
-constexpr PartCounts counts_of(JointKind kind) {
-  switch (kind) {
-    case JointKind::hinge:
-    case JointKind::slider:
-      return {1, 1, 1, 1};
-    case JointKind::gimbal:
-      return {1, 2, 2, 2};
-    case JointKind::ball:
-      return {1, 1, 4, 3};
-    case JointKind::free:
-      return {1, 1, 7, 6};
-    case JointKind::fixed:
-      break;
-  }
-  return {1, 1, 0, 0};
+constexpr PartCounts counts_of_body(JointKind kind) {
+  const JointCounts joint = counts_of(kind);
+  return {1, joint.links, joint.positions, joint.speeds};
 }
 
 }  // namespace detail
@@ -61,7 +50,7 @@ template <Frame B, JointKind kind, Frame P> struct BodyPart {
   using carrier = P;
   static constexpr auto role = detail::PartRole::body;
   static constexpr JointKind joint = kind;
-  static constexpr detail::PartCounts counts = detail::counts_of(kind);
+  static constexpr detail::PartCounts counts = detail::counts_of_body(kind);
   PlainBody numbers;
 };
 template <Point W, Frame B> struct RotorPart {
