@@ -49,13 +49,9 @@ std::vector<Held> resolved(const NamedCraftCore& core, const std::vector<NamedHe
   for (const NamedHeld& how : held) {
     const auto joint = core.joint(how.body());
     const JointKind kind = joint.body->joint;
-    const bool fits = how.of() == NamedHeld::Of::any ||
-                      (how.of() == NamedHeld::Of::hinge && kind == JointKind::hinge) ||
-                      (how.of() == NamedHeld::Of::slider && kind == JointKind::slider);
-    if (!fits) {
+    if (how.joint() && how.joint() != kind) {
       throw BadInput("prescribed(" + in_quotes(how.body()) + "): its joint is a " + detail::name_of(kind) +
-                     ", and the acceleration that of a " +
-                     (how.of() == NamedHeld::Of::hinge ? "hinge" : "slider"));
+                     ", and the acceleration that of a " + detail::name_of(*how.joint()));
     }
     for (const Held& other : list)
       if (other.how.body() == how.body())

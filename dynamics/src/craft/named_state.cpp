@@ -11,11 +11,6 @@ namespace vectrix {
 namespace detail {
 namespace {
 
-const char* name_of(NamedStart::Of of) {
-  constexpr const char* names[]{"hinge", "slider", "gimbal", "ball", "free", "rotor", "mode"};
-  return names[static_cast<std::size_t>(of)];
-}
-
 void append(std::vector<double>& numbers, const Eigen::Vector3d& v) {
   numbers.insert(numbers.end(), {v.x(), v.y(), v.z()});
 }
@@ -31,17 +26,17 @@ void place_starts(const NamedCraftCore& core, const std::vector<NamedStart>& sta
   for (const auto& mode : plain.modes) missing.push_back(mode.name);
   for (const NamedStart& start : starts) {
     const std::string place = "state: the start of " + in_quotes(start.name());
-    if (start.of() == NamedStart::Of::rotor) {
+    if (std::holds_alternative<NamedStart::Rotor>(start.of())) {
       y[layout.rotors_begin() + core.rotor(start.name())] = start.speeds()[0];
-    } else if (start.of() == NamedStart::Of::mode) {
+    } else if (std::holds_alternative<NamedStart::Mode>(start.of())) {
       const std::size_t at = layout.modes_begin() + core.mode(start.name());
       y[at] = start.positions()[0];
       y[at + layout.modes] = start.speeds()[0];
     } else {
       const auto joint = core.joint(start.name());
-      if (static_cast<int>(joint.body->joint) != static_cast<int>(start.of())) {
-        throw BadInput(place + " is that of a " + name_of(start.of()) + ", its joint is a " +
-                       detail::name_of(joint.body->joint));
+      if (const JointKind kind = std::get<JointKind>(start.of()); kind != joint.body->joint) {
+        throw BadInput(place + " is that of a " + name_of(kind) + ", its joint is a " +
+                       name_of(joint.body->joint));
       }
       if (!start.relative_to().empty() && start.relative_to() != joint.body->parent) {
         throw BadInput(place + " is relative to " + in_quotes(start.relative_to()) + ", and it hangs on " +
@@ -107,7 +102,7 @@ NamedStart starts(const NamedMovingDcm& R_p_from_b) {
   detail::append(w, R_p_from_b.angular_velocity().coordinates());
   return {detail::trusted,
           R_p_from_b.rotation().from().name(),
-          NamedStart::Of::ball,
+          JointKind::ball,
           detail::quaternion_numbers(R_p_from_b.rotation().matrix()),
           w,
           R_p_from_b.rotation().to().name()};
@@ -118,7 +113,7 @@ NamedStart starts(const NamedMovingTransform& X_p_from_b) {
   detail::append(positions, X_p_from_b.translation().coordinates());
   detail::append(speeds, X_p_from_b.turning().angular_velocity().coordinates());
   detail::append(speeds, X_p_from_b.velocity().coordinates());
-  return {detail::trusted, X_p_from_b.turning().rotation().from().name(), NamedStart::Of::free, positions,
+  return {detail::trusted, X_p_from_b.turning().rotation().from().name(), JointKind::free, positions,
           speeds,          X_p_from_b.turning().rotation().to().name()};
 }
 
