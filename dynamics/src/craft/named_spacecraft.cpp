@@ -1,6 +1,7 @@
 #include <vectrix/dynamics/craft/named_spacecraft.hpp>
 
 #include <algorithm>
+#include <vectrix/dynamics/craft/plain_parts.hpp>
 
 #include "named_craft_core.hpp"
 
@@ -12,24 +13,10 @@ using detail::NamedCraftCore;
 
 PlainSpacecraft plain_of(const NamedHub& hub, const std::vector<NamedBody>& bodies,
                          const std::vector<NamedRotor>& rotors, const std::vector<NamedMode>& modes) {
-  const auto centre = [](const auto& mass) { return mass.centre().coordinates(); };
-  PlainSpacecraft craft{hub.inertial,
-                        hub.name,
-                        hub.motion,
-                        hub.mass.mass().value(),
-                        centre(hub.mass),
-                        hub.mass.inertia().matrix(),
-                        {},
-                        {},
-                        {}};
-  for (const NamedBody& body : bodies) {
-    std::vector<Eigen::Vector3d> axes;
-    for (const auto& axis : body.joint.axes_b) axes.push_back(axis.coordinates());
-    const auto& X = body.joint.X_p_from_b;
-    craft.bodies.push_back({body.name, body.parent, body.joint.kind, axes, X.rotation.matrix(),
-                            X.translation.coordinates(), body.mass.mass().value(), centre(body.mass),
-                            body.mass.inertia().matrix()});
-  }
+  PlainSpacecraft craft = detail::plain_hub(hub.inertial, hub.name, hub.motion, hub.mass);
+  for (const auto& [name, parent, mass, joint] : bodies)
+    craft.bodies.push_back(
+        detail::plain_body(name, parent, joint.kind, joint.X_p_from_b, joint.axes_b, mass));
   for (const NamedRotor& rotor : rotors)
     craft.rotors.push_back({rotor.name, rotor.body, rotor.axis_b.coordinates(), rotor.inertia.value()});
   for (const NamedMode& mode : modes)
