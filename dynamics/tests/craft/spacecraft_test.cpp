@@ -296,14 +296,16 @@ TEST(Spacecraft, WhatActsOnAMountActsOnItsBody) {
   const auto now = random_state(craft, random);
   const auto F = vector<si::force>(in<Camera>, random.triple());
   const auto M = vector<si::torque>(in<Gcrf>, random.triple());
-  const auto on_mount = motion(craft, now, [&](const auto&, auto& forces) {
+  const auto on_mount = motion(craft, now, [&](const auto& at, auto& forces) {
     forces.force(of<Camera>, F);
+    forces.force(of<Camera>, at.position(of<Gyro>, relative_to<Camera>, in<Hub>), F);
     forces.torque(of<Camera>, M);
   });
   const auto on_body = motion(craft, now, [&](const auto& at, auto& forces) {
     const auto r = at.position(of<Camera>, relative_to<Antenna>, in<Antenna>);
     const auto F_a = at.rotation(to<Antenna>, from<Camera>) * F;
     forces.wrench(of<Antenna>, wrench(F_a, moment(r, F_a)));
+    forces.force(of<Antenna>, at.position(of<Gyro>, relative_to<Antenna>, in<Hub>), F);
     forces.torque(of<Antenna>, M);
   });
   for (std::size_t i = 0; i < Every::state_size; ++i)
