@@ -105,9 +105,6 @@ NamedVector<si::angular_momentum> NamedNow::angular_momentum() const {
   return {detail::trusted, core_->frame(std::size_t{0}), eigen(now.angular_momentum)};
 }
 
-NamedFrame NamedForces::frame(std::string_view name) const {
-  return core_->frame(name);
-}
 void NamedForces::force(NamedFrame body, const NamedVector<si::force>& F_c) {
   const auto F = in_hub_axes(*core_, *work_, F_c.in(), F_c.coordinates());
   core_->tree().add_wrench(core_->link(body, "force"), numbers(F), multibody::zero_column<double>(), *work_);

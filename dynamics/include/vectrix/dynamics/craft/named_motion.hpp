@@ -88,8 +88,6 @@ class VECTRIX_EXPORT NamedForces {
   /// A uniform field: the same acceleration for every mass.
   void field(const NamedVector<si::acceleration>& g_c);
 
-  NamedFrame frame(std::string_view name) const;
-
  private:
   const detail::NamedCraftCore* core_;
   multibody::Work<double>* work_;
