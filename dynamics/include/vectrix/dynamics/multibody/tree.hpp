@@ -65,6 +65,7 @@ template <class S> struct Work {
   Articulated<S> hub;
   Accelerations<S> hub_acceleration;  ///< less the field
   std::vector<Moving<S>> links;
+  std::vector<Column<S>> axes;  ///< of the rotors
   std::vector<MovingMode<S>> modes;
 };
 
