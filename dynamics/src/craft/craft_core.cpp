@@ -36,7 +36,7 @@ std::vector<double> quaternion_numbers(const Eigen::Matrix3d& R) {
 }
 
 std::vector<double> from_mount(const PlainBody& body, std::vector<double> positions) {
-  const Eigen::Quaterniond mount(body.R_p_from_b);
+  const Eigen::Quaterniond mount = unit_quaternion_of(body.R_p_from_b);
   const Eigen::Quaterniond q =
       mount.conjugate() * Eigen::Quaterniond(positions[0], positions[1], positions[2], positions[3]);
   positions[0] = q.w(), positions[1] = q.x(), positions[2] = q.y(), positions[3] = q.z();

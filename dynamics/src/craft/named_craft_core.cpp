@@ -1,7 +1,6 @@
 #include "named_craft_core.hpp"
 
 #include <algorithm>
-#include <vectrix/dynamics/mass/parallel_axes.hpp>
 #include <vectrix/dynamics/multibody/hinge.hpp>
 #include <vectrix/dynamics/multibody/slider.hpp>
 #include <vectrix/kinematics/named/nearest_name.hpp>
@@ -10,7 +9,7 @@ namespace vectrix::detail {
 namespace {
 
 multibody::Mass<double> mass_of(double mass, const Eigen::Vector3d& centre, const Eigen::Matrix3d& J_c) {
-  const Eigen::Matrix3d J = J_c + inertia_of_point_mass<double>(mass, centre);
+  const Eigen::Matrix3d J = about_origin(mass, centre, J_c);
   return {
       mass, numbers(Eigen::Vector3d(mass * centre)), {J(0, 0), J(1, 1), J(2, 2), J(0, 1), J(0, 2), J(1, 2)}};
 }

@@ -6,6 +6,7 @@
 #include <vectrix/dynamics/craft/eigen_numbers.hpp>
 #include <vectrix/dynamics/craft/joint_counts.hpp>
 #include <vectrix/dynamics/craft/named_spacecraft.hpp>
+#include <vectrix/dynamics/mass/parallel_axes.hpp>
 
 namespace vectrix::detail {
 
@@ -46,6 +47,10 @@ class NamedCraftCore {
 };
 
 const char* name_of(JointKind kind);
+/// J about the origin, from J about the centre of mass.
+inline Eigen::Matrix3d about_origin(double mass, const Eigen::Vector3d& centre, const Eigen::Matrix3d& J_c) {
+  return J_c + inertia_of_point_mass<double>(mass, centre);
+}
 /// Checks the craft, and puts parents before the bodies that hang on them. `form` begins the messages.
 PlainSpacecraft checked_craft(PlainSpacecraft craft, const char* form);
 

@@ -92,17 +92,17 @@ NamedVelocity NamedNow::speed(NamedFrame b, NamedFrame a, NamedFrame o, NamedFra
   return {detail::trusted, b, a, o, {detail::trusted, c, in_axes_of(*core_, *work_, c, v)}};
 }
 
+multibody::Conserved<double> NamedNow::conserved() const {
+  return core_->tree().conserved(y_, multibody::zero_column<double>(), *work_);
+}
 Quantity<si::energy> NamedNow::energy() const {
-  return Quantity<si::energy>::from_value(
-      core_->tree().conserved(y_, multibody::zero_column<double>(), *work_).energy);
+  return Quantity<si::energy>::from_value(conserved().energy);
 }
 NamedVector<si::momentum> NamedNow::momentum() const {
-  const auto now = core_->tree().conserved(y_, multibody::zero_column<double>(), *work_);
-  return {detail::trusted, core_->frame(std::size_t{0}), eigen(now.momentum)};
+  return {detail::trusted, core_->frame(std::size_t{0}), eigen(conserved().momentum)};
 }
 NamedVector<si::angular_momentum> NamedNow::angular_momentum() const {
-  const auto now = core_->tree().conserved(y_, multibody::zero_column<double>(), *work_);
-  return {detail::trusted, core_->frame(std::size_t{0}), eigen(now.angular_momentum)};
+  return {detail::trusted, core_->frame(std::size_t{0}), eigen(conserved().angular_momentum)};
 }
 
 void NamedForces::force(NamedFrame body, const NamedVector<si::force>& F_c) {

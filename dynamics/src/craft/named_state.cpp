@@ -11,10 +11,6 @@ namespace vectrix {
 namespace detail {
 namespace {
 
-void append(std::vector<double>& numbers, const Eigen::Vector3d& v) {
-  numbers.insert(numbers.end(), {v.x(), v.y(), v.z()});
-}
-
 /// Puts the starts in the places of a state; each part once.
 void place_starts(const NamedCraftCore& core, const std::vector<NamedStart>& starts, std::vector<double>& y) {
   const auto& plain = core.plain();

@@ -55,6 +55,7 @@ class VECTRIX_EXPORT NamedNow : public detail::NamedNumbers<NamedNow> {
   NamedAngularVelocity rate(NamedFrame b, NamedFrame a, NamedFrame c) const;
   NamedDisplacement place(NamedFrame b, NamedFrame a, NamedFrame c) const;
   NamedVelocity speed(NamedFrame b, NamedFrame a, NamedFrame o, NamedFrame c) const;
+  multibody::Conserved<double> conserved() const;
 
   const detail::NamedCraftCore* core_;
   double segment_start_, t_;
