@@ -9,9 +9,12 @@
 namespace vectrix {
 
 /// The state of a spacecraft at one instant: the numbers that are integrated, in the order
-///     [ q_h^i 4 | w_ih^h 3 | r_i 3 | v_i 3 | joints' positions | joints' speeds | rotors | eta | eta' ]
-/// without r and v if the hub is only turning. An edge of a frame graph that is a function of time takes a
-/// state, too. Made by state().
+///     [ q_h^i 4 | w_ih^h 3 | r_ih^i 3 | v_ih|i^i 3 | joints' positions | joints' speeds | rotors | eta |
+///     eta' ]
+/// q scalar first, of any norm; rad/s, m, m/s; r and v of the hub's origin, without both if the hub is only
+/// turning; the joints in the order of the bodies, each as JointKind says; the speeds of the rotors relative
+/// to their bodies, rad/s; the modes, kg^1/2 m and kg^1/2 m/s. An edge of a frame graph that is a function of
+/// time takes a state, too. Made by state().
 template <CraftType C> class CraftState : public detail::CraftNumbers<CraftState<C>, C> {
   using Shape = typename C::shape;
   using I = typename Shape::inertial;

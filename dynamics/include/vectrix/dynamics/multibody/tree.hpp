@@ -36,7 +36,9 @@ int add_gimbal(TreeNumbers<S>& tree, int parent, const Square<S>& R_p_from_b, co
 /// Where each number of the state is:
 ///     [ q_i_from_h 4 | w_ih_h 3 | r_i 3 | v_i 3 | joint positions | joint speeds | rotor speeds | eta | eta'
 ///     ]
-/// r_i, v_i of the hub's origin, absent if the hub is only turning.
+/// q scalar first, of any norm; w, rad/s; r_i, m, and v_i, m/s, of the hub's origin in inertial axes, absent
+/// if the hub is only turning. Each link has the numbers that the header of its kind gives, rad and m, rad/s
+/// and m/s, in the order of the links; rotors, rad/s, relative to their bodies; eta, kg^1/2 m.
 struct TreeLayout {
   std::size_t hub, positions, speeds, rotors, modes;
   std::vector<std::size_t> position_at, speed_at;  ///< by link, from the start of the state
