@@ -18,14 +18,14 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 /// The same craft in names: body 3 is "body 3", the hub "hub".
 PlainSpacecraft named(const DescribedCraft& craft) {
   const auto name = [](int number) { return number == 0 ? "hub" : "body " + std::to_string(number); };
-  const auto eigen = [](const mb::Column<double>& v) { return Vector3d(v.x, v.y, v.z); };
   PlainSpacecraft plain{"gcrf", "hub", HubMotion::free, craft.hub.m, craft.hub.c, craft.hub.J, {}, {}, {}};
   for (const Described& b : craft.bodies) {
     std::vector<Vector3d> axes;
-    if (b.word == Word::hinge || b.word == Word::slider || b.word == Word::gimbal) axes.push_back(b.axis_1);
-    if (b.word == Word::gimbal) axes.push_back(b.axis_2);
-    plain.bodies.push_back({name(int(plain.bodies.size()) + 1), name(b.parent), JointKind(int(b.word)), axes,
-                            b.R_p_from_b, b.r_pb_p, b.m, b.c, b.J});
+    if (b.joint == JointKind::hinge || b.joint == JointKind::slider || b.joint == JointKind::gimbal)
+      axes.push_back(b.axis_1);
+    if (b.joint == JointKind::gimbal) axes.push_back(b.axis_2);
+    plain.bodies.push_back({name(int(plain.bodies.size()) + 1), name(b.parent), b.joint, axes, b.R_p_from_b,
+                            b.r_pb_p, b.m, b.c, b.J});
   }
   for (const auto& rotor : craft.rotors)
     plain.rotors.push_back(

@@ -20,12 +20,6 @@ constexpr double instant_tolerance = 1e-10;
 Vector3d rate_of(const mb::Column<Dual>& v) {
   return {v.x.derivatives()[0], v.y.derivatives()[0], v.z.derivatives()[0]};
 }
-Vector3d eigen(const mb::Column<double>& v) {
-  return {v.x, v.y, v.z};
-}
-Matrix3d eigen(const mb::Square<double>& m) {
-  return (Matrix3d() << eigen(m.x), eigen(m.y), eigen(m.z)).finished();
-}
 
 TEST(Conservation, MomentumChangesByTheForcesAndEnergyByTheirPower) {
   RandomCraft random(20260310);
