@@ -99,7 +99,7 @@ Quantity<si::angular_acceleration> switched(const Quantity<si::time>&, const Qua
 Quantity<si::angular_acceleration> smooth(const Quantity<si::time>& t, const Quantity<si::time>& segment) {
   const auto a = 8.0 * std::numbers::pi / 3.0 * slew_angle / (T * T);
   if (segment >= T) return 0.0 * a;
-  const double phase = 2.0 * std::numbers::pi * (t.value() / T.value());
+  const double phase = 2.0 * std::numbers::pi * (t / T);
   return (std::sin(phase) - 0.5 * std::sin(2.0 * phase)) * a;
 }
 
@@ -113,20 +113,18 @@ CraftTrajectory<Sat> slew(const Sat& sat, Profile profile) {
   const auto k = 350.0 * si::newton_metre / rad;
   const auto c = 2.0 * si::newton_metre / rad_s;
   const auto J = rigid_inertia();
-  auto run =
-      problem(sat, start, 180.0 * s, 1e-10,
-              {.angle = 1e-12 * rad,
-               .rate = 1e-12 * rad_s,
-               .length = 1e-12 * m,
-               .velocity = 1e-12 * (m / s),
-               .mode = 1e-10},
-              spring(sat, of<Panel<1>>, k, 0.0 * rad), damper(sat, of<Panel<1>>, c),
-              spring(sat, of<Panel<2>>, k, 0.0 * rad), damper(sat, of<Panel<2>>, c),
-              [=](const Now<Sat>& now, Forces<Sat>& forces) {
-                forces.motor(of<Wheel<1>>, -(J.value() * profile(now.time(), now.segment_start()).value()) *
-                                               si::newton_metre);
-              });
-  run.ode.breakpoints = {0.5 * T.value(), T.value()};
+  auto run = problem(sat, start, 180.0 * s, 1e-10,
+                     {.angle = 1e-12 * rad,
+                      .rate = 1e-12 * rad_s,
+                      .length = 1e-12 * m,
+                      .velocity = 1e-12 * (m / s),
+                      .mode = 1e-10},
+                     spring(sat, of<Panel<1>>, k, 0.0 * rad), damper(sat, of<Panel<1>>, c),
+                     spring(sat, of<Panel<2>>, k, 0.0 * rad), damper(sat, of<Panel<2>>, c),
+                     [=](const Now<Sat>& now, Forces<Sat>& forces) {
+                       forces.motor(of<Wheel<1>>, -(J * profile(now.time(), now.segment_start())));
+                     });
+  run.ode.breakpoints = {0.5 * T.in(s), T.in(s)};
   return solve(run);
 }
 
@@ -145,14 +143,14 @@ void print(const std::string& name, const CraftTrajectory<Sat>& flight) {
   for (const double t : {0.0, 30.0, 60.0, 90.0, 120.0, 150.0, 180.0}) {
     const auto now = flight.at(t * s);
     std::printf("%8.0f %14.3f %15.3f %16.3f %17.3f\n", t, rounded(degrees_about_x(now)),
-                rounded(1e3 * now.turning().angular_velocity.x().value()),
-                rounded(1e6 * now.coordinate(of<Panel<1>>).value()), now.spin(of<Wheel<1>>).value());
+                rounded(1e3 * now.turning().angular_velocity.x().in(rad_s)),
+                rounded(1e6 * now.coordinate(of<Panel<1>>).in(rad)), now.spin(of<Wheel<1>>).in(rad_s));
   }
   double panel = 0.0, hub = 0.0;
   for (int i = 0; i <= 2400; ++i) {  // the last 60 s, 25 ms apart
     const auto now = flight.at((120.0 + 0.025 * i) * s);
-    panel = std::max(panel, std::abs(now.coordinate(of<Panel<1>>).value()));
-    hub = std::max(hub, std::abs(now.turning().angular_velocity.x().value()));
+    panel = std::max(panel, std::abs(now.coordinate(of<Panel<1>>).in(rad)));
+    hub = std::max(hub, std::abs(now.turning().angular_velocity.x().in(rad_s)));
   }
   std::printf("after the slew: panel 1 swings by %.3f urad, the hub by %.3f urad/s\n", 1e6 * panel,
               1e6 * hub);
@@ -162,8 +160,8 @@ void print(const std::string& name, const CraftTrajectory<Sat>& flight) {
 
 int main() try {
   const Sat sat;
-  std::printf("A slew of %.0f degrees in %.0f s, inertia %.1f kg m^2\n", slew_angle.in(si::degree), T.value(),
-              rigid_inertia().value());
+  std::printf("A slew of %.0f degrees in %.0f s, inertia %.1f kg m^2\n", slew_angle.in(si::degree), T.in(s),
+              rigid_inertia().in(kg_m2));
   print("Switched torque", slew(sat, switched));
   print("Smooth torque", slew(sat, smooth));
 } catch (const std::exception& error) {

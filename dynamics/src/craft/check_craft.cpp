@@ -4,6 +4,7 @@
 #include <vectrix/dynamics/mass/mass_properties.hpp>
 #include <vectrix/frames/dcm_doors.hpp>
 #include <vectrix/kinematics/named/nearest_name.hpp>
+#include <vectrix/kinematics/rates/hat.hpp>
 
 #include "named_craft_core.hpp"
 
@@ -45,22 +46,12 @@ void check_mass(const std::string& part, double mass, const Eigen::Vector3d& cen
   });
 }
 
-std::size_t axes_of(JointKind kind) {
-  if (kind == JointKind::hinge || kind == JointKind::slider) return 1;
-  return kind == JointKind::gimbal ? 2 : 0;
-}
-
-/// J about the origin.
-Eigen::Matrix3d about_origin(double mass, const Eigen::Vector3d& centre, const Eigen::Matrix3d& J) {
-  return J + inertia_of_point_mass<double>(mass, centre);
-}
-
 void check_joint(const std::string& part, const PlainBody& body) {
   through(part, [&] { return dcm(to<ParentBody>, from<ThisBody>, body.R_p_from_b); });
   require_finite(part, "the position on the parent", body.r_pb_p);
-  if (body.axes_b.size() != axes_of(body.joint)) {
-    refuse(part, "a " + std::string{name_of(body.joint)} + " joint has " + text(axes_of(body.joint)) +
-                     " axes, not " + text(body.axes_b.size()));
+  if (const std::size_t axes = counts_of(body.joint).axes; body.axes_b.size() != axes) {
+    refuse(part, "a " + std::string{name_of(body.joint)} + " joint has " + text(axes) + " axes, not " +
+                     text(body.axes_b.size()));
   }
   for (const auto& axis : body.axes_b) require_axis(part, axis);
   if (body.joint == JointKind::gimbal) {
@@ -148,10 +139,9 @@ void check_internals(const PlainSpacecraft& craft, const std::string& name, doub
                      const Eigen::Vector3d& centre, const Eigen::Matrix3d& J_c) {
   using Six = Eigen::Matrix<double, 6, 6>;
   using Vector6 = Eigen::Matrix<double, 6, 1>;
-  Eigen::Matrix3d hat;
-  hat << 0, -centre.z(), centre.y(), centre.z(), 0, -centre.x(), -centre.y(), centre.x(), 0;
+  const Eigen::Matrix3d first = mass * hat(centre);
   Six left;
-  left << about_origin(mass, centre, J_c), mass * hat, -mass * hat, mass * Eigen::Matrix3d::Identity();
+  left << about_origin(mass, centre, J_c), first, -first, mass * Eigen::Matrix3d::Identity();
   const auto positive = [](const Six& matrix) { return Eigen::LLT<Six>(matrix).info() == Eigen::Success; };
   for (const auto& rotor : craft.rotors) {
     if (rotor.body != name) continue;

@@ -1,6 +1,7 @@
 #include <vectrix/dynamics/craft/craft_core.hpp>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vectrix/kinematics/attitude/quaternion.hpp>
@@ -8,11 +9,25 @@
 #include "named_craft_core.hpp"
 
 namespace vectrix::detail {
+namespace {
+
+std::string of_the_craft(const CraftCore& core) {
+  return " of the craft of " + in_quotes(core.plain.hub);
+}
+/// The place of the first number that is not finite; their count if there is none.
+std::size_t not_finite(std::span<const double> numbers) {
+  const auto found =
+      std::find_if(numbers.begin(), numbers.end(), [](double number) { return !std::isfinite(number); });
+  return static_cast<std::size_t>(found - numbers.begin());
+}
+
+}  // namespace
 
 std::shared_ptr<const CraftCore> make_craft_core(PlainSpacecraft plain, std::vector<PlainMount> mounts) {
   const NamedCraftCore named(std::move(plain), "Spacecraft");
-  return std::make_shared<const CraftCore>(
-      CraftCore{named.plain(), named.tree(), named.component_names(), std::move(mounts)});
+  auto core = std::make_shared<CraftCore>(named.core());
+  core->mounts = std::move(mounts);
+  return core;
 }
 
 std::vector<double> quaternion_numbers(const Eigen::Matrix3d& R) {
@@ -21,7 +36,7 @@ std::vector<double> quaternion_numbers(const Eigen::Matrix3d& R) {
 }
 
 std::vector<double> from_mount(const PlainBody& body, std::vector<double> positions) {
-  const Eigen::Quaterniond mount(body.R_p_from_b);
+  const Eigen::Quaterniond mount = unit_quaternion_of(body.R_p_from_b);
   const Eigen::Quaterniond q =
       mount.conjugate() * Eigen::Quaterniond(positions[0], positions[1], positions[2], positions[3]);
   positions[0] = q.w(), positions[1] = q.x(), positions[2] = q.y(), positions[3] = q.z();
@@ -30,14 +45,32 @@ std::vector<double> from_mount(const PlainBody& body, std::vector<double> positi
   return positions;
 }
 
-void require_finite_state(const char* action, const CraftCore& core, double time, std::span<const double> y) {
-  const auto refuse = [&](const std::string& what, double number) {
-    throw BadInput(std::string{action} + " of the craft of " + in_quotes(core.plain.hub) + ": " + what +
-                   " is " + text(number));
+void require_finite_time(const CraftCore& core, const char* action, double time) {
+  if (!std::isfinite(time))
+    throw BadInput(action + of_the_craft(core) + ": the time is " + text(time) + " s");
+}
+void require_state(const CraftCore& core, std::span<const double> y) {
+  if (const std::size_t bad = not_finite(y); bad < y.size())
+    throw BadInput("state" + of_the_craft(core) + ": " + core.component_names[bad] + " is " + text(y[bad]));
+  const auto require_rotation = [&](std::size_t at) {
+    const Eigen::Map<const Eigen::Vector4d> q(&y[at]);
+    if (std::isnormal(q.squaredNorm())) return;
+    throw BadInput("state" + of_the_craft(core) + ": the quaternion from " + core.component_names[at] +
+                   " on has the norm " + text(q.stableNorm()));
   };
-  if (!std::isfinite(time)) refuse("the time, s,", time);
-  for (std::size_t i = 0; i < y.size(); ++i)
-    if (!std::isfinite(y[i])) refuse(core.component_names[i], y[i]);
+  require_rotation(0);
+  const auto& links = core.tree.numbers().links;
+  for (std::size_t i = 0; i < links.size(); ++i) {
+    const multibody::Kind kind = links[i].joint.kind;
+    if (kind == multibody::Kind::ball || kind == multibody::Kind::free)
+      require_rotation(core.tree.layout().position_at[i]);
+  }
+}
+void require_finite_rates(const CraftCore& core, double time, std::span<const double> ydot) {
+  const std::size_t bad = not_finite(ydot);
+  if (bad == ydot.size()) return;
+  throw BadInput("motion" + of_the_craft(core) + " at " + text(time) + " s: the derivative of " +
+                 core.component_names[bad] + " is " + text(ydot[bad]));
 }
 
 }  // namespace vectrix::detail

@@ -1,7 +1,6 @@
 #include "named_craft_core.hpp"
 
 #include <algorithm>
-#include <vectrix/dynamics/mass/parallel_axes.hpp>
 #include <vectrix/dynamics/multibody/hinge.hpp>
 #include <vectrix/dynamics/multibody/slider.hpp>
 #include <vectrix/kinematics/named/nearest_name.hpp>
@@ -10,7 +9,7 @@ namespace vectrix::detail {
 namespace {
 
 multibody::Mass<double> mass_of(double mass, const Eigen::Vector3d& centre, const Eigen::Matrix3d& J_c) {
-  const Eigen::Matrix3d J = J_c + inertia_of_point_mass<double>(mass, centre);
+  const Eigen::Matrix3d J = about_origin(mass, centre, J_c);
   return {
       mass, numbers(Eigen::Vector3d(mass * centre)), {J(0, 0), J(1, 1), J(2, 2), J(0, 1), J(0, 2), J(1, 2)}};
 }
@@ -71,6 +70,29 @@ multibody::TreeNumbers<double> tree_of(const PlainSpacecraft& craft, std::vector
   return tree;
 }
 
+std::vector<std::string> component_names_of(const PlainSpacecraft& craft) {
+  std::vector<std::string> names{"q0", "q1", "q2", "q3", "wx", "wy", "wz"};
+  if (craft.motion == HubMotion::free)
+    for (const char* name : {"rx", "ry", "rz", "vx", "vy", "vz"}) names.emplace_back(name);
+  const auto add = [&](const char* what, std::size_t JointCounts::*count) {
+    for (const PlainBody& body : craft.bodies)
+      for (std::size_t i = 1; i <= counts_of(body.joint).*count; ++i)
+        names.push_back(std::string{what} + text(i) + " of " + in_quotes(body.name));
+  };
+  add("position ", &JointCounts::positions);
+  add("speed ", &JointCounts::speeds);
+  for (const PlainRotor& rotor : craft.rotors) names.push_back("spin of " + in_quotes(rotor.name));
+  for (const PlainMode& mode : craft.modes) names.push_back("coordinate of " + in_quotes(mode.name));
+  for (const PlainMode& mode : craft.modes) names.push_back("rate of " + in_quotes(mode.name));
+  return names;
+}
+
+CraftCore core_of(PlainSpacecraft craft, std::vector<int>& links) {
+  multibody::Tree<double> tree(tree_of(craft, links));
+  std::vector<std::string> names = component_names_of(craft);
+  return {std::move(craft), std::move(tree), std::move(names), {}};
+}
+
 template <class Parts>
 [[noreturn]] void no_part(const char* what, std::string_view name, const Parts& parts) {
   std::vector<std::string_view> names;
@@ -86,16 +108,9 @@ const char* name_of(JointKind kind) {
   constexpr const char* names[]{"hinge", "slider", "gimbal", "ball", "free", "fixed"};
   return names[static_cast<std::size_t>(kind)];
 }
-std::size_t speeds_of(JointKind kind) {
-  constexpr std::size_t counts[]{1, 1, 2, 3, 6, 0};
-  return counts[static_cast<std::size_t>(kind)];
-}
-std::size_t positions_of(JointKind kind) {
-  return speeds_of(kind) + (kind == JointKind::ball || kind == JointKind::free ? 1 : 0);
-}
 
 NamedCraftCore::NamedCraftCore(PlainSpacecraft given, const char* form)
-    : plain_(checked_craft(std::move(given), form)), tree_(tree_of(plain_, links_)) {
+    : core_(core_of(checked_craft(std::move(given), form), links_)) {
   const auto add = [&](const std::string& name, FrameMotion motion) {
     FrameRecord& frame = frames_.emplace_back();
     frame.graph = this;
@@ -104,9 +119,9 @@ NamedCraftCore::NamedCraftCore(PlainSpacecraft given, const char* form)
     frame.number = static_cast<std::uint32_t>(frames_.size() - 1);
     numbers_.emplace(frame.name, frame.number);
   };
-  add(plain_.inertial, FrameMotion::inertial);
-  add(plain_.hub, FrameMotion::moving);
-  for (const PlainBody& body : plain_.bodies) add(body.name, FrameMotion::moving);
+  add(core_.plain.inertial, FrameMotion::inertial);
+  add(core_.plain.hub, FrameMotion::moving);
+  for (const PlainBody& body : core_.plain.bodies) add(body.name, FrameMotion::moving);
 }
 
 NamedFrame NamedCraftCore::frame(std::string_view name) const {
@@ -116,7 +131,7 @@ NamedFrame NamedCraftCore::frame(std::string_view name) const {
 }
 NamedFrame NamedCraftCore::own(NamedFrame frame) const {
   if (frame.record().graph != this)
-    throw BadInput("the frame " + in_quotes(frame) + " is not of the craft of " + in_quotes(plain_.hub));
+    throw BadInput("the frame " + in_quotes(frame) + " is not of the craft of " + in_quotes(core_.plain.hub));
   return frame;
 }
 int NamedCraftCore::link(NamedFrame body, const char* action) const {
@@ -128,46 +143,29 @@ int NamedCraftCore::link(NamedFrame body, const char* action) const {
 
 NamedCraftCore::Joint NamedCraftCore::joint(std::string_view body) const {
   const auto found = numbers_.find(body);
-  if (found == numbers_.end() || found->second < 2) no_part("joint", body, plain_.bodies);
+  if (found == numbers_.end() || found->second < 2) no_part("joint", body, core_.plain.bodies);
   const std::size_t number = found->second - 1;  // the hub is 0
-  const PlainBody& given = plain_.bodies[number - 1];
+  const PlainBody& given = core_.plain.bodies[number - 1];
   const std::size_t last = static_cast<std::size_t>(links_[number]) - 1;
-  return {&given, given.joint == JointKind::gimbal ? last - 1 : last};
+  return {&given, last + 1 - counts_of(given.joint).links};
 }
 std::size_t NamedCraftCore::rotor(std::string_view name) const {
-  const std::size_t found = find_part(plain_.rotors, name);
-  if (found == plain_.rotors.size()) no_part("rotor", name, plain_.rotors);
+  const std::size_t found = find_part(core_.plain.rotors, name);
+  if (found == core_.plain.rotors.size()) no_part("rotor", name, core_.plain.rotors);
   return found;
 }
 std::size_t NamedCraftCore::mode(std::string_view name) const {
-  const std::size_t found = find_part(plain_.modes, name);
-  if (found == plain_.modes.size()) no_part("mode", name, plain_.modes);
+  const std::size_t found = find_part(core_.plain.modes, name);
+  if (found == core_.plain.modes.size()) no_part("mode", name, core_.plain.modes);
   return found;
 }
 
 std::size_t NamedCraftCore::position_at(const Joint& joint, int axis) const {
-  return tree_.layout().position_at[joint.link + static_cast<std::size_t>(axis - 1)];
+  return core_.tree.layout().position_at[joint.link + static_cast<std::size_t>(axis - 1)];
 }
 std::size_t NamedCraftCore::speed_at(const Joint& joint, int axis) const {
-  return tree_.layout().speed_at[joint.link + static_cast<std::size_t>(axis - 1)] -
-         tree_.layout().speeds_begin();
-}
-
-std::vector<std::string> NamedCraftCore::component_names() const {
-  std::vector<std::string> names{"q0", "q1", "q2", "q3", "wx", "wy", "wz"};
-  if (plain_.motion == HubMotion::free)
-    for (const char* name : {"rx", "ry", "rz", "vx", "vy", "vz"}) names.emplace_back(name);
-  const auto add = [&](const char* what, std::size_t (*count)(JointKind)) {
-    for (const PlainBody& body : plain_.bodies)
-      for (std::size_t i = 1; i <= count(body.joint); ++i)
-        names.push_back(std::string{what} + text(i) + " of " + in_quotes(body.name));
-  };
-  add("position ", positions_of);
-  add("speed ", speeds_of);
-  for (const PlainRotor& rotor : plain_.rotors) names.push_back("spin of " + in_quotes(rotor.name));
-  for (const PlainMode& mode : plain_.modes) names.push_back("coordinate of " + in_quotes(mode.name));
-  for (const PlainMode& mode : plain_.modes) names.push_back("rate of " + in_quotes(mode.name));
-  return names;
+  return core_.tree.layout().speed_at[joint.link + static_cast<std::size_t>(axis - 1)] -
+         core_.tree.layout().speeds_begin();
 }
 
 }  // namespace vectrix::detail

@@ -2,8 +2,11 @@
 
 #include <deque>
 #include <unordered_map>
+#include <vectrix/dynamics/craft/craft_core.hpp>
 #include <vectrix/dynamics/craft/eigen_numbers.hpp>
+#include <vectrix/dynamics/craft/joint_counts.hpp>
 #include <vectrix/dynamics/craft/named_spacecraft.hpp>
+#include <vectrix/dynamics/mass/parallel_axes.hpp>
 
 namespace vectrix::detail {
 
@@ -13,8 +16,9 @@ class NamedCraftCore {
   NamedCraftCore(PlainSpacecraft given, const char* form);
   NamedCraftCore(const NamedCraftCore&) = delete;
 
-  const PlainSpacecraft& plain() const { return plain_; }
-  const multibody::Tree<double>& tree() const { return tree_; }
+  const CraftCore& core() const { return core_; }
+  const PlainSpacecraft& plain() const { return core_.plain; }
+  const multibody::Tree<double>& tree() const { return core_.tree; }
 
   /// 0: the inertial frame; 1: the hub; then the bodies.
   NamedFrame frame(std::size_t number) const { return NamedFrame{frames_[number]}; }
@@ -35,21 +39,19 @@ class NamedCraftCore {
   std::size_t position_at(const Joint& joint, int axis) const;
   std::size_t speed_at(const Joint& joint, int axis) const;
 
-  std::vector<std::string> component_names() const;
-
  private:
-  PlainSpacecraft plain_;
   std::vector<int> links_;  // by body, the hub first
-  multibody::Tree<double> tree_;
+  CraftCore core_;
   std::deque<FrameRecord> frames_;
   std::unordered_map<std::string_view, std::size_t> numbers_;  // of the frames, by name
 };
 
 const char* name_of(JointKind kind);
+/// J about the origin, from J about the centre of mass.
+inline Eigen::Matrix3d about_origin(double mass, const Eigen::Vector3d& centre, const Eigen::Matrix3d& J_c) {
+  return J_c + inertia_of_point_mass<double>(mass, centre);
+}
 /// Checks the craft, and puts parents before the bodies that hang on them. `form` begins the messages.
 PlainSpacecraft checked_craft(PlainSpacecraft craft, const char* form);
-/// Numbers of axes: position and speed numbers of a joint.
-std::size_t positions_of(JointKind kind);
-std::size_t speeds_of(JointKind kind);
 
 }  // namespace vectrix::detail

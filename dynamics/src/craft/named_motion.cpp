@@ -38,17 +38,20 @@ void require_free(const NamedCraftCore& core, const char* what, NamedFrame f) {
                    in_quotes(core.plain().hub) + " is only turning, and where it is is not known");
   }
 }
-/// From the hub's origin to that of f, in the hub's axes.
+/// From the hub's origin to that of f, in the hub's axes: between two bodies no digits go to where the craft
+/// is.
 Eigen::Vector3d place(const NamedCraftCore& core, const Work<double>& work, const double* y, NamedFrame f) {
   if (f.motion() != FrameMotion::inertial) return eigen(core.tree().position(core.link(f, "position"), work));
   require_free(core, "position", f);
   return eigen(work.R_i_from_h).transpose() * -Eigen::Vector3d(y[7], y[8], y[9]);
 }
-/// Inertial velocity of the origin of f, in the hub's axes.
+/// The velocity of the origin of f relative to that of the hub, observed from the inertial frame, in the
+/// hub's axes: between two bodies no digits go to the speed of the craft.
 Eigen::Vector3d moving(const NamedCraftCore& core, const Work<double>& work, const double* y, NamedFrame f) {
+  if (f.motion() != FrameMotion::inertial)
+    return eigen(core.tree().velocity_beyond_hub(core.link(f, "velocity"), y, work));
   require_free(core, "velocity", f);
-  if (f.motion() == FrameMotion::inertial) return Eigen::Vector3d::Zero();
-  return eigen(core.tree().velocity(core.link(f, "velocity"), y, work));
+  return eigen(work.R_i_from_h).transpose() * -Eigen::Vector3d(y[10], y[11], y[12]);
 }
 
 /// The joint, if it is of one of the kinds.
@@ -89,22 +92,19 @@ NamedVelocity NamedNow::speed(NamedFrame b, NamedFrame a, NamedFrame o, NamedFra
   return {detail::trusted, b, a, o, {detail::trusted, c, in_axes_of(*core_, *work_, c, v)}};
 }
 
+multibody::Conserved<double> NamedNow::conserved() const {
+  return core_->tree().conserved(y_, multibody::zero_column<double>(), *work_);
+}
 Quantity<si::energy> NamedNow::energy() const {
-  return Quantity<si::energy>::from_value(
-      core_->tree().conserved(y_, multibody::zero_column<double>(), *work_).energy);
+  return Quantity<si::energy>::from_value(conserved().energy);
 }
 NamedVector<si::momentum> NamedNow::momentum() const {
-  const auto now = core_->tree().conserved(y_, multibody::zero_column<double>(), *work_);
-  return {detail::trusted, core_->frame(std::size_t{0}), eigen(now.momentum)};
+  return {detail::trusted, core_->frame(std::size_t{0}), eigen(conserved().momentum)};
 }
 NamedVector<si::angular_momentum> NamedNow::angular_momentum() const {
-  const auto now = core_->tree().conserved(y_, multibody::zero_column<double>(), *work_);
-  return {detail::trusted, core_->frame(std::size_t{0}), eigen(now.angular_momentum)};
+  return {detail::trusted, core_->frame(std::size_t{0}), eigen(conserved().angular_momentum)};
 }
 
-NamedFrame NamedForces::frame(std::string_view name) const {
-  return core_->frame(name);
-}
 void NamedForces::force(NamedFrame body, const NamedVector<si::force>& F_c) {
   const auto F = in_hub_axes(*core_, *work_, F_c.in(), F_c.coordinates());
   core_->tree().add_wrench(core_->link(body, "force"), numbers(F), multibody::zero_column<double>(), *work_);
@@ -123,7 +123,7 @@ void NamedForces::torque(NamedFrame body, const NamedVector<si::torque>& M_c) {
 void NamedForces::effort(std::string_view body, const Quantity<si::torque>& about, int axis) {
   const auto joint =
       joint_of_kind(*core_, body, "a torque about an axis", {JointKind::hinge, JointKind::gimbal});
-  if (axis < 1 || axis > (joint.body->joint == JointKind::gimbal ? 2 : 1))
+  if (axis < 1 || static_cast<std::size_t>(axis) > detail::counts_of(joint.body->joint).axes)
     throw BadInput("effort on " + in_quotes(body) + ": its joint has no axis " + detail::text(axis));
   work_->efforts[core_->speed_at(joint, axis)] += about.value();
 }

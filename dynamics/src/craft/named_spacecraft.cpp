@@ -1,7 +1,7 @@
 #include <vectrix/dynamics/craft/named_spacecraft.hpp>
 
 #include <algorithm>
-#include <cmath>
+#include <vectrix/dynamics/craft/plain_parts.hpp>
 
 #include "named_craft_core.hpp"
 
@@ -13,24 +13,10 @@ using detail::NamedCraftCore;
 
 PlainSpacecraft plain_of(const NamedHub& hub, const std::vector<NamedBody>& bodies,
                          const std::vector<NamedRotor>& rotors, const std::vector<NamedMode>& modes) {
-  const auto centre = [](const auto& mass) { return mass.centre().coordinates(); };
-  PlainSpacecraft craft{hub.inertial,
-                        hub.name,
-                        hub.motion,
-                        hub.mass.mass().value(),
-                        centre(hub.mass),
-                        hub.mass.inertia().matrix(),
-                        {},
-                        {},
-                        {}};
-  for (const NamedBody& body : bodies) {
-    std::vector<Eigen::Vector3d> axes;
-    for (const auto& axis : body.joint.axes_b) axes.push_back(axis.coordinates());
-    const auto& X = body.joint.X_p_from_b;
-    craft.bodies.push_back({body.name, body.parent, body.joint.kind, axes, X.rotation.matrix(),
-                            X.translation.coordinates(), body.mass.mass().value(), centre(body.mass),
-                            body.mass.inertia().matrix()});
-  }
+  PlainSpacecraft craft = detail::plain_hub(hub.inertial, hub.name, hub.motion, hub.mass);
+  for (const auto& [name, parent, mass, joint] : bodies)
+    craft.bodies.push_back(
+        detail::plain_body(name, parent, joint.kind, joint.X_p_from_b, joint.axes_b, mass));
   for (const NamedRotor& rotor : rotors)
     craft.rotors.push_back({rotor.name, rotor.body, rotor.axis_b.coordinates(), rotor.inertia.value()});
   for (const NamedMode& mode : modes)
@@ -50,19 +36,15 @@ std::vector<Held> resolved(const NamedCraftCore& core, const std::vector<NamedHe
   for (const NamedHeld& how : held) {
     const auto joint = core.joint(how.body());
     const JointKind kind = joint.body->joint;
-    const bool fits = how.of() == NamedHeld::Of::any ||
-                      (how.of() == NamedHeld::Of::hinge && kind == JointKind::hinge) ||
-                      (how.of() == NamedHeld::Of::slider && kind == JointKind::slider);
-    if (!fits) {
+    if (how.joint() && how.joint() != kind) {
       throw BadInput("prescribed(" + in_quotes(how.body()) + "): its joint is a " + detail::name_of(kind) +
-                     ", and the acceleration that of a " +
-                     (how.of() == NamedHeld::Of::hinge ? "hinge" : "slider"));
+                     ", and the acceleration that of a " + detail::name_of(*how.joint()));
     }
     for (const Held& other : list)
       if (other.how.body() == how.body())
         throw BadInput("the joint of " + in_quotes(how.body()) + " is held twice");
-    list.push_back({how, joint.link, kind == JointKind::gimbal ? 2U : 1U, core.speed_at(joint, 1),
-                    detail::speeds_of(kind)});
+    const detail::JointCounts counts = detail::counts_of(kind);
+    list.push_back({how, joint.link, counts.links, core.speed_at(joint, 1), counts.speeds});
   }
   return list;
 }
@@ -83,14 +65,14 @@ struct Evaluation {
       std::fill_n(work.held.begin() + static_cast<std::ptrdiff_t>(joint.first_link), joint.links, char{1});
   }
 
-  void operator()(double t, const double* y, double* ydot) {
+  void operator()(double segment_start, double t, const double* y, double* ydot) {
     for (const Held& joint : held)
       std::fill_n(work.given.begin() + static_cast<std::ptrdiff_t>(joint.first_speed), joint.speeds,
                   joint.how.acceleration(t));
     core->tree().place(y, work);
     if (loads) {
       NamedForces forces{detail::trusted, *core, work};
-      loads(NamedNow{detail::trusted, *core, t, y, work}, forces);
+      loads(NamedNow{detail::trusted, *core, segment_start, t, y, work}, forces);
     }
     core->tree().solve(y, ydot, work);
   }
@@ -126,16 +108,11 @@ NamedFrame NamedSpacecraft::inertial() const {
 NamedMotion NamedSpacecraft::motion(const NamedState& state, const Quantity<si::time>& time,
                                     const NamedLoads& loads, const std::vector<NamedHeld>& held) const {
   if (state.view().core != core_.get()) throw BadInput("motion: the state is of another craft");
-  if (!std::isfinite(time.value()))
-    throw BadInput("motion: the time is " + detail::text(time.value()) + " s");
+  detail::require_finite_time(core_->core(), "motion", time.value());
   Evaluation evaluate(core_, loads, held);
   std::vector<double> ydot(state.numbers().size());
-  evaluate(time.value(), state.numbers().data(), ydot.data());
-  for (std::size_t i = 0; i < ydot.size(); ++i) {
-    if (std::isfinite(ydot[i])) continue;
-    throw BadInput("motion at " + detail::text(time.value()) + " s: the derivative of " +
-                   core_->component_names()[i] + " is " + detail::text(ydot[i]));
-  }
+  evaluate(time.value(), time.value(), state.numbers().data(), ydot.data());
+  detail::require_finite_rates(core_->core(), time.value(), ydot);
   return {detail::trusted, core_, time.value(), state.numbers(), std::move(ydot), std::move(evaluate.work)};
 }
 
@@ -145,17 +122,16 @@ ode::Problem NamedSpacecraft::problem(const NamedState& state, const Quantity<si
                                       const std::vector<NamedHeld>& held) const {
   if (state.view().core != core_.get()) throw BadInput("problem: the state is of another craft");
   ode::Problem problem;
-  problem.rhs = [evaluate = Evaluation(core_, loads, held)](double, double t, std::span<const double> y,
-                                                            std::span<double> ydot) mutable {
-    evaluate(t, y.data(), ydot.data());
-  };
+  problem.rhs = [evaluate = Evaluation(core_, loads, held)](
+                    double segment_start, double t, std::span<const double> y,
+                    std::span<double> ydot) mutable { evaluate(segment_start, t, y.data(), ydot.data()); };
   problem.initial_state = state.numbers();
   problem.start = start.value();
   problem.end = end.value();
   problem.relative_tolerance = relative_tolerance;
   problem.absolute_tolerances = absolute_tolerances(core_->plain(), tolerances);
   problem.caller = "NamedSpacecraft " + in_quotes(core_->plain().hub);
-  problem.component_names = core_->component_names();
+  problem.component_names = core_->core().component_names;
   return problem;
 }
 

@@ -2,7 +2,6 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <cmath>
 #include <vectrix/dynamics/craft/craft_core.hpp>
 #include <vectrix/kinematics/named/quaternion.hpp>
 
@@ -11,20 +10,6 @@
 namespace vectrix {
 namespace detail {
 namespace {
-
-const char* name_of(NamedStart::Of of) {
-  constexpr const char* names[]{"hinge", "slider", "gimbal", "ball", "free", "rotor", "mode"};
-  return names[static_cast<std::size_t>(of)];
-}
-
-void require_finite(const std::string& place, const std::vector<double>& numbers) {
-  for (const double number : numbers)
-    if (!std::isfinite(number)) throw BadInput(place + ": a number of the start is " + text(number));
-}
-
-void append(std::vector<double>& numbers, const Eigen::Vector3d& v) {
-  numbers.insert(numbers.end(), {v.x(), v.y(), v.z()});
-}
 
 /// Puts the starts in the places of a state; each part once.
 void place_starts(const NamedCraftCore& core, const std::vector<NamedStart>& starts, std::vector<double>& y) {
@@ -37,19 +22,17 @@ void place_starts(const NamedCraftCore& core, const std::vector<NamedStart>& sta
   for (const auto& mode : plain.modes) missing.push_back(mode.name);
   for (const NamedStart& start : starts) {
     const std::string place = "state: the start of " + in_quotes(start.name());
-    require_finite(place, start.positions());
-    require_finite(place, start.speeds());
-    if (start.of() == NamedStart::Of::rotor) {
+    if (std::holds_alternative<NamedStart::Rotor>(start.of())) {
       y[layout.rotors_begin() + core.rotor(start.name())] = start.speeds()[0];
-    } else if (start.of() == NamedStart::Of::mode) {
+    } else if (std::holds_alternative<NamedStart::Mode>(start.of())) {
       const std::size_t at = layout.modes_begin() + core.mode(start.name());
       y[at] = start.positions()[0];
       y[at + layout.modes] = start.speeds()[0];
     } else {
       const auto joint = core.joint(start.name());
-      if (static_cast<int>(joint.body->joint) != static_cast<int>(start.of())) {
-        throw BadInput(place + " is that of a " + name_of(start.of()) + ", its joint is a " +
-                       detail::name_of(joint.body->joint));
+      if (const JointKind kind = std::get<JointKind>(start.of()); kind != joint.body->joint) {
+        throw BadInput(place + " is that of a " + name_of(kind) + ", its joint is a " +
+                       name_of(joint.body->joint));
       }
       if (!start.relative_to().empty() && start.relative_to() != joint.body->parent) {
         throw BadInput(place + " is relative to " + in_quotes(start.relative_to()) + ", and it hangs on " +
@@ -98,11 +81,8 @@ double named_number(const NamedView& view, NamedNumber number, std::string_view 
   const auto joint = core.joint(name);
   const JointKind kind = joint.body->joint;
   const bool turns = number == NamedNumber::angle || number == NamedNumber::angle_rate;
-  const int axes = turns ? (kind == JointKind::hinge    ? 1
-                            : kind == JointKind::gimbal ? 2
-                                                        : 0)
-                         : (kind == JointKind::slider ? 1 : 0);
-  if (axis < 1 || axis > axes) {
+  const bool fits = turns == (kind != JointKind::slider);
+  if (!fits || axis < 1 || static_cast<std::size_t>(axis) > counts_of(kind).axes) {
     throw BadInput(std::string{turns ? "angle " : "length "} + text(axis) + " of " + in_quotes(name) +
                    ": its joint is a " + name_of(kind));
   }
@@ -118,7 +98,7 @@ NamedStart starts(const NamedMovingDcm& R_p_from_b) {
   detail::append(w, R_p_from_b.angular_velocity().coordinates());
   return {detail::trusted,
           R_p_from_b.rotation().from().name(),
-          NamedStart::Of::ball,
+          JointKind::ball,
           detail::quaternion_numbers(R_p_from_b.rotation().matrix()),
           w,
           R_p_from_b.rotation().to().name()};
@@ -129,7 +109,7 @@ NamedStart starts(const NamedMovingTransform& X_p_from_b) {
   detail::append(positions, X_p_from_b.translation().coordinates());
   detail::append(speeds, X_p_from_b.turning().angular_velocity().coordinates());
   detail::append(speeds, X_p_from_b.velocity().coordinates());
-  return {detail::trusted, X_p_from_b.turning().rotation().from().name(), NamedStart::Of::free, positions,
+  return {detail::trusted, X_p_from_b.turning().rotation().from().name(), JointKind::free, positions,
           speeds,          X_p_from_b.turning().rotation().to().name()};
 }
 
@@ -165,10 +145,7 @@ NamedState NamedSpacecraft::state(std::span<const double> numbers) const {
     throw BadInput("state: " + detail::text(numbers.size()) + " numbers; the craft of " +
                    detail::in_quotes(plain().hub) + " has " + detail::text(size));
   }
-  for (std::size_t i = 0; i < size; ++i) {
-    if (std::isfinite(numbers[i])) continue;
-    throw BadInput("state: " + core_->component_names()[i] + " is " + detail::text(numbers[i]));
-  }
+  detail::require_state(core_->core(), numbers);
   return {detail::trusted, core_, {numbers.begin(), numbers.end()}};
 }
 

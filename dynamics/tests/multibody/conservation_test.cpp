@@ -20,12 +20,6 @@ constexpr double instant_tolerance = 1e-10;
 Vector3d rate_of(const mb::Column<Dual>& v) {
   return {v.x.derivatives()[0], v.y.derivatives()[0], v.z.derivatives()[0]};
 }
-Vector3d eigen(const mb::Column<double>& v) {
-  return {v.x, v.y, v.z};
-}
-Matrix3d eigen(const mb::Square<double>& m) {
-  return (Matrix3d() << eigen(m.x), eigen(m.y), eigen(m.z)).finished();
-}
 
 TEST(Conservation, MomentumChangesByTheForcesAndEnergyByTheirPower) {
   RandomCraft random(20260310);
@@ -40,6 +34,11 @@ TEST(Conservation, MomentumChangesByTheForcesAndEnergyByTheirPower) {
     auto k = tree.work();
     tree.place(y.data(), k);
     double power = 0.0, mass = 0.0;
+    const Matrix3d R = eigen(k.R_i_from_h);
+    const Vector3d about = random.triple();
+    const bool free = motion == mb::HubMotion::free;
+    const Vector3d r_h = free ? Vector3d(Eigen::Map<const Vector3d>(&y[7]) - about) : Vector3d::Zero();
+    Vector3d first = Vector3d::Zero();  // the first moment about that point, in inertial axes
     for (std::size_t i = 0; i < k.efforts.size(); ++i) {
       k.efforts[i] = random.normal();
       power += k.efforts[i] * y[layout.speeds_begin() + i];
@@ -50,28 +49,31 @@ TEST(Conservation, MomentumChangesByTheForcesAndEnergyByTheirPower) {
     }
     for (std::size_t i = 0; i < k.modal.size(); ++i) {
       const auto& mode = tree.numbers().modes[i];
-      const double rate = y[layout.modes_begin() + layout.modes + i];
+      const double eta = y[layout.modes_begin() + i], rate = y[layout.modes_begin() + layout.modes + i];
+      first += eta * R * eigen(tree.rotation(mode.body, k) * mode.translation);
       k.modal[i] = random.normal();
       power += (k.modal[i] - 2.0 * mode.damping_ratio * mode.frequency * rate) * rate;
     }
-    const Matrix3d R = eigen(k.R_i_from_h);
-    const Vector3d about = random.triple();
-    const bool free = motion == mb::HubMotion::free;
-    const Vector3d r_h = free ? Vector3d(Eigen::Map<const Vector3d>(&y[7]) - about) : Vector3d::Zero();
     Vector3d force = Vector3d::Zero(), torque = force;
     for (int body = 0; body <= static_cast<int>(k.links.size()); ++body) {
-      mass += body == 0 ? tree.numbers().hub.m : tree.numbers().links[std::size_t(body) - 1].mass.m;
+      const mb::Mass<double>& own =
+          body == 0 ? tree.numbers().hub : tree.numbers().links[std::size_t(body) - 1].mass;
+      const Vector3d r = r_h + R * eigen(tree.position(body, k));
+      mass += own.m;
+      first += own.m * r + R * eigen(tree.rotation(body, k) * own.mc);
       const Vector3d F = free ? random.triple() : Vector3d::Zero(), T = random.triple();
       tree.add_wrench(body, plain_column<double>(F), plain_column<double>(T), k);
       power += F.dot(eigen(tree.velocity(body, y.data(), k))) + T.dot(eigen(tree.angular_velocity(body, k)));
       force += R * F;
-      torque += R * T + (r_h + R * eigen(tree.position(body, k))).cross(R * F);
+      torque += R * T + r.cross(R * F);
     }
     const auto now = tree.conserved(y.data(), plain_column<double>(about), k);
-    if (free) {  // a uniform field acts at the centre of mass: the moment of the first moment with g
-      k.field = plain_column<double>(random.triple());
-      force += mass * eigen(k.field);
-      power += eigen(k.field).dot(eigen(now.momentum));
+    if (free) {  // a uniform field acts on every mass
+      const Vector3d g = random.triple();
+      k.field = plain_column<double>(g);
+      force += mass * g;
+      torque += first.cross(g);
+      power += g.dot(eigen(now.momentum));
     }
     tree.solve(y.data(), ydot.data(), k);
 
@@ -82,20 +84,11 @@ TEST(Conservation, MomentumChangesByTheForcesAndEnergyByTheirPower) {
     along.place(z.data(), j);
     const auto kept = along.conserved(z.data(), plain_column<Dual>(about), j);
     const double scale = 1.0 + std::abs(now.energy) + std::abs(power) + torque.norm();
-    EXPECT_NEAR(kept.energy.value(), now.energy, instant_tolerance * scale);
     EXPECT_NEAR(kept.energy.derivatives()[0], power, instant_tolerance * scale) << "of " << scale;
     EXPECT_LE((rate_of(kept.momentum) - force).norm(), instant_tolerance * scale);
+    EXPECT_LE((rate_of(kept.angular_momentum) - torque).norm(), instant_tolerance * scale);
     if (!free) {
       EXPECT_LE(eigen(now.momentum).norm(), instant_tolerance * scale);
-      EXPECT_LE((rate_of(kept.angular_momentum) - torque).norm(), instant_tolerance * scale);
-    } else {
-      k.field = mb::zero_column<double>();
-      tree.place(y.data(), k);
-      tree.solve(y.data(), ydot.data(), k);  // without loads: the angular momentum is kept
-      for (std::size_t i = 0; i < y.size(); ++i) z[i].derivatives()[0] = ydot[i];
-      along.place(z.data(), j);
-      const auto unloaded = along.conserved(z.data(), plain_column<Dual>(about), j);
-      EXPECT_LE(rate_of(unloaded.angular_momentum).norm(), instant_tolerance * scale);
     }
   }
 }

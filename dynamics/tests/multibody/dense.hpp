@@ -38,9 +38,9 @@ struct DenseMotion {
   std::vector<Vector3d> force, torque;
 };
 
-inline int speeds_of(Word word) {
+inline int speeds_of(JointKind joint) {
   constexpr int of[]{1, 1, 2, 3, 6, 0};
-  return of[static_cast<int>(word)];
+  return of[static_cast<int>(joint)];
 }
 inline Matrix3d turn(const double* q) {
   return Eigen::Quaterniond(q[0], q[1], q[2], q[3]).normalized().toRotationMatrix();
@@ -50,8 +50,8 @@ inline DenseMotion dense_motion(const DescribedCraft& craft, const double* y, co
   const int bodies = static_cast<int>(craft.bodies.size());
   int joint_speeds = 0, positions = 0;
   for (const Described& b : craft.bodies) {
-    joint_speeds += speeds_of(b.word);
-    positions += speeds_of(b.word) + (b.word == Word::ball || b.word == Word::free ? 1 : 0);
+    joint_speeds += speeds_of(b.joint);
+    positions += speeds_of(b.joint) + (b.joint == JointKind::ball || b.joint == JointKind::free ? 1 : 0);
   }
   const int rotors = static_cast<int>(craft.rotors.size()), modes = static_cast<int>(craft.modes.size());
   const int n = 6 + joint_speeds + rotors + modes;
@@ -86,53 +86,53 @@ inline DenseMotion dense_motion(const DescribedCraft& craft, const double* y, co
       b.alpha += b.w.cross(axis * speed);
       b.w += axis * speed;
     };
-    switch (d.word) {
-      case Word::hinge:
+    switch (d.joint) {
+      case JointKind::hinge:
         Q = Q * Eigen::AngleAxisd(q[0], d.axis_1).toRotationMatrix();
         turned_by(n1, at, u[0]);
         break;
-      case Word::slider:
+      case JointKind::slider:
         slide = n1 * q[0], slide_rate = n1 * u[0];
         break;
-      case Word::gimbal: {
+      case JointKind::gimbal: {
         const Matrix3d first = Eigen::AngleAxisd(q[0], d.axis_1).toRotationMatrix();
         turned_by(n1, at, u[0]);
         turned_by(p.R * Q * first * d.axis_2, at + 1, u[1]);
         Q = Q * first * Eigen::AngleAxisd(q[1], d.axis_2).toRotationMatrix();
         break;
       }
-      case Word::ball:
-      case Word::free: {
+      case JointKind::ball:
+      case JointKind::free: {
         Q = Q * turn(q);
         const Matrix3d R = p.R * Q;
         const Vector3d relative = R * Vector3d(u[0], u[1], u[2]);
         b.turning.middleCols(at, 3) += R;
         b.alpha += b.w.cross(relative);
         b.w += relative;
-        if (d.word == Word::free) {
+        if (d.joint == JointKind::free) {
           slide = p.R * Vector3d(q[4], q[5], q[6]), slide_rate = p.R * Vector3d(u[3], u[4], u[5]);
         }
         break;
       }
-      case Word::fixed:
+      case JointKind::fixed:
         break;
     }
     b.R = p.R * Q;
     const Vector3d r = p.R * d.r_pb_p + slide;
     b.r = p.r + r;
     b.moving = p.moving - hat(r) * p.turning;
-    if (d.word == Word::slider) b.moving.col(at) += n1;
-    if (d.word == Word::free) b.moving.middleCols(at + 3, 3) += p.R;
+    if (d.joint == JointKind::slider) b.moving.col(at) += n1;
+    if (d.joint == JointKind::free) b.moving.middleCols(at + 3, 3) += p.R;
     b.a = p.a + p.alpha.cross(r) + p.w.cross(p.w.cross(r)) + 2.0 * p.w.cross(slide_rate);
     out.bodies.push_back(b);
-    for (int k = 0; k < speeds_of(d.word); ++k) {
+    for (int k = 0; k < speeds_of(d.joint); ++k) {
       given[std::size_t(at + k)] = acting.held[std::size_t(i) + 1];
       if (given[std::size_t(at + k)]) known[at + k] = acting.given[at + k - 6];
     }
     column_of.push_back(at);
-    q += speeds_of(d.word) + (d.word == Word::ball || d.word == Word::free ? 1 : 0);
-    u += speeds_of(d.word);
-    at += speeds_of(d.word);
+    q += speeds_of(d.joint) + (d.joint == JointKind::ball || d.joint == JointKind::free ? 1 : 0);
+    u += speeds_of(d.joint);
+    at += speeds_of(d.joint);
   }
 
   // M x = F, the known accelerations on the right
@@ -155,11 +155,10 @@ inline DenseMotion dense_motion(const DescribedCraft& craft, const double* y, co
     F += b.moving.transpose() * acting.force[std::size_t(i)] +
          b.turning.transpose() * acting.torque[std::size_t(i)];
   }
-  const auto column = [](const mb::Column<double>& v) { return Vector3d(v.x, v.y, v.z); };
   for (int k = 0; k < rotors; ++k) {
     const auto& rotor = craft.rotors[std::size_t(k)];
     const DenseBody& b = out.bodies[std::size_t(rotor.body)];
-    const Vector3d axis = b.R * column(rotor.axis);
+    const Vector3d axis = b.R * eigen(rotor.axis);
     const int c = 6 + joint_speeds + k;
     M(c, c) += rotor.inertia;
     const VectorXd coupling = b.turning.transpose() * axis * rotor.inertia;
@@ -170,7 +169,7 @@ inline DenseMotion dense_motion(const DescribedCraft& craft, const double* y, co
   for (int k = 0; k < modes; ++k) {
     const auto& mode = craft.modes[std::size_t(k)];
     const DenseBody& b = out.bodies[std::size_t(mode.body)];
-    const Vector3d r = b.R * column(mode.rotation), t = b.R * column(mode.translation), moment = t * eta[k];
+    const Vector3d r = b.R * eigen(mode.rotation), t = b.R * eigen(mode.translation), moment = t * eta[k];
     const int c = 6 + joint_speeds + rotors + k;
     M(c, c) += 1.0;
     const VectorXd coupling = b.turning.transpose() * r + b.moving.transpose() * t;
@@ -216,13 +215,13 @@ inline DenseMotion dense_motion(const DescribedCraft& craft, const double* y, co
     for (int k = 0; k < rotors; ++k) {
       const auto& rotor = craft.rotors[std::size_t(k)];
       if (rotor.body != i) continue;
-      const Vector3d axis = b.R * column(rotor.axis) * rotor.inertia;
+      const Vector3d axis = b.R * eigen(rotor.axis) * rotor.inertia;
       torque += axis * out.accelerations[joint_speeds + k] + b.w.cross(axis) * spin[k];
     }
     for (int k = 0; k < modes; ++k) {
       const auto& mode = craft.modes[std::size_t(k)];
       if (mode.body != i) continue;
-      const Vector3d r = b.R * column(mode.rotation), t = b.R * column(mode.translation), moment = t * eta[k];
+      const Vector3d r = b.R * eigen(mode.rotation), t = b.R * eigen(mode.translation), moment = t * eta[k];
       const double second = out.accelerations[joint_speeds + rotors + k];
       force += b.alpha.cross(moment) + b.w.cross(b.w.cross(moment) + 2.0 * t * rate[k]) + t * second;
       torque += moment.cross(b.a - acting.field) + b.w.cross(r) * rate[k] + r * second;

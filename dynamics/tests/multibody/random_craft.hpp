@@ -4,6 +4,8 @@
 #include <Eigen/LU>
 #include <random>
 #include <vector>
+#include <vectrix/dynamics/craft/eigen_numbers.hpp>
+#include <vectrix/dynamics/craft/plain_spacecraft.hpp>
 #include <vectrix/dynamics/multibody/hinge.hpp>
 #include <vectrix/dynamics/multibody/slider.hpp>
 #include <vectrix/dynamics/multibody/tree.hpp>
@@ -14,12 +16,12 @@ namespace vectrix_test {
 namespace mb = vectrix::multibody;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
-
-enum class Word { hinge, slider, gimbal, ball, free, fixed };
+using vectrix::JointKind;
+using vectrix::detail::eigen;
 
 /// A body as a user describes it; J about the centre c, in the axes of the body.
 struct Described {
-  Word word;
+  JointKind joint;
   int parent;  // 0: the hub
   Matrix3d R_p_from_b;
   Vector3d axis_1, axis_2, r_pb_p;
@@ -46,14 +48,14 @@ class RandomCraft {
     return Eigen::Quaterniond(normal(), normal(), normal(), normal()).normalized().toRotationMatrix();
   }
 
-  Described body(int parent, Word word, double scale) {
+  Described body(int parent, JointKind joint, double scale) {
     const double m = scale * between(0.3, 3.0);
     const Vector3d half(between(0.1, 1.0), between(0.1, 1.0), between(0.1, 1.0));
     const Vector3d squares = half.cwiseAbs2();
     const Vector3d moments = m / 3.0 * (Vector3d::Constant(squares.sum()) - squares);  // of a box
     const Matrix3d axes = rotation();
     const Vector3d axis = triple().normalized();
-    return {word,
+    return {joint,
             parent,
             rotation(),
             axis,
@@ -65,8 +67,8 @@ class RandomCraft {
   }
 
   DescribedCraft craft(int bodies) {
-    DescribedCraft craft{body(0, Word::free, 10.0), {}, {}, {}};
-    for (int i = 0; i < bodies; ++i) craft.bodies.push_back(body(below(i + 1), Word(below(6)), 1.0));
+    DescribedCraft craft{body(0, JointKind::free, 10.0), {}, {}, {}};
+    for (int i = 0; i < bodies; ++i) craft.bodies.push_back(body(below(i + 1), JointKind(below(6)), 1.0));
     for (int i = 0; i < 3; ++i) {
       const int at = below(bodies + 1);
       const Vector3d n = triple().normalized();
@@ -120,29 +122,29 @@ template <class S> Lowered<S> lowered(const DescribedCraft& craft, mb::HubMotion
     const mb::Square<S> R = plain_square<S>(b.R_p_from_b);
     const mb::Column<S> r = plain_column<S>(b.r_pb_p), n = plain_column<S>(b.axis_1);
     auto& links = made.numbers.links;
-    switch (b.word) {
-      case Word::hinge:
+    switch (b.joint) {
+      case JointKind::hinge:
         links.push_back({parent, mb::hinge(R, n, r), mass});
         break;
-      case Word::slider:
+      case JointKind::slider:
         links.push_back({parent, mb::slider(R, n, r), mass});
         break;
-      case Word::gimbal:
+      case JointKind::gimbal:
         mb::add_gimbal(made.numbers, parent, R, n, plain_column<S>(b.axis_2), r, mass);
         break;
-      case Word::ball:
+      case JointKind::ball:
         links.push_back({parent, mb::joint(mb::Kind::ball, R, r), mass});
         break;
-      case Word::free:
+      case JointKind::free:
         links.push_back({parent, mb::joint(mb::Kind::free, R, r), mass});
         break;
-      case Word::fixed:
+      case JointKind::fixed:
         links.push_back({parent, mb::joint(mb::Kind::fixed, R, r), mass});
         break;
     }
     made.number.push_back(static_cast<int>(links.size()));
   }
-  const auto column = [](const mb::Column<double>& v) { return plain_column<S>(Vector3d(v.x, v.y, v.z)); };
+  const auto column = [](const mb::Column<double>& v) { return plain_column<S>(eigen(v)); };
   for (const auto& rotor : craft.rotors)
     made.numbers.rotors.push_back(
         {made.number[std::size_t(rotor.body)], column(rotor.axis), S(rotor.inertia)});

@@ -12,10 +12,6 @@ namespace {
 /// Rounding of a dense solution of up to a thousand unknowns, with light bodies and heavy ones.
 constexpr double dense_tolerance = 1e-9;
 
-Vector3d eigen(const mb::Column<double>& v) {
-  return {v.x, v.y, v.z};
-}
-
 /// A craft with random loads, a third of its joints held in motion.
 struct Case {
   DescribedCraft craft;
@@ -54,7 +50,7 @@ struct Case {
     for (std::size_t i = 1; i < made.number.size(); ++i) {
       const auto link = static_cast<std::size_t>(made.number[i]) - 1;
       k.held[link] = acting.held[i];
-      if (craft.bodies[i - 1].word == Word::gimbal) k.held[link - 1] = acting.held[i];
+      if (craft.bodies[i - 1].joint == JointKind::gimbal) k.held[link - 1] = acting.held[i];
     }
     k.given.assign(acting.given.begin(), acting.given.end());
     tree.place(y.data(), k);
@@ -181,7 +177,7 @@ TEST(Tree, AHeldHingeAtRestIsAFixedJoint) {
   RandomCraft random(20260305);
   for (int trial = 0; trial < trials(50); ++trial) {
     DescribedCraft craft = random.craft(6);
-    craft.bodies[3].word = Word::hinge;
+    craft.bodies[3].joint = JointKind::hinge;
     const mb::Tree<double> tree(lowered<double>(craft, mb::HubMotion::free).numbers);
     auto y = random.state(tree);
     const std::size_t link =
@@ -194,7 +190,7 @@ TEST(Tree, AHeldHingeAtRestIsAFixedJoint) {
     tree.solve(y.data(), ydot.data(), k);
 
     DescribedCraft welded = craft;
-    welded.bodies[3].word = Word::fixed;
+    welded.bodies[3].joint = JointKind::fixed;
     welded.bodies[3].R_p_from_b *=
         Eigen::AngleAxisd(y[tree.layout().position_at[link]], craft.bodies[3].axis_1).toRotationMatrix();
     const mb::Tree<double> other(lowered<double>(welded, mb::HubMotion::free).numbers);

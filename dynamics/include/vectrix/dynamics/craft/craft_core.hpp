@@ -16,8 +16,8 @@ struct PlainMount {
   multibody::Column<double> r_bc_b;
 };
 
-/// What a typed spacecraft is when its names are lost: the same tree as that of a NamedSpacecraft of the
-/// same parts.
+/// What a spacecraft is when its names are lost: the same of a Spacecraft and of a NamedSpacecraft of the
+/// same parts, but for the mounts, which only the first has.
 struct CraftCore {
   PlainSpacecraft plain;
   multibody::Tree<double> tree;
@@ -36,8 +36,11 @@ VECTRIX_EXPORT std::vector<double> quaternion_numbers(const Eigen::Matrix3d& R);
 /// from the mount.
 VECTRIX_EXPORT std::vector<double> from_mount(const PlainBody& body, std::vector<double> positions);
 
-/// Throws BadInput with the name of a number that is not finite.
-VECTRIX_EXPORT void require_finite_state(const char* action, const CraftCore& core, double time,
-                                         std::span<const double> y);
+VECTRIX_EXPORT void require_finite_time(const CraftCore& core, const char* action, double time);
+/// Throws BadInput with the name of a number that is not finite, or with that of a quaternion whose square is
+/// zero, infinite or without all its digits: no rotation follows from it. Any other norm is accepted.
+VECTRIX_EXPORT void require_state(const CraftCore& core, std::span<const double> y);
+/// Throws BadInput with the name of a number whose derivative is not finite.
+VECTRIX_EXPORT void require_finite_rates(const CraftCore& core, double time, std::span<const double> ydot);
 
 }  // namespace vectrix::detail

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <vector>
 #include <vectrix/dynamics/multibody/spatial.hpp>
 
 /// Between the numbers of the engine and those of the frames.
@@ -23,6 +24,9 @@ inline Eigen::Matrix3d eigen(const Square3& m) {
   Eigen::Matrix3d matrix;
   matrix << m.x.x, m.y.x, m.z.x, m.x.y, m.y.y, m.z.y, m.x.z, m.y.z, m.z.z;
   return matrix;
+}
+inline void append(std::vector<double>& numbers, const Eigen::Vector3d& v) {
+  numbers.insert(numbers.end(), {v.x(), v.y(), v.z()});
 }
 inline Square3 transposed(const Square3& m) {
   return {{m.x.x, m.y.x, m.z.x}, {m.x.y, m.y.y, m.z.y}, {m.x.z, m.y.z, m.z.z}};

@@ -150,24 +150,14 @@ template <CraftType C> class Forces {
   template <class D> [[gnu::always_inline]] detail::Column3 hub(const Eigen::Vector3d& v_d) const {
     return at_.template to_hub<D>(detail::numbers(v_d));
   }
-  template <class B> static constexpr auto carrier_of() {
-    if constexpr (Shape::template is<B, detail::PartRole::mount>)
-      return std::type_identity<typename Shape::template Part<B>::carrier>{};
-    else
-      return std::type_identity<B>{};
-  }
   template <class B, class D> void push(Of<B>, const Vector<D, si::force>& F_d) {
-    push_at<B>(at_.template position<B>(), hub<D>(F_d.coordinates()));
+    const auto F = hub<D>(F_d.coordinates());
+    add<B>(F, multibody::cross(at_.template arm<B>(), F));
   }
   template <class B, class Q, class E, class D>
   void push(Of<B>, const Displacement<B, Q, In<E>>& r_bq_e, const Vector<D, si::force>& F_d) {
-    push_at<B>(at_.template position<B>() + hub<E>(r_bq_e.coordinates()), hub<D>(F_d.coordinates()));
-  }
-  // Through the point q, from the hub's origin.
-  template <class B>
-  [[gnu::always_inline]] void push_at(const detail::Column3& r_hq, const detail::Column3& F) {
-    using Body = typename decltype(carrier_of<B>())::type;
-    add<B>(F, multibody::cross(r_hq - at_.template position<Body>(), F));
+    const auto F = hub<D>(F_d.coordinates());
+    add<B>(F, multibody::cross(at_.template arm<B>() + hub<E>(r_bq_e.coordinates()), F));
   }
   template <class B> [[gnu::always_inline]] void add(const detail::Column3& F, const detail::Column3& M) {
     constexpr std::size_t link = Shape::template link_of<B>();

@@ -106,6 +106,13 @@ template <class Shape> class CraftInstant {
       }
     }
   }
+  /// To the origin of a mount from that of its body; zero for a body.
+  template <class F> [[gnu::always_inline]] Column3 arm() const {
+    if constexpr (is_mount<F>)
+      return to_hub<CarrierOf<F>>(mount<F>().r_bc_b);
+    else
+      return multibody::zero_column<double>();
+  }
 
  private:
   template <class F> [[gnu::always_inline]] const multibody::Moving<double>& link() const {
@@ -123,9 +130,6 @@ template <class Shape> class CraftInstant {
   }
   template <class F> [[gnu::always_inline]] const PlainMount& mount() const {
     return core_->mounts[Shape::template mount_at<F>];
-  }
-  template <class F> [[gnu::always_inline]] Column3 arm() const {
-    return to_hub<CarrierOf<F>>(mount<F>().r_bc_b);
   }
   /// From the parent's origin; a gimbal's body is at the origin of its ring, which is the link before.
   template <class F> [[gnu::always_inline]] const Column3& step() const {

@@ -11,11 +11,7 @@ namespace vectrix {
 /// A joint of a kind by which the body b hangs on p. It has the name of b. Made by hinge(), slider(),
 /// gimbal(), ball(), free_joint() and fixed_joint(); `X_p_from_b` is where b is while the joint's numbers are
 /// zero, and the origin of b lies on its joint.
-template <JointKind kind_of_joint, Frame P, Frame B> struct BodyJoint {
-  using parent = P;
-  using child = B;
-  static constexpr JointKind kind = kind_of_joint;
-
+template <JointKind kind, Frame P, Frame B> struct BodyJoint {
   Transform<P, B> X_p_from_b;
   std::vector<Vector<B, si::dimensionless>> axes_b;
 };

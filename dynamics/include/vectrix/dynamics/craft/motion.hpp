@@ -140,7 +140,7 @@ CraftMotion<C> motion(const C& craft, const CraftState<C>& state, const Loads&..
   typename CraftState<C>::Numbers ydot{};
   const double t = state.time().value();
   rates(t, t, state.data(), ydot.data());
-  detail::require_finite_state("the derivative in motion", *craft.core(), t, ydot);
+  detail::require_finite_rates(*craft.core(), t, ydot);
   return {detail::trusted, craft.core(), state, ydot, std::move(rates.work())};
 }
 

@@ -11,11 +11,14 @@ namespace vectrix {
 /// of the bodies and the inertial one, are given by handle, Of(panel), or by name, Of("panel").
 class VECTRIX_EXPORT NamedNow : public detail::NamedNumbers<NamedNow> {
  public:
-  NamedNow(detail::Trusted, const detail::NamedCraftCore& core, double t, const double* y,
-           const multibody::Work<double>& work)
-      : core_(&core), t_(t), y_(y), work_(&work) {}
+  NamedNow(detail::Trusted, const detail::NamedCraftCore& core, double segment_start, double t,
+           const double* y, const multibody::Work<double>& work)
+      : core_(&core), segment_start_(segment_start), t_(t), y_(y), work_(&work) {}
 
   Quantity<si::time> time() const { return Quantity<si::time>::from_value(t_); }
+  /// The start of the smooth segment. A load that jumps at a breakpoint decides by this, not by the time: the
+  /// time of the breakpoint is the end of one segment and the start of the next.
+  Quantity<si::time> segment_start() const { return Quantity<si::time>::from_value(segment_start_); }
   NamedFrame frame(std::string_view name) const;
   NamedFrame frame(NamedFrame frame) const;
 
@@ -52,9 +55,10 @@ class VECTRIX_EXPORT NamedNow : public detail::NamedNumbers<NamedNow> {
   NamedAngularVelocity rate(NamedFrame b, NamedFrame a, NamedFrame c) const;
   NamedDisplacement place(NamedFrame b, NamedFrame a, NamedFrame c) const;
   NamedVelocity speed(NamedFrame b, NamedFrame a, NamedFrame o, NamedFrame c) const;
+  multibody::Conserved<double> conserved() const;
 
   const detail::NamedCraftCore* core_;
-  double t_;
+  double segment_start_, t_;
   const double* y_;
   const multibody::Work<double>* work_;
 };
@@ -85,8 +89,6 @@ class VECTRIX_EXPORT NamedForces {
   /// A uniform field: the same acceleration for every mass.
   void field(const NamedVector<si::acceleration>& g_c);
 
-  NamedFrame frame(std::string_view name) const;
-
  private:
   const detail::NamedCraftCore* core_;
   multibody::Work<double>* work_;
@@ -103,7 +105,7 @@ class VECTRIX_EXPORT NamedMotion {
       : core_(std::move(core)), t_(t), y_(std::move(y)), ydot_(std::move(ydot)), work_(std::move(work)) {}
 
   /// Places and velocities. It must not outlive the motion.
-  [[nodiscard]] NamedNow now() const& { return {detail::trusted, *core_, t_, y_.data(), work_}; }
+  [[nodiscard]] NamedNow now() const& { return {detail::trusted, *core_, t_, t_, y_.data(), work_}; }
   NamedNow now() && = delete;  // the view refers to the motion: give the motion a name first
 
   /// The derivative of the state.

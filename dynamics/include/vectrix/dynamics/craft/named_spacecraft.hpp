@@ -14,15 +14,18 @@ namespace vectrix {
 
 /// A spacecraft whose bodies, joints, rotors and modes have their names at run time, for example from a file:
 /// a tree of any number of bodies. Its equations of motion are those of multibody::Tree; the state is
-///     [ q_h^i 4 | w_ih^h 3 | r_i 3 | v_i 3 | joints' positions | joints' speeds | rotors | eta | eta' ]
-/// with joints in the order of the bodies, parents first. Where the typed form would not compile, it throws
-/// BadInput with the names. Immutable and cheap to copy; threads may share it.
+///     [ q_h^i 4 | w_ih^h 3 | r_ih^i 3 | v_ih|i^i 3 | joints' positions | joints' speeds | rotors | eta |
+///     eta' ]
+/// q scalar first, of any norm; rad/s, m, m/s; r and v of the hub's origin, without both if the hub is only
+/// turning; the joints in the order of plain().bodies, parents first, each as JointKind says; the speeds of
+/// the rotors relative to their bodies, rad/s; the modes, kg^1/2 m and kg^1/2 m/s. Where the typed form would
+/// not compile, it throws BadInput with the names. Immutable and cheap to copy; threads may share it.
 class VECTRIX_EXPORT NamedSpacecraft {
  public:
   /// Throws BadInput with the name of the part: a mass or an inertia that no body has; an axis that is not a
   /// unit vector; a number that is not finite; a name that is empty, twice used or unknown; bodies that hang
-  /// on each other in a loop; a rotor with more inertia than its body; modes with more than their craft; a
-  /// joint about which nothing has inertia.
+  /// on each other in a loop; a rotor with more inertia than its body; modes in which more mass takes part
+  /// than their body has; a joint about which its body, without what hangs on it, has no inertia.
   explicit NamedSpacecraft(const PlainSpacecraft& plain);
   NamedSpacecraft(const NamedHub& hub, const std::vector<NamedBody>& bodies,
                   const std::vector<NamedRotor>& rotors = {}, const std::vector<NamedMode>& modes = {});
@@ -45,7 +48,8 @@ class VECTRIX_EXPORT NamedSpacecraft {
                                  const std::vector<NamedStart>& starts) const;
   /// How many numbers a state has.
   [[nodiscard]] std::size_t state_size() const;
-  /// Claims that the numbers are a state. Throws BadInput if their count is wrong or one is not finite.
+  /// Claims that the numbers are a state. Throws BadInput if their count is wrong, one is not finite, or a
+  /// quaternion is zero; any other norm is accepted.
   [[nodiscard]] NamedState state(std::span<const double> numbers) const;
 
   /// The state at a time with its accelerations and what its joints transmit. Throws BadInput if a result is

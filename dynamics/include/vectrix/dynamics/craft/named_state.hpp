@@ -4,7 +4,9 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <variant>
 #include <vector>
+#include <vectrix/dynamics/craft/plain_spacecraft.hpp>
 #include <vectrix/frames/export.hpp>
 #include <vectrix/kinematics/named/transform.hpp>
 
@@ -16,7 +18,9 @@ class NamedCraftCore;
 /// The start of a joint, a rotor or a mode, by its name; a joint has the name of the body that hangs on it.
 class VECTRIX_EXPORT NamedStart {
  public:
-  enum class Of { hinge, slider, gimbal, ball, free, rotor, mode };
+  struct Rotor {};
+  struct Mode {};
+  using Of = std::variant<JointKind, Rotor, Mode>;
   NamedStart(detail::Trusted, std::string name, Of of, std::vector<double> positions,
              std::vector<double> speeds, std::string relative_to = {})
       : name_(std::move(name)),
@@ -41,18 +45,18 @@ class VECTRIX_EXPORT NamedStart {
 /// A hinge; a slider; a gimbal.
 inline NamedStart starts(std::string name, const Quantity<si::angle>& angle,
                          const Quantity<si::angular_velocity>& rate) {
-  return {detail::trusted, std::move(name), NamedStart::Of::hinge, {angle.value()}, {rate.value()}};
+  return {detail::trusted, std::move(name), JointKind::hinge, {angle.value()}, {rate.value()}};
 }
 inline NamedStart starts(std::string name, const Quantity<si::length>& length,
                          const Quantity<si::velocity>& rate) {
-  return {detail::trusted, std::move(name), NamedStart::Of::slider, {length.value()}, {rate.value()}};
+  return {detail::trusted, std::move(name), JointKind::slider, {length.value()}, {rate.value()}};
 }
 inline NamedStart starts(std::string name, const Quantity<si::angle>& angle_1,
                          const Quantity<si::angular_velocity>& rate_1, const Quantity<si::angle>& angle_2,
                          const Quantity<si::angular_velocity>& rate_2) {
   return {detail::trusted,
           std::move(name),
-          NamedStart::Of::gimbal,
+          JointKind::gimbal,
           {angle_1.value(), angle_2.value()},
           {rate_1.value(), rate_2.value()}};
 }
@@ -61,10 +65,10 @@ VECTRIX_EXPORT NamedStart starts(const NamedMovingDcm& R_p_from_b);
 VECTRIX_EXPORT NamedStart starts(const NamedMovingTransform& X_p_from_b);
 /// The speed of a rotor relative to its body; a mode's coordinate, kg^1/2 m, and its rate.
 inline NamedStart spins(std::string name, const Quantity<si::angular_velocity>& speed) {
-  return {detail::trusted, std::move(name), NamedStart::Of::rotor, {}, {speed.value()}};
+  return {detail::trusted, std::move(name), NamedStart::Rotor{}, {}, {speed.value()}};
 }
 inline NamedStart deflects(std::string name, double coordinate, double rate) {
-  return {detail::trusted, std::move(name), NamedStart::Of::mode, {coordinate}, {rate}};
+  return {detail::trusted, std::move(name), NamedStart::Mode{}, {coordinate}, {rate}};
 }
 
 namespace detail {

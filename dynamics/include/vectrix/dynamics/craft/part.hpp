@@ -7,7 +7,8 @@
 #include <vectrix/dynamics/craft/craft_core.hpp>
 #include <vectrix/dynamics/craft/eigen_numbers.hpp>
 #include <vectrix/dynamics/craft/joint.hpp>
-#include <vectrix/dynamics/mass/mass_properties.hpp>
+#include <vectrix/dynamics/craft/joint_counts.hpp>
+#include <vectrix/dynamics/craft/plain_parts.hpp>
 
 namespace vectrix {
 
@@ -28,21 +29,9 @@ struct PartCounts {
             rotors + b.rotors, modes + b.modes, mounts + b.mounts};
   }
 };
-constexpr PartCounts counts_of(JointKind kind) {
-  switch (kind) {
-    case JointKind::hinge:
-    case JointKind::slider:
-      return {1, 1, 1, 1};
-    case JointKind::gimbal:
-      return {1, 2, 2, 2};
-    case JointKind::ball:
-      return {1, 1, 4, 3};
-    case JointKind::free:
-      return {1, 1, 7, 6};
-    case JointKind::fixed:
-      break;
-  }
-  return {1, 1, 0, 0};
+constexpr PartCounts counts_of_body(JointKind kind) {
+  const JointCounts joint = counts_of(kind);
+  return {1, joint.links, joint.positions, joint.speeds};
 }
 
 }  // namespace detail
@@ -61,7 +50,7 @@ template <Frame B, JointKind kind, Frame P> struct BodyPart {
   using carrier = P;
   static constexpr auto role = detail::PartRole::body;
   static constexpr JointKind joint = kind;
-  static constexpr detail::PartCounts counts = detail::counts_of(kind);
+  static constexpr detail::PartCounts counts = detail::counts_of_body(kind);
   PlainBody numbers;
 };
 template <Point W, Frame B> struct RotorPart {
@@ -91,30 +80,12 @@ template <Frame C, Frame B> struct MountPart {
 /// b; they may be those of a joined body with another name.
 template <class Whole, class B, class I, HubMotion motion>
 HubPart<B, I, motion> body(const MassProperties<Whole, B, In<B>>& mass, MovesIn<I, motion>) {
-  return {{frame_name<I>(),
-           frame_name<B>(),
-           motion,
-           mass.mass().value(),
-           mass.centre().coordinates(),
-           mass.inertia().matrix(),
-           {},
-           {},
-           {}}};
+  return {detail::plain_hub(frame_name<I>(), frame_name<B>(), motion, mass)};
 }
 /// A body that hangs on another by a joint.
 template <class Whole, class B, JointKind kind, class P>
 BodyPart<B, kind, P> body(const MassProperties<Whole, B, In<B>>& mass, const BodyJoint<kind, P, B>& joint) {
-  PlainBody numbers{frame_name<B>(),
-                    frame_name<P>(),
-                    kind,
-                    {},
-                    joint.X_p_from_b.rotation.matrix(),
-                    joint.X_p_from_b.translation.coordinates(),
-                    mass.mass().value(),
-                    mass.centre().coordinates(),
-                    mass.inertia().matrix()};
-  for (const auto& axis_b : joint.axes_b) numbers.axes_b.push_back(axis_b.coordinates());
-  return {numbers};
+  return {detail::plain_body(frame_name<B>(), frame_name<P>(), kind, joint.X_p_from_b, joint.axes_b, mass)};
 }
 template <class Mass, class Joint>
 auto body(  // body(mass, joint): mass from the origin and in the axes of the frame b that hangs on the joint

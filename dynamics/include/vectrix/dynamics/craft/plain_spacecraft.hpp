@@ -11,13 +11,16 @@ namespace vectrix {
 
 using multibody::HubMotion;
 
-/// Joints of a body b on its parent p. The numbers of each, in this order:
-///     hinge    an angle about an axis fixed in both           rad, rad/s, N m
-///     slider   a length along an axis fixed in both           m, m/s, N
-///     gimbal   angles about an axis fixed in p, and one fixed in b
-///     ball     b turns freely about its origin
-///     free     b moves freely
-///     fixed    none
+/// Joints of a body b on its parent p, with the numbers of each in the order of a state. Places are counted
+/// from R_0 = `R_p_from_b` and r_0 = `r_pb_p`; an effort has the unit of power over speed.
+///              positions                                    speeds
+///     hinge    angle about an axis fixed in both, rad       its rate, rad/s
+///     slider   length along an axis fixed in both, m        its rate, m/s
+///     gimbal   angles about an axis fixed in p, then about  their rates, rad/s
+///              one fixed in b, rad
+///     ball     q of R_0^-1 R_b^p, scalar first              w_pb^b, rad/s
+///     free     q as that of a ball, then r_pb^p - r_0, m    w_pb^b, rad/s, then v_pb|p^p, m/s
+///     fixed    none                                         none
 enum class JointKind { hinge, slider, gimbal, ball, free, fixed };
 
 /// A body b in plain numbers, in SI units. `r_bc_b` is its centre of mass from its origin, `J_c_b` its

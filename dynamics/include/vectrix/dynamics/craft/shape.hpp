@@ -66,8 +66,10 @@ template <class Hub, class... Parts> struct CraftShape {
   }();
   /// A joint whose numbers are quantities: a hinge, a slider, a gimbal.
   template <class F>
-  static constexpr bool has_axes = has_joint_of<F, JointKind::hinge> || has_joint_of<F, JointKind::slider> ||
-                                   has_joint_of<F, JointKind::gimbal>;
+  static constexpr bool has_axes = [] {
+    if constexpr (is<F, PartRole::body>) return counts_of(Part<F>::joint).axes > 0;
+    return false;
+  }();
 
   static constexpr PartCounts total = counts_before<Hub, Parts...>(1 + sizeof...(Parts));
   static constexpr std::size_t hub_size = free ? 13 : 7;

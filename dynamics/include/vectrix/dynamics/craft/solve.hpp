@@ -33,9 +33,9 @@ CraftProblem<C, Loads...> problem(const C& craft, const CraftState<C>& start, co
   ode.start = start.time().value();
   ode.end = end.value();
   ode.relative_tolerance = relative_tolerance;
-  ode.absolute_tolerances = absolute_tolerances(plain(craft), absolute);
+  ode.absolute_tolerances = absolute_tolerances(craft.core()->plain, absolute);
   ode.method = ode::Method::verner_9;
-  ode.caller = "Spacecraft " + plain(craft).hub;
+  ode.caller = "Spacecraft \"" + craft.core()->plain.hub + '"';
   ode.component_names = craft.core()->component_names;
   return {std::move(ode), craft.core(), {loads...}};
 }

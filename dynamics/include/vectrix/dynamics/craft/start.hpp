@@ -48,14 +48,6 @@ template <class B, class... Given>
 auto starts(  // an angle and its rate of a hinge, both of a gimbal, a length and its rate of a slider
     Of<B>, const Given&...) -> Refused = delete;
 
-namespace detail {
-
-inline void append(std::vector<double>& numbers, const Eigen::Vector3d& v) {
-  numbers.insert(numbers.end(), {v.x(), v.y(), v.z()});
-}
-
-}  // namespace detail
-
 /// A ball joint, by R_b^p and w_pb^b; a free joint, with r_pb^p and v_pb|p^p.
 template <class P, class B> JointStart<B, JointKind::ball, P> starts(const MovingDcm<P, B>& R_p_from_b) {
   JointStart<B, JointKind::ball, P> start{detail::quaternion_numbers(R_p_from_b.rotation.matrix()), {}};

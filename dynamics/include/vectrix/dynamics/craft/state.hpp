@@ -9,9 +9,12 @@
 namespace vectrix {
 
 /// The state of a spacecraft at one instant: the numbers that are integrated, in the order
-///     [ q_h^i 4 | w_ih^h 3 | r_i 3 | v_i 3 | joints' positions | joints' speeds | rotors | eta | eta' ]
-/// without r and v if the hub is only turning. An edge of a frame graph that is a function of time takes a
-/// state, too. Made by state().
+///     [ q_h^i 4 | w_ih^h 3 | r_ih^i 3 | v_ih|i^i 3 | joints' positions | joints' speeds | rotors | eta |
+///     eta' ]
+/// q scalar first, of any norm; rad/s, m, m/s; r and v of the hub's origin, without both if the hub is only
+/// turning; the joints in the order of the bodies, each as JointKind says; the speeds of the rotors relative
+/// to their bodies, rad/s; the modes, kg^1/2 m and kg^1/2 m/s. An edge of a frame graph that is a function of
+/// time takes a state, too. Made by state().
 template <CraftType C> class CraftState : public detail::CraftNumbers<CraftState<C>, C> {
   using Shape = typename C::shape;
   using I = typename Shape::inertial;
@@ -89,6 +92,16 @@ using StateFault = typename FaultOfState<typename C::shape, Motion, Starts...>::
 
 }  // namespace detail
 
+/// Claims that the numbers are a state. Throws BadInput if one is not finite, or a quaternion is zero; any
+/// other norm is accepted.
+template <CraftType C>
+CraftState<C> state_from_numbers(const C& craft, const Quantity<si::time>& t,
+                                 const std::array<double, C::state_size>& y) {
+  detail::require_finite_time(*craft.core(), "state", t.value());
+  detail::require_state(*craft.core(), y);
+  return {detail::trusted, t, y};
+}
+
 /// The state at the time t: the motion of the hub in the inertial frame, and the starts of all joints, rotors
 /// and modes; none is zero by default. A motion relative to any other frame is a product away:
 ///     state(craft, t, X_i_from_lvlh * X_lvlh_from_hub, starts(of<Panel>, angle, rate), spins(of<Wheel>, w))
@@ -99,21 +112,12 @@ template <CraftType C, class Motion, class... Starts>
     typename CraftState<C>::Numbers y{};
     detail::put_hub(X_i_from_hub, y.data());
     (detail::put_start<typename C::shape>(*craft.core(), starts, y.data()), ...);
-    detail::require_finite_state("state", *craft.core(), t.value(), y);
-    return {detail::trusted, t, y};
+    return state_from_numbers(craft, t, y);
   }
 template <CraftType C, class Time, class Motion, class... Starts,
           class Fault = detail::StateFault<C, Motion, Starts...>>
   requires(!std::is_same_v<Fault, Nothing>)
 auto state(  // state(craft, t, X_i_from_hub, starts...): each part that moves has one start: see Fault
     const C&, const Time&, const Motion&, const Starts&...) -> Refused = delete;
-
-/// Claims that the numbers are a state. Throws BadInput if one is not finite.
-template <CraftType C>
-CraftState<C> state_from_numbers(const C& craft, const Quantity<si::time>& t,
-                                 const std::array<double, C::state_size>& y) {
-  detail::require_finite_state("state_from_numbers", *craft.core(), t.value(), y);
-  return {detail::trusted, t, y};
-}
 
 }  // namespace vectrix

@@ -71,6 +71,7 @@ template <class S> Work<S> Tree<S>::work() const {
   k.field = zero_column<S>();
   k.unit = identity<S>();
   k.links.resize(numbers_.links.size());
+  k.axes.resize(numbers_.rotors.size());
   k.modes.resize(numbers_.modes.size());
   return k;
 }
@@ -140,8 +141,9 @@ template <class S> void Tree<S>::add_internals(const S* y, Work<S>& k) const {
   const S* speed = y + layout_.rotors_begin();
   for (std::size_t i = 0; i < numbers_.rotors.size(); ++i) {
     const Rotor<S>& rotor = numbers_.rotors[i];
-    const Column<S> axis = rotor.body == 0 ? rotor.axis : rotation(rotor.body, k) * rotor.axis;
-    add_rotor(rotor, axis, speed[i], k.motors[i], angular_velocity(rotor.body, k), inertia(rotor.body, k));
+    k.axes[i] = rotor.body == 0 ? rotor.axis : rotation(rotor.body, k) * rotor.axis;
+    add_rotor(rotor, k.axes[i], speed[i], k.motors[i], angular_velocity(rotor.body, k),
+              inertia(rotor.body, k));
   }
   const S* eta = y + layout_.modes_begin();
   const S* rate = eta + layout_.modes;
@@ -223,8 +225,7 @@ template <class S> void Tree<S>::solve(const S* y, S* ydot, Work<S>& k) const {
   S* speed_dot = ydot + layout_.rotors_begin();
   for (std::size_t i = 0; i < numbers_.rotors.size(); ++i) {
     const Rotor<S>& rotor = numbers_.rotors[i];
-    const Column<S> axis = rotor.body == 0 ? rotor.axis : rotation(rotor.body, k) * rotor.axis;
-    speed_dot[i] = k.motors[i] / rotor.inertia - dot(axis, less_field(rotor.body, k).alpha);
+    speed_dot[i] = k.motors[i] / rotor.inertia - dot(k.axes[i], less_field(rotor.body, k).alpha);
   }
   const S* rate = y + layout_.modes_begin() + layout_.modes;
   S* eta_dot = ydot + layout_.modes_begin();

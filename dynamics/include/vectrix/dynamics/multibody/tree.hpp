@@ -36,7 +36,9 @@ int add_gimbal(TreeNumbers<S>& tree, int parent, const Square<S>& R_p_from_b, co
 /// Where each number of the state is:
 ///     [ q_i_from_h 4 | w_ih_h 3 | r_i 3 | v_i 3 | joint positions | joint speeds | rotor speeds | eta | eta'
 ///     ]
-/// r_i, v_i of the hub's origin, absent if the hub is only turning.
+/// q scalar first, of any norm; w, rad/s; r_i, m, and v_i, m/s, of the hub's origin in inertial axes, absent
+/// if the hub is only turning. Each link has the numbers that the header of its kind gives, rad and m, rad/s
+/// and m/s, in the order of the links; rotors, rad/s, relative to their bodies; eta, kg^1/2 m.
 struct TreeLayout {
   std::size_t hub, positions, speeds, rotors, modes;
   std::vector<std::size_t> position_at, speed_at;  ///< by link, from the start of the state
@@ -65,6 +67,7 @@ template <class S> struct Work {
   Articulated<S> hub;
   Accelerations<S> hub_acceleration;  ///< less the field
   std::vector<Moving<S>> links;
+  std::vector<Column<S>> axes;  ///< of the rotors
   std::vector<MovingMode<S>> modes;
 };
 
@@ -92,6 +95,7 @@ template <class S> class VECTRIX_EXPORT Tree {
   [[nodiscard]] const TreeLayout& layout() const { return layout_; }
   [[nodiscard]] Work<S> work() const;
 
+  /// Places are from the hub's origin, and its velocity does not occur: orbits cost no digits.
   void place(const S* y, Work<S>& k) const;
   /// A force, and a torque about the origin of the body, in the hub's axes.
   void add_wrench(int body, const Column<S>& force, const Column<S>& torque, Work<S>& k) const;
@@ -102,6 +106,9 @@ template <class S> class VECTRIX_EXPORT Tree {
   [[nodiscard]] const Square<S>& rotation(int body, const Work<S>& k) const;
   [[nodiscard]] Column<S> position(int body, const Work<S>& k) const;
   [[nodiscard]] const Column<S>& angular_velocity(int body, const Work<S>& k) const;
+  /// The velocity of b's origin relative to the hub's, observed from the inertial frame, in the hub's axes:
+  /// no digits go to the speed of the hub.
+  [[nodiscard]] Column<S> velocity_beyond_hub(int body, const S* y, const Work<S>& k) const;
   /// The velocity of b's origin in the hub's axes. Of a turning hub: relative to the centre of mass.
   [[nodiscard]] Column<S> velocity(int body, const S* y, const Work<S>& k) const;
   /// About the point with the inertial coordinates `about`; of a turning hub, all relative to the centre of
@@ -127,7 +134,6 @@ template <class S> class VECTRIX_EXPORT Tree {
   [[nodiscard]] Accelerations<S> solve_hub(const Work<S>& k) const;
   [[nodiscard]] Articulated<S>& inertia(int body, Work<S>& k) const;
   [[nodiscard]] Accelerations<S> less_field(int body, const Work<S>& k) const;
-  [[nodiscard]] Column<S> velocity_beyond_hub(int body, const S* y, const Work<S>& k) const;
   [[nodiscard]] Column<S> hub_velocity(const S* y, const Work<S>& k) const;
   [[nodiscard]] Conserved<S> sum_over_bodies(const S* y, const Column<S>& hub_velocity,
                                              const Work<S>& k) const;
