@@ -96,6 +96,12 @@ void RadauStepper::enter_segment(double start, double end) {
 
 void RadauStepper::evaluate(double elapsed, std::span<const double> y, std::span<double> ydot) {
   rates_(elapsed, y, ydot);
+  rates_.require_none();
+}
+
+bool RadauStepper::evaluate_trial(double elapsed) {
+  rates_(elapsed, span_of(std::as_const(trial_)), span_of(trial_rate_));
+  return !rates_.trouble;
 }
 
 void RadauStepper::restart(double elapsed, std::span<const double> y, double stop, double longest) {
@@ -136,22 +142,29 @@ double RadauStepper::step() {
     double h = std::min(next_step_, longest_);
     const bool last = h >= remaining - rounding;
     if (last) h = remaining;
-    if (!last && !(h > 4.0 * epsilon * elapsed_.sum)) throw_too_short(h);
-    if (!jacobian_good_ && !jacobian_fresh_) find_jacobian(h);
+    if (!last && !(h > 4.0 * epsilon * elapsed_.sum)) throw_failed(h);
+    rates_.trouble.reset();
+    overflowed_ = false;
+    if (!jacobian_good_ && !jacobian_fresh_ && !find_jacobian(h)) {
+      next_step_ = 0.5 * h;
+      continue;
+    }
     if (factorised_ != h) factorise(h);
     guess(h);
-    if (!iterate(h)) {
-      jacobian_good_ = converged_ = false;
+    converged_ = iterate(h);
+    if (!converged_) {
+      jacobian_good_ = false;
       if (jacobian_fresh_) next_step_ = 0.5 * h;
       continue;
     }
-    converged_ = true;
-    not_finite_.reset();
     find_terms();
     const double error = error_of(h, rejected || step_ == 0.0);
     if (!std::isfinite(error)) {
-      const double t = rates_.time(time());
-      throw Trouble{flag::rhs_failed, t, "a step from t = " + detail::text(t) + " overflows", nullptr};
+      overflowed_ = true;
+      next_step_ = 0.5 * h;
+      rejected = true;
+      ++rejections_;
+      continue;
     }
     // A step whose iteration took long is lengthened less.
     const double safety =
@@ -172,19 +185,23 @@ double RadauStepper::step() {
   }
 }
 
-void RadauStepper::find_jacobian(double h) {
+/// By differences of the size of the state, or of its change |h f| in a step; that of a first step, which may
+/// be carried over a breakpoint and far too long, says nothing. False if a rate there is not finite.
+bool RadauStepper::find_jacobian(double h) {
   trial_ = y_;
+  const double trusted = step_ > 0.0 ? h : first_step(h);
   for (Eigen::Index c = 0; c < y_.size(); ++c) {
     const double size =
-        std::max({std::abs(y_(c)), std::abs(h * rate_(c)), absolute_(c) / std::sqrt(epsilon)});
+        std::max({std::abs(y_(c)), std::abs(trusted * rate_(c)), absolute_(c) / std::sqrt(epsilon)});
     trial_(c) = y_(c) + std::sqrt(epsilon) * size;
     const double change = trial_(c) - y_(c);
-    evaluate(time(), span_of(std::as_const(trial_)), span_of(trial_rate_));
+    if (!evaluate_trial(time())) return false;
     jacobian_.col(c) = (trial_rate_ - rate_) / change;
     trial_(c) = y_(c);
   }
   jacobian_fresh_ = true;
   factorised_ = 0.0;
+  return true;
 }
 
 void RadauStepper::factorise(double h) {
@@ -216,7 +233,7 @@ void RadauStepper::guess(double h) {
 
 /// Newton's iteration for Z; false if it is slow. A rate that is not finite ends it: a shorter step may avoid
 /// it.
-bool RadauStepper::iterate(double h) try {
+bool RadauStepper::iterate(double h) {
   const Vector unit = scale(y_);
   const double rounded = 10.0 * epsilon * y_.cwiseAbs().cwiseQuotient(unit).maxCoeff();
   const double small = std::max(rounded, std::min(0.01, std::sqrt(problem_.relative_tolerance)));
@@ -226,7 +243,7 @@ bool RadauStepper::iterate(double h) try {
   for (iterations_ = 1; iterations_ <= most_iterations; ++iterations_) {
     for (int i = 0; i < stages; ++i) {
       trial_ = y_ + z_.col(i);
-      evaluate(time() + abscissa(i) * h, span_of(std::as_const(trial_)), span_of(trial_rate_));
+      if (!evaluate_trial(time() + abscissa(i) * h)) return false;
       f_.col(i) = trial_rate_;
     }
     const ByStage residual = h * f_ - z_ * method().inverse.transpose();
@@ -250,10 +267,6 @@ bool RadauStepper::iterate(double h) try {
     if (contraction_ * size <= small || size == 0.0) return true;
     before = size;
   }
-  return false;
-} catch (const Trouble& trouble) {
-  if (trouble.cause) throw;
-  not_finite_ = trouble;
   return false;
 }
 
@@ -291,7 +304,7 @@ double RadauStepper::error_of(double h, bool careful) {
   double size = largest();
   if (size > 1.0 && careful) {
     trial_ = y_ + error;
-    evaluate(time(), span_of(std::as_const(trial_)), span_of(trial_rate_));
+    if (!evaluate_trial(time())) return std::numeric_limits<double>::quiet_NaN();
     error = real_.solve(h * trial_rate_ - terms_.col(0));
     size = largest();
   }
@@ -330,13 +343,15 @@ void RadauStepper::terms(std::span<double> terms) {
   std::copy(last_terms_.data(), last_terms_.data() + last_terms_.size(), terms.begin());
 }
 
-void RadauStepper::throw_too_short(double h) const {
-  if (not_finite_) throw Trouble(*not_finite_);
+void RadauStepper::throw_failed(double h) const {
+  rates_.require_none();
+  const double t = rates_.time(time());
+  if (overflowed_)
+    throw Trouble{flag::rhs_failed, t, "a step from t = " + detail::text(t) + " overflows", nullptr};
   const std::string why =
       converged_ ? "the error of " + detail::component_name(problem_, worst_) + " is still too large"
                  : "Newton's iteration still does not converge";
-  throw Trouble{flag::step_too_short, rates_.time(time()),
-                "the step fell below " + detail::text(h) + ", and " + why, nullptr};
+  throw Trouble{flag::step_too_short, t, "the step fell below " + detail::text(h) + ", and " + why, nullptr};
 }
 
 std::unique_ptr<Stepper> make_radau_stepper(const Problem& problem) {

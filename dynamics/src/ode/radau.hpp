@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
-#include <optional>
 #include <span>
 #include <string>
 
@@ -53,7 +52,9 @@ class RadauStepper final : public Stepper {
   [[nodiscard]] double time() const { return origin_ + (elapsed_.sum + elapsed_.rest); }
   [[nodiscard]] double first_step(double longest) const;
   [[nodiscard]] Vector scale(const Vector& y) const;
-  void find_jacobian(double h);
+  /// The rate of a trial; false if it is not finite.
+  bool evaluate_trial(double elapsed);
+  bool find_jacobian(double h);
   void factorise(double h);
   void guess(double h);
   bool iterate(double h);
@@ -61,7 +62,7 @@ class RadauStepper final : public Stepper {
   double error_of(double h, bool careful);
   double dense_error(double h, const Vector& unit);
   void accept(double h, bool last);
-  [[noreturn]] void throw_too_short(double h) const;
+  [[noreturn]] void throw_failed(double h) const;
 
   const Problem& problem_;
   detail::RatesOfSegment<std::dynamic_extent, std::reference_wrapper<const RightHandSide>> rates_;
@@ -84,8 +85,8 @@ class RadauStepper final : public Stepper {
   std::size_t worst_ = 0;
   bool jacobian_fresh_ = false;  ///< it is that of this state
   bool converged_ = true;        ///< Newton's iteration, in the last attempt
-  std::optional<Trouble> not_finite_;
-  bool jacobian_good_ = false;  ///< Newton's iteration converged fast with it
+  bool overflowed_ = false;      ///< the last attempt
+  bool jacobian_good_ = false;   ///< Newton's iteration converged fast with it
 };
 
 std::unique_ptr<Stepper> make_radau_stepper(const Problem& problem);

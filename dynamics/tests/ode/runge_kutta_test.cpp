@@ -159,6 +159,19 @@ TYPED_TEST(InlinedRungeKutta, a_step_length_that_is_far_too_long_is_rejected_unt
   EXPECT_LT(distance(method.state(), Ellipse::at(method.time())), 1e-7);
 }
 
+/// y' = -sqrt(y) from 1: y = (1 - t / 2)^2. In a step of 1000 a stage is below 0 and the rate not a number.
+TYPED_TEST(InlinedRungeKutta, a_step_with_a_stage_that_is_not_a_number_is_halved_until_it_fits) {
+  const auto root = [](double, std::span<const double, 1> y, std::span<double, 1> ydot) {
+    ydot[0] = -std::sqrt(y[0]);
+  };
+  constexpr std::array absolute{1e-9};
+  RungeKutta<TypeParam, 1, decltype(root)> method(root, 1e-9, absolute);
+  method.start(0.0, std::array{1.0}, 1e3);
+  ASSERT_EQ(method.step(1e6), Advance::stepped);
+  EXPECT_GE(method.rejections(), 9U);  // 2 / 1000, halved
+  EXPECT_NEAR(method.state()[0], std::pow(1.0 - 0.5 * method.time(), 2), 1e-8);
+}
+
 TYPED_TEST(InlinedRungeKutta, says_why_it_cannot_go_on) {
   const auto advance = [](auto f) {
     constexpr std::array absolute{1e-9};
@@ -401,7 +414,9 @@ TEST_P(InlinedSolve, a_step_that_overflows_is_a_failure) {
     (void)solve(problem);
     ADD_FAILURE() << "no failure";
   } catch (const Failure& failure) {
-    EXPECT_NE(std::string(failure.what()).find("overflows"), std::string::npos) << failure.what();
+    EXPECT_NE(std::string(failure.what()).find("component 0 of a stage is inf at t = 1.79769313486"),
+              std::string::npos)
+        << failure.what();  // 1e200 t reaches the largest number
   }
 }
 

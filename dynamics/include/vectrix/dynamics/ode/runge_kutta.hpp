@@ -19,7 +19,7 @@ namespace vectrix::ode {
 
 /// What a step of an integrator came to: a step towards `until`, the step that reaches it, or a failure that
 /// leaves the state as it was. `too_short`: the error stays too large with the shortest step that changes the
-/// time. `not_finite`: a rate is infinite or not a number.
+/// time. `not_finite`: the rate at the state is infinite or not a number, or one of the shortest step is.
 enum class Advance { stepped, reached, too_short, not_finite };
 
 /// A right-hand side of N components, ydot = f(t, y). N may be std::dynamic_extent.
@@ -58,7 +58,8 @@ template <> class Numbers<std::dynamic_extent> {
 }  // namespace detail
 
 /// One step after another of an embedded explicit Runge-Kutta pair, with the right-hand side inlined. A step
-/// is accepted if the estimated error of each component is at most relative * |y| + absolute.
+/// is accepted if the estimated error of each component is at most relative * |y| + absolute. A step in which
+/// anything is infinite or not a number is halved.
 ///
 ///     RungeKutta<Verner9, 7, F> method(f, 1e-10, absolute);
 ///     method.start(t, y);
@@ -116,18 +117,22 @@ template <class Table, std::size_t N, Rates<N> F> class RungeKutta {
     const double rounding = 16.0 * epsilon * (elapsed_.sum + remaining);
     find_rate();
     k_[0] = k_[Table::stages];
+    for (std::size_t c = 0; c < size_; ++c)
+      if (!std::isfinite(k_[0][c])) return Advance::not_finite;
     if (!(next_step_ > 0.0)) next_step_ = first_step(std::min(remaining, longest));
+    Advance failure = Advance::too_short;
     bool rejected = false;
     while (true) {
       double h = std::min(next_step_, longest);
       const bool last = h >= remaining - rounding;
       if (last) h = remaining;
-      if (!last && !(h > 4.0 * epsilon * elapsed_.sum)) return Advance::too_short;
+      if (!last && !(h > 4.0 * epsilon * elapsed_.sum)) return failure;
       const double error = attempt(h);
-      if (!std::isfinite(error)) return Advance::not_finite;
-      const double factor = safety * std::pow(error, -1.0 / (Table::error_order + 1));
-      if (error > 1.0) {
+      const bool finite = std::isfinite(error);
+      const double factor = finite ? safety * std::pow(error, -1.0 / (Table::error_order + 1)) : 0.5;
+      if (!(error <= 1.0)) {
         next_step_ = h * std::max(factor, least_factor);
+        failure = finite ? Advance::too_short : Advance::not_finite;
         rejected = true;
         ++rejections_;
         continue;
