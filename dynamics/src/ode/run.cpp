@@ -29,7 +29,8 @@ Run::Run(const Problem& problem, std::unique_ptr<Stepper> stepper)
       roots_(problem),
       record_(std::make_shared<Record>()),
       state_(problem.initial_state),
-      slope_(problem.initial_state.size()) {
+      slope_(problem.initial_state.size()),
+      terms_(stepper_->degree() * problem.initial_state.size()) {
   record_->dimension = problem.initial_state.size();
   record_->start = problem.start;
   record_->degree = stepper_->degree();
@@ -120,7 +121,9 @@ void Run::keep_terms() {
   const auto output = [&] { return outputs[next_output_] - segment_start_; };
   while (next_output_ < outputs.size() && output() <= from) ++next_output_;
   kept_for_good_ = problem_.dense_output || (next_output_ < outputs.size() && output() < to);
-  if (parts_ == 1 && (kept_for_good_ || !problem_.roots.empty())) stepper_->terms(record_->add_terms());
+  if (parts_ > 1 || !(kept_for_good_ || !problem_.roots.empty())) return;
+  stepper_->terms(terms_);
+  record_->add_terms(terms_);
 }
 
 /// The caller's time: exactly the end of the segment only there.
