@@ -181,7 +181,7 @@ double RadauStepper::step() {
     const bool keep = jacobian_good_ && proposed >= h && proposed <= 1.2 * h;  // the systems stay factorised
     next_step_ = last && !rejected ? std::max(next_step_, proposed) : keep ? h : proposed;
     accept(h, last);
-    return last ? stop_ : time();
+    return time();
   }
 }
 
@@ -333,8 +333,12 @@ void RadauStepper::accept(double h, bool last) {
   y_ = new_y_;
   last_terms_ = terms_;
   step_ = h;
-  elapsed_.add(h);
-  if (last) elapsed_ = {stop_ - origin_, 0.0};
+  if (last) {
+    origin_ = stop_;
+    elapsed_ = {};
+  } else {
+    elapsed_.add(h);
+  }
   jacobian_fresh_ = false;
   evaluate(time(), span_of(std::as_const(y_)), span_of(rate_));
 }

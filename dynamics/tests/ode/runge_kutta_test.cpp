@@ -151,6 +151,17 @@ TYPED_TEST(InlinedRungeKutta, ends_a_step_where_it_is_told_and_remembers_its_len
   EXPECT_LE(distance(method.state(), Ellipse::at(method.time())), 1e-7);
 }
 
+TYPED_TEST(InlinedRungeKutta, is_where_it_was_told_to_end_whatever_the_start) {
+  auto method = ellipse<TypeParam>(accepts_all);
+  for (int i = 1; i <= 100; ++i) {
+    const double start = -i / 3.0, until = i / 70.0;  // start + (until - start) is often not until
+    method.start(start, Ellipse::at(0.0));
+    while (method.step(until) == Advance::stepped) {
+    }
+    ASSERT_EQ(method.time(), until);
+  }
+}
+
 TYPED_TEST(InlinedRungeKutta, a_step_length_that_is_far_too_long_is_rejected_until_it_fits) {
   auto method = ellipse<TypeParam>(1e-9);
   method.start(0.0, Ellipse::at(0.0), 1e3);

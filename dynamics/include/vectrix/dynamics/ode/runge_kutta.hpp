@@ -68,8 +68,8 @@ template <> class Numbers<std::dynamic_extent> {
 /// The step to `until` is shortened to end there, never lengthened, and the length before that is remembered:
 /// start(t, y, method.next_step()) carries it over a discontinuity. Allocates nothing if N is fixed. An
 /// exception of the right-hand side passes through. Times are counted from
-/// the start, with the rounding error of their sum. Throws BadInput for tolerances, times and lengths that
-/// are not finite or have the wrong sign.
+/// the start, or from the last `until` reached, with the rounding error of their sum. Throws BadInput for
+/// tolerances, times and lengths that are not finite or have the wrong sign.
 template <class Table, std::size_t N, Rates<N> F> class RungeKutta {
  public:
   using State = std::span<const double, N>;
@@ -269,8 +269,12 @@ template <class Table, std::size_t N, Rates<N> F> class RungeKutta {
     std::swap(before_, y_);
     std::swap(y_, stage_);
     step_ = h;
-    elapsed_.add(h);
-    if (last) elapsed_ = {until_ - origin_, 0.0};
+    if (last) {
+      origin_ = until_;
+      elapsed_ = {};
+    } else {
+      elapsed_.add(h);
+    }
     rate_known_ = dense_ = false;
   }
 
@@ -353,7 +357,7 @@ template <class Table, std::size_t N, Rates<N> F> class RungeKutta {
   Numbers stage_;
   Stages k_;
   std::array<Numbers, degree> terms_ = make_terms(size_, std::make_index_sequence<degree>{});
-  double origin_ = 0.0;
+  double origin_ = 0.0;  ///< of the elapsed time
   double until_ = 0.0;
   ElapsedTime elapsed_;  ///< from the origin to y_
   double step_ = 0.0;    ///< the last accepted one
