@@ -134,15 +134,12 @@ double RadauStepper::first_step(double longest) const {
 }
 
 double RadauStepper::step() {
-  const double remaining = (stop_ - origin_) - elapsed_.sum - elapsed_.rest;
-  const double rounding = 16.0 * epsilon * (elapsed_.sum + remaining);
-  if (!(next_step_ > 0.0)) next_step_ = first_step(std::min(remaining, longest_));
+  const double end = stop_ - origin_;
+  if (!(next_step_ > 0.0)) next_step_ = first_step(std::min(elapsed_.remaining(end), longest_));
   bool rejected = false;
   while (true) {
-    double h = std::min(next_step_, longest_);
-    const bool last = h >= remaining - rounding;
-    if (last) h = remaining;
-    if (!last && !(h > 4.0 * epsilon * elapsed_.sum)) throw_failed(h);
+    const auto [h, last, too_short] = elapsed_.next(std::min(next_step_, longest_), end);
+    if (too_short) throw_failed(h);
     rates_.trouble.reset();
     overflowed_ = false;
     if (!jacobian_good_ && !jacobian_fresh_ && !find_jacobian(h)) {

@@ -109,12 +109,11 @@ template <class Table, std::size_t N, Rates<N> F> class RungeKutta {
 
   /// One accepted step, at most to `until` and at most as long as `longest`.
   Advance step(double until, double longest = std::numeric_limits<double>::infinity()) {
-    const double remaining = (until - origin_) - elapsed_.sum - elapsed_.rest;
+    const double end = until - origin_, remaining = elapsed_.remaining(end);
     require(remaining > 0.0 && std::isfinite(until), "a step from where it stands to", until);
     require(longest > 0.0, "a longest step of", longest);
     until_ = until;
     step_ = 0.0;
-    const double rounding = 16.0 * epsilon * (elapsed_.sum + remaining);
     find_rate();
     k_[0] = k_[Table::stages];
     for (std::size_t c = 0; c < size_; ++c)
@@ -123,10 +122,8 @@ template <class Table, std::size_t N, Rates<N> F> class RungeKutta {
     Advance failure = Advance::too_short;
     bool rejected = false;
     while (true) {
-      double h = std::min(next_step_, longest);
-      const bool last = h >= remaining - rounding;
-      if (last) h = remaining;
-      if (!last && !(h > 4.0 * epsilon * elapsed_.sum)) return failure;
+      const auto [h, last, too_short] = elapsed_.next(std::min(next_step_, longest), end);
+      if (too_short) return failure;
       const double error = attempt(h);
       const bool finite = std::isfinite(error);
       const double factor = finite ? safety * std::pow(error, -1.0 / (Table::error_order + 1)) : 0.5;
