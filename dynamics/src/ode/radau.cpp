@@ -84,8 +84,9 @@ RadauStepper::RadauStepper(const Problem& problem)
     : problem_(problem), rates_{std::cref(problem.rhs), &problem} {
   const auto size = static_cast<Eigen::Index>(problem.initial_state.size());
   absolute_ = Vector::Map(problem.absolute_tolerances.data(), size);
-  y_ = rate_ = trial_ = trial_rate_ = new_y_ = Vector::Zero(size);
-  z_ = f_ = terms_ = last_terms_ = ByStage::Zero(size, stages);
+  y_ = rate_ = trial_ = trial_rate_ = new_y_ = unit_ = error_ = Vector::Zero(size);
+  z_ = f_ = residual_ = change_ = terms_ = last_terms_ = ByStage::Zero(size, stages);
+  complex_residual_ = complex_change_ = Eigen::VectorXcd::Zero(size);
   jacobian_ = Eigen::MatrixXd::Zero(size, size);
 }
 
@@ -119,17 +120,17 @@ void RadauStepper::rate(std::span<double> ydot) {
   std::ranges::copy(span_of(std::as_const(rate_)), ydot.begin());
 }
 
-RadauStepper::Vector RadauStepper::scale(const Vector& y) const {
-  return absolute_ + problem_.relative_tolerance * y.cwiseAbs();
+void RadauStepper::find_unit(const Vector& sizes) {
+  unit_ = absolute_ + problem_.relative_tolerance * sizes.cwiseAbs();
 }
 
 /// Short enough for any problem: a hundredth of the time in which the rate changes the state. It grows
 /// eightfold a step.
-double RadauStepper::first_step(double longest) const {
+double RadauStepper::first_step(double longest) {
   constexpr double cautious = 0.01;
-  const Vector unit = scale(y_);
-  const double speed = rate_.cwiseAbs().cwiseQuotient(unit).maxCoeff();
-  const double size = y_.cwiseAbs().cwiseQuotient(unit).maxCoeff();
+  find_unit(y_);
+  const double speed = rate_.cwiseAbs().cwiseQuotient(unit_).maxCoeff();
+  const double size = y_.cwiseAbs().cwiseQuotient(unit_).maxCoeff();
   return speed > 0.0 ? std::min(longest, cautious * std::max(size, 1.0) / speed) : cautious * longest;
 }
 
@@ -215,14 +216,13 @@ void RadauStepper::factorise(double h) {
 void RadauStepper::guess(double h) {
   z_.setZero();
   if (step_ == 0.0) return;
-  for (int i = 0; i < stages; ++i) {
-    const double theta = 1.0 + abscissa(i) * h / step_;
-    for (Eigen::Index c = 0; c < y_.size(); ++c) {
-      double later = 0.0, now = 0.0;
-      for (int p = stages; p-- > 0;) {
-        later = theta * (later + last_terms_(c, p));
-        now += last_terms_(c, p);
-      }
+  for (Eigen::Index c = 0; c < y_.size(); ++c) {
+    double now = 0.0;
+    for (int p = stages; p-- > 0;) now += last_terms_(c, p);
+    for (int i = 0; i < stages; ++i) {
+      const double theta = 1.0 + abscissa(i) * h / step_;
+      double later = 0.0;
+      for (int p = stages; p-- > 0;) later = theta * (later + last_terms_(c, p));
       z_(c, i) = later - now;
     }
   }
@@ -231,8 +231,8 @@ void RadauStepper::guess(double h) {
 /// Newton's iteration for Z; false if it is slow. A rate that is not finite ends it: a shorter step may avoid
 /// it.
 bool RadauStepper::iterate(double h) {
-  const Vector unit = scale(y_);
-  const double rounded = 10.0 * epsilon * y_.cwiseAbs().cwiseQuotient(unit).maxCoeff();
+  find_unit(y_);
+  const double rounded = 10.0 * epsilon * y_.cwiseAbs().cwiseQuotient(unit_).maxCoeff();
   const double small = std::max(rounded, std::min(0.01, std::sqrt(problem_.relative_tolerance)));
   contraction_ = std::pow(std::max(contraction_, epsilon), 0.8);
   slowest_ratio_ = 0.0;
@@ -243,16 +243,22 @@ bool RadauStepper::iterate(double h) {
       if (!evaluate_trial(time() + abscissa(i) * h)) return false;
       f_.col(i) = trial_rate_;
     }
-    const ByStage residual = h * f_ - z_ * method().inverse.transpose();
-    ByStage change = real_.solve(residual * method().left_real.transpose()) * method().right_real.transpose();
+    residual_ = h * f_;
+    residual_.noalias() -= z_ * method().inverse.transpose();
+    trial_.noalias() = residual_ * method().left_real.transpose();
+    error_ = real_.solve(trial_);
+    change_.noalias() = error_ * method().right_real.transpose();
     for (int k = 0; k < pairs; ++k) {
-      const Eigen::VectorXcd solved =
-          complex_[static_cast<std::size_t>(k)].solve(residual * method().left.row(k).transpose());
-      change += 2.0 * (solved * method().right.col(k).transpose()).real();
+      complex_residual_.noalias() = residual_ * method().left.row(k).transpose();
+      complex_change_ = complex_[static_cast<std::size_t>(k)].solve(complex_residual_);
+      for (int i = 0; i < stages; ++i)
+        change_.col(i) += 2.0 * (complex_change_ * method().right(i, k)).real();
     }
-    const double size = (unit.cwiseInverse().asDiagonal() * change).cwiseAbs().maxCoeff();
-    if (!std::isfinite(size)) return false;
-    z_ += change;
+    double size = 0.0;
+    for (int i = 0; i < stages; ++i)
+      size = vectrix::detail::larger(size, change_.col(i).cwiseAbs().cwiseQuotient(unit_).maxCoeff());
+    if (!std::isfinite(size) || !change_.allFinite()) return false;
+    z_ += change_;
     if (iterations_ > 1) {
       const double ratio = size / before;
       slowest_ratio_ = std::max(slowest_ratio_, ratio);
@@ -290,35 +296,36 @@ void RadauStepper::find_terms() {
 /// that the first estimate overrates; `careful` estimates it once more.
 double RadauStepper::error_of(double h, bool careful) {
   new_y_ = y_ + z_.col(stages - 1);
-  const Vector unit = scale(y_.cwiseAbs().cwiseMax(new_y_.cwiseAbs()));
-  Vector error = real_.solve(h * rate_ - terms_.col(0));
-  const auto largest = [&] {
+  trial_ = y_.cwiseAbs().cwiseMax(new_y_.cwiseAbs());
+  find_unit(trial_);
+  const auto largest = [&](const Vector& rate) {
+    trial_ = h * rate - terms_.col(0);
+    error_ = real_.solve(trial_);
     Eigen::Index worst = 0;
-    const double size = error.cwiseAbs().cwiseQuotient(unit).maxCoeff(&worst);
+    const double size = error_.cwiseAbs().cwiseQuotient(unit_).maxCoeff(&worst);
     worst_ = static_cast<std::size_t>(worst);
-    return error.allFinite() && new_y_.allFinite() ? size : std::numeric_limits<double>::quiet_NaN();
+    return error_.allFinite() && new_y_.allFinite() ? size : std::numeric_limits<double>::quiet_NaN();
   };
-  double size = largest();
+  double size = largest(rate_);
   if (size > 1.0 && careful) {
-    trial_ = y_ + error;
+    trial_ = y_ + error_;
     if (!evaluate_trial(time())) return std::numeric_limits<double>::quiet_NaN();
-    error = real_.solve(h * trial_rate_ - terms_.col(0));
-    size = largest();
+    size = largest(trial_rate_);
   }
-  return vectrix::detail::larger(size, dense_error(h, unit));
+  return vectrix::detail::larger(size, dense_error(h));
 }
 
 /// The error of the polynomial between the nodes. The estimate at the node is blind to that of a stiff
 /// component. Here its slope at the start is compared with the one at the end of the last step, which the
 /// collocation makes equal to the rate, but without its errors.
-double RadauStepper::dense_error(double h, const Vector& unit) {
+double RadauStepper::dense_error(double h) {
   if (step_ == 0.0) return 0.0;
   static const double correction = largest_correction();
   double largest = 0.0;
   for (Eigen::Index c = 0; c < y_.size(); ++c) {
     double slope = 0.0;
     for (int p = 0; p < stages; ++p) slope += (p + 1) * last_terms_(c, p);
-    const double error = correction * std::abs(h / step_ * slope - terms_(c, 0)) / unit(c);
+    const double error = correction * std::abs(h / step_ * slope - terms_(c, 0)) / unit_(c);
     if (!(error > largest)) continue;
     largest = error;
     if (error > 1.0) worst_ = static_cast<std::size_t>(c);

@@ -50,8 +50,9 @@ class RadauStepper final : public Stepper {
   }
   static std::span<double> span_of(Vector& y) { return {y.data(), static_cast<std::size_t>(y.size())}; }
   [[nodiscard]] double time() const { return origin_ + (elapsed_.sum + elapsed_.rest); }
-  [[nodiscard]] double first_step(double longest) const;
-  [[nodiscard]] Vector scale(const Vector& y) const;
+  [[nodiscard]] double first_step(double longest);
+  /// Sets unit_, the tolerance of each component, for a state of these sizes.
+  void find_unit(const Vector& sizes);
   /// The rate of a trial; false if it is not finite.
   bool evaluate_trial(double elapsed);
   bool find_jacobian(double h);
@@ -60,14 +61,16 @@ class RadauStepper final : public Stepper {
   bool iterate(double h);
   void find_terms();
   double error_of(double h, bool careful);
-  double dense_error(double h, const Vector& unit);
+  double dense_error(double h);
   void accept(double h, bool last);
   [[noreturn]] void throw_failed(double h) const;
 
   const Problem& problem_;
   detail::RatesOfSegment<std::dynamic_extent, std::reference_wrapper<const RightHandSide>> rates_;
-  Vector absolute_, y_, rate_, trial_, trial_rate_, new_y_;
-  ByStage z_, f_;       ///< Y_i - y and f(Y_i)
+  Vector absolute_, y_, rate_, trial_, trial_rate_, new_y_, unit_, error_;
+  ByStage z_, f_;  ///< Y_i - y and f(Y_i)
+  ByStage residual_, change_;
+  Eigen::VectorXcd complex_residual_, complex_change_;
   ByStage terms_;       ///< of the collocation polynomial
   ByStage last_terms_;  ///< those of the last accepted step
   Eigen::MatrixXd jacobian_;

@@ -83,6 +83,7 @@ template <class Table, std::size_t N, Rates<N> F> class RungeKutta {
         y_(size_),
         before_(size_),
         stage_(size_),
+        errors_(size_),
         k_(make_stages(size_, std::make_index_sequence<Table::all_stages>{})) {
     require(relative_ >= 0.0 && std::isfinite(relative_), "a relative tolerance of", relative_);
     for (std::size_t c = 0; c < absolute_.width(); ++c)
@@ -239,18 +240,18 @@ template <class Table, std::size_t N, Rates<N> F> class RungeKutta {
   /// Leaves the new state in stage_; returns the largest error of a component, in units of its tolerance.
   template <std::size_t... J>
   [[gnu::always_inline]] double weigh_stages(double h, std::index_sequence<J...>) {
-    Numbers errors(size_);
     for (std::size_t c = 0; c < y_.width(); ++c) {
       double sum = 0.0, error = 0.0;
       (weigh<J>(sum, error, c), ...);
       stage_[c] = y_[c] + h * sum;
       const double size = std::max(std::abs(y_[c]), std::abs(stage_[c]));
-      errors[c] = std::abs(h * error) / (absolute_[c] + relative_ * size) + 0.0 * size;  // NaN if y overflows
+      errors_[c] =
+          std::abs(h * error) / (absolute_[c] + relative_ * size) + 0.0 * size;  // NaN if y overflows
     }
     double largest = 0.0;
     for (std::size_t c = 0; c < size_; ++c) {
-      if (errors[c] <= largest) continue;
-      largest = errors[c];  // not a number stays
+      if (errors_[c] <= largest) continue;
+      largest = errors_[c];  // not a number stays
       worst_ = c;
       if (!(largest < std::numeric_limits<double>::infinity())) break;
     }
@@ -352,6 +353,7 @@ template <class Table, std::size_t N, Rates<N> F> class RungeKutta {
   Numbers y_;
   Numbers before_;  ///< at the start of the last step
   Numbers stage_;
+  Numbers errors_;  ///< of the last attempt, in units of their tolerances
   Stages k_;
   std::array<Numbers, degree> terms_ = make_terms(size_, std::make_index_sequence<degree>{});
   double origin_ = 0.0;  ///< of the elapsed time
