@@ -85,20 +85,28 @@ template <class Table, std::size_t N, Rates<N> F> class RungeKutta {
         stage_(size_),
         errors_(size_),
         k_(make_stages(size_, std::make_index_sequence<Table::all_stages>{})) {
-    require(relative_ >= 0.0 && std::isfinite(relative_), "a relative tolerance of", relative_);
+    require(relative_ >= 0.0 && std::isfinite(relative_),
+            [&] { return ": the relative tolerance must be finite and at least 0, got " + text(relative_); });
     for (std::size_t c = 0; c < absolute_.width(); ++c)
       absolute_[c] = c < size_ ? absolute_tolerances[c] : 1.0;
     for (std::size_t c = 0; c < size_; ++c)
-      require(absolute_[c] > 0.0 && std::isfinite(absolute_[c]), "an absolute tolerance of", absolute_[c]);
+      require(absolute_[c] > 0.0 && std::isfinite(absolute_[c]), [&] {
+        return ": the absolute tolerance of component " + text(c) +
+               " must be finite and greater than 0, got " + text(absolute_[c]);
+      });
   }
 
   /// Begins at (t, y), without a memory of earlier rates. The length of the first step is chosen, unless
   /// given.
   void start(double t, State y, double first_step = 0.0) {
-    require(std::isfinite(t), "a start at", t);
-    require(y.size() == size_, "a state whose size is not that of the tolerances but", y.size());
-    for (const double number : y) require(std::isfinite(number), "a state with", number);
-    require(first_step >= 0.0, "a first step of", first_step);
+    require(std::isfinite(t), [&] { return "::start: the time must be finite, got " + text(t); });
+    require_size("::start", "the state", y.size(), size_);
+    for (std::size_t c = 0; c < size_; ++c)
+      require(std::isfinite(y[c]), [&] {
+        return "::start: component " + text(c) + " of the state must be finite, got " + text(y[c]);
+      });
+    require(first_step >= 0.0,
+            [&] { return "::start: the first step must be at least 0, got " + text(first_step); });
     std::copy(y.begin(), y.end(), y_.data());
     origin_ = t;
     until_ = std::numeric_limits<double>::infinity();
@@ -111,8 +119,11 @@ template <class Table, std::size_t N, Rates<N> F> class RungeKutta {
   /// One accepted step, at most to `until` and at most as long as `longest`.
   Advance step(double until, double longest = std::numeric_limits<double>::infinity()) {
     const double end = until - origin_, remaining = elapsed_.remaining(end);
-    require(remaining > 0.0 && std::isfinite(until), "a step from where it stands to", until);
-    require(longest > 0.0, "a longest step of", longest);
+    require(remaining > 0.0 && std::isfinite(until), [&] {
+      return "::step: the end must be finite and later than " + text(time()) + ", got " + text(until);
+    });
+    require(longest > 0.0,
+            [&] { return "::step: the longest step must be greater than 0, got " + text(longest); });
     until_ = until;
     step_ = 0.0;
     find_rate();
@@ -163,7 +174,12 @@ template <class Table, std::size_t N, Rates<N> F> class RungeKutta {
   void interpolate(double t, std::span<double, N> y) {
     const double theta = 1.0 + ((t - origin_) - elapsed_.sum - elapsed_.rest) / step_;
     const double slack = 4.0 * epsilon * (1.0 + std::abs(t) / step_);
-    require(step_ > 0.0 && theta >= -slack && theta <= 1.0 + slack, "a state outside the last step, at", t);
+    require_step("::interpolate");
+    require(theta >= -slack && theta <= 1.0 + slack, [&] {
+      return "::interpolate: the time " + text(t) + " is outside the last step, [" + text(time_of(-step_)) +
+             ", " + text(time()) + "]";
+    });
+    require_size("::interpolate", "the state", y.size(), size_);
     polynomial();
     for (std::size_t c = 0; c < size_; ++c) {
       double sum = 0.0;
@@ -174,18 +190,32 @@ template <class Table, std::size_t N, Rates<N> F> class RungeKutta {
 
   /// The same interpolant as numbers, term p of component c at [(p - 1) * N + c]:
   ///     y(t) = y_before + sum_p term_p theta^p,  theta = (t - t_before) / step,  p = 1 to `degree`.
+  /// Throws BadInput after a failed step, and for another number of terms.
   void terms(std::span<double> terms) {
+    require_step("::terms");
+    require_size("::terms", "the interpolant", terms.size(), degree * size_);
     polynomial();
     for (std::size_t p = 0; p < degree; ++p)
       std::copy(terms_[p].data(), terms_[p].data() + size_, terms.data() + p * size_);
   }
 
  private:
-  template <class Number> static void require(bool condition, const char* what, const Number& number) {
+  template <class Number> static std::string text(const Number& number) {
+    return vectrix::detail::text(number);
+  }
+  template <class Message> static void require(bool condition, const Message& message) {
     if (!condition) [[unlikely]] {
-      throw BadInput(std::string("ode::RungeKutta: ") + what + " " + vectrix::detail::text(number) +
-                     " is not possible");
+      throw BadInput("ode::RungeKutta" + message());
     }
+  }
+  static void require_size(const char* call, const char* what, std::size_t size, std::size_t wanted) {
+    require(size == wanted, [&] {
+      return std::string(call) + ": " + what + " has " + text(wanted) + " numbers, the span " + text(size);
+    });
+  }
+  void require_step(const char* call) const {
+    require(step_ > 0.0,
+            [&] { return std::string(call) + ": there is no accepted step that ends at " + text(time()); });
   }
 
   static constexpr double epsilon = std::numeric_limits<double>::epsilon();
