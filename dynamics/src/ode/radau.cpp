@@ -11,8 +11,8 @@
 namespace vectrix::ode {
 namespace {
 
-constexpr int stages = 7;
-constexpr int pairs = 3;
+constexpr int stages = RadauStepper::stages;
+constexpr int pairs = RadauStepper::pairs;
 constexpr int most_iterations = 15;
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 constexpr double error_exponent = 1.0 / (stages + 1);

@@ -30,7 +30,6 @@ class RadauStepper final : public Stepper {
   void enter_segment(double start, double end) override;
   void evaluate(double elapsed, std::span<const double> y, std::span<double> ydot) override;
   void restart(double elapsed, std::span<const double> y, double stop, double longest) override;
-  void rate_at_restart(std::span<double> ydot) override { rate(ydot); }
   double step() override;
   [[nodiscard]] std::span<const double> state() const override { return span_of(y_); }
   void rate(std::span<double> ydot) override;
@@ -39,9 +38,10 @@ class RadauStepper final : public Stepper {
   [[nodiscard]] std::size_t evaluations() const override { return rates_.evaluations; }
   [[nodiscard]] std::size_t error_test_failures() const override { return rejections_; }
 
+  static constexpr int stages = RadauIIA7::stages;
+  static constexpr int pairs = (stages - 1) / 2;  ///< of complex eigenvalues
+
  private:
-  static constexpr int stages = 7;
-  static constexpr int pairs = 3;  ///< of complex eigenvalues
   using Vector = Eigen::VectorXd;
   using ByStage = Eigen::Matrix<double, Eigen::Dynamic, stages>;
 

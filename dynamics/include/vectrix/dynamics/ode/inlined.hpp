@@ -105,7 +105,6 @@ template <class Table, std::size_t N, SegmentRates<N> F> class InlinedStepper fi
     longest_ = longest;
     method_.start(elapsed, state_of(y), method_.next_step());
   }
-  void rate_at_restart(std::span<double> ydot) override { rate(ydot); }
   double step() override {
     const Advance advance = method_.step(stop_, longest_);
     if (advance == Advance::too_short || advance == Advance::not_finite) [[unlikely]] {

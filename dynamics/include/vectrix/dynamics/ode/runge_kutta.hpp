@@ -12,7 +12,6 @@
 #include <vector>
 
 #include <vectrix/dynamics/ode/elapsed_time.hpp>
-#include <vectrix/dynamics/ode/solution.hpp>
 #include <vectrix/frames/errors.hpp>
 
 namespace vectrix::ode {
@@ -160,7 +159,6 @@ template <class Table, std::size_t N, Rates<N> F> class RungeKutta {
     find_rate();
     return State(k_[Table::stages].data(), size_);
   }
-  [[nodiscard]] Node node() { return {time(), state(), rate()}; }
   /// Length the next step would have if no end were near.
   [[nodiscard]] double next_step() const { return next_step_; }
   [[nodiscard]] F& rates() { return rates_; }
