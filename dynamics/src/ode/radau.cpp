@@ -11,8 +11,8 @@
 namespace vectrix::ode {
 namespace {
 
-constexpr int stages = 7;
-constexpr int pairs = 3;
+constexpr int stages = RadauStepper::stages;
+constexpr int pairs = RadauStepper::pairs;
 constexpr int most_iterations = 15;
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 constexpr double error_exponent = 1.0 / (stages + 1);
@@ -84,8 +84,9 @@ RadauStepper::RadauStepper(const Problem& problem)
     : problem_(problem), rates_{std::cref(problem.rhs), &problem} {
   const auto size = static_cast<Eigen::Index>(problem.initial_state.size());
   absolute_ = Vector::Map(problem.absolute_tolerances.data(), size);
-  y_ = rate_ = trial_ = trial_rate_ = new_y_ = Vector::Zero(size);
-  z_ = f_ = terms_ = last_terms_ = ByStage::Zero(size, stages);
+  y_ = rate_ = trial_ = trial_rate_ = new_y_ = unit_ = error_ = Vector::Zero(size);
+  z_ = f_ = residual_ = change_ = terms_ = last_terms_ = ByStage::Zero(size, stages);
+  complex_residual_ = complex_change_ = Eigen::VectorXcd::Zero(size);
   jacobian_ = Eigen::MatrixXd::Zero(size, size);
 }
 
@@ -96,6 +97,12 @@ void RadauStepper::enter_segment(double start, double end) {
 
 void RadauStepper::evaluate(double elapsed, std::span<const double> y, std::span<double> ydot) {
   rates_(elapsed, y, ydot);
+  rates_.require_none();
+}
+
+bool RadauStepper::evaluate_trial(double elapsed) {
+  rates_(elapsed, span_of(std::as_const(trial_)), span_of(trial_rate_));
+  return !rates_.trouble;
 }
 
 void RadauStepper::restart(double elapsed, std::span<const double> y, double stop, double longest) {
@@ -113,45 +120,49 @@ void RadauStepper::rate(std::span<double> ydot) {
   std::ranges::copy(span_of(std::as_const(rate_)), ydot.begin());
 }
 
-RadauStepper::Vector RadauStepper::scale(const Vector& y) const {
-  return absolute_ + problem_.relative_tolerance * y.cwiseAbs();
+void RadauStepper::find_unit(const Vector& sizes) {
+  unit_ = absolute_ + problem_.relative_tolerance * sizes.cwiseAbs();
 }
 
 /// Short enough for any problem: a hundredth of the time in which the rate changes the state. It grows
 /// eightfold a step.
-double RadauStepper::first_step(double longest) const {
+double RadauStepper::first_step(double longest) {
   constexpr double cautious = 0.01;
-  const Vector unit = scale(y_);
-  const double speed = rate_.cwiseAbs().cwiseQuotient(unit).maxCoeff();
-  const double size = y_.cwiseAbs().cwiseQuotient(unit).maxCoeff();
+  find_unit(y_);
+  const double speed = rate_.cwiseAbs().cwiseQuotient(unit_).maxCoeff();
+  const double size = y_.cwiseAbs().cwiseQuotient(unit_).maxCoeff();
   return speed > 0.0 ? std::min(longest, cautious * std::max(size, 1.0) / speed) : cautious * longest;
 }
 
 double RadauStepper::step() {
-  const double remaining = (stop_ - origin_) - elapsed_.sum - elapsed_.rest;
-  const double rounding = 16.0 * epsilon * (elapsed_.sum + remaining);
-  if (!(next_step_ > 0.0)) next_step_ = first_step(std::min(remaining, longest_));
+  const double end = stop_ - origin_;
+  if (!(next_step_ > 0.0)) next_step_ = first_step(std::min(elapsed_.remaining(end), longest_));
   bool rejected = false;
   while (true) {
-    double h = std::min(next_step_, longest_);
-    const bool last = h >= remaining - rounding;
-    if (last) h = remaining;
-    if (!last && !(h > 4.0 * epsilon * elapsed_.sum)) throw_too_short(h);
-    if (!jacobian_good_ && !jacobian_fresh_) find_jacobian(h);
+    const auto [h, last, too_short] = elapsed_.next(std::min(next_step_, longest_), end);
+    if (too_short) throw_failed(h);
+    rates_.trouble.reset();
+    overflowed_ = false;
+    if (!jacobian_good_ && !jacobian_fresh_ && !find_jacobian(h)) {
+      next_step_ = 0.5 * h;
+      continue;
+    }
     if (factorised_ != h) factorise(h);
     guess(h);
-    if (!iterate(h)) {
-      jacobian_good_ = converged_ = false;
+    converged_ = iterate(h);
+    if (!converged_) {
+      jacobian_good_ = false;
       if (jacobian_fresh_) next_step_ = 0.5 * h;
       continue;
     }
-    converged_ = true;
-    not_finite_.reset();
     find_terms();
     const double error = error_of(h, rejected || step_ == 0.0);
     if (!std::isfinite(error)) {
-      const double t = rates_.time(time());
-      throw Trouble{flag::rhs_failed, t, "a step from t = " + detail::text(t) + " overflows", nullptr};
+      overflowed_ = true;
+      next_step_ = 0.5 * h;
+      rejected = true;
+      ++rejections_;
+      continue;
     }
     // A step whose iteration took long is lengthened less.
     const double safety =
@@ -168,23 +179,27 @@ double RadauStepper::step() {
     const bool keep = jacobian_good_ && proposed >= h && proposed <= 1.2 * h;  // the systems stay factorised
     next_step_ = last && !rejected ? std::max(next_step_, proposed) : keep ? h : proposed;
     accept(h, last);
-    return last ? stop_ : time();
+    return time();
   }
 }
 
-void RadauStepper::find_jacobian(double h) {
+/// By differences of the size of the state, or of its change |h f| in a step; that of a first step, which may
+/// be carried over a breakpoint and far too long, says nothing. False if a rate there is not finite.
+bool RadauStepper::find_jacobian(double h) {
   trial_ = y_;
+  const double trusted = step_ > 0.0 ? h : first_step(h);
   for (Eigen::Index c = 0; c < y_.size(); ++c) {
     const double size =
-        std::max({std::abs(y_(c)), std::abs(h * rate_(c)), absolute_(c) / std::sqrt(epsilon)});
+        std::max({std::abs(y_(c)), std::abs(trusted * rate_(c)), absolute_(c) / std::sqrt(epsilon)});
     trial_(c) = y_(c) + std::sqrt(epsilon) * size;
     const double change = trial_(c) - y_(c);
-    evaluate(time(), span_of(std::as_const(trial_)), span_of(trial_rate_));
+    if (!evaluate_trial(time())) return false;
     jacobian_.col(c) = (trial_rate_ - rate_) / change;
     trial_(c) = y_(c);
   }
   jacobian_fresh_ = true;
   factorised_ = 0.0;
+  return true;
 }
 
 void RadauStepper::factorise(double h) {
@@ -201,14 +216,13 @@ void RadauStepper::factorise(double h) {
 void RadauStepper::guess(double h) {
   z_.setZero();
   if (step_ == 0.0) return;
-  for (int i = 0; i < stages; ++i) {
-    const double theta = 1.0 + abscissa(i) * h / step_;
-    for (Eigen::Index c = 0; c < y_.size(); ++c) {
-      double later = 0.0, now = 0.0;
-      for (int p = stages; p-- > 0;) {
-        later = theta * (later + last_terms_(c, p));
-        now += last_terms_(c, p);
-      }
+  for (Eigen::Index c = 0; c < y_.size(); ++c) {
+    double now = 0.0;
+    for (int p = stages; p-- > 0;) now += last_terms_(c, p);
+    for (int i = 0; i < stages; ++i) {
+      const double theta = 1.0 + abscissa(i) * h / step_;
+      double later = 0.0;
+      for (int p = stages; p-- > 0;) later = theta * (later + last_terms_(c, p));
       z_(c, i) = later - now;
     }
   }
@@ -216,9 +230,9 @@ void RadauStepper::guess(double h) {
 
 /// Newton's iteration for Z; false if it is slow. A rate that is not finite ends it: a shorter step may avoid
 /// it.
-bool RadauStepper::iterate(double h) try {
-  const Vector unit = scale(y_);
-  const double rounded = 10.0 * epsilon * y_.cwiseAbs().cwiseQuotient(unit).maxCoeff();
+bool RadauStepper::iterate(double h) {
+  find_unit(y_);
+  const double rounded = 10.0 * epsilon * y_.cwiseAbs().cwiseQuotient(unit_).maxCoeff();
   const double small = std::max(rounded, std::min(0.01, std::sqrt(problem_.relative_tolerance)));
   contraction_ = std::pow(std::max(contraction_, epsilon), 0.8);
   slowest_ratio_ = 0.0;
@@ -226,19 +240,25 @@ bool RadauStepper::iterate(double h) try {
   for (iterations_ = 1; iterations_ <= most_iterations; ++iterations_) {
     for (int i = 0; i < stages; ++i) {
       trial_ = y_ + z_.col(i);
-      evaluate(time() + abscissa(i) * h, span_of(std::as_const(trial_)), span_of(trial_rate_));
+      if (!evaluate_trial(time() + abscissa(i) * h)) return false;
       f_.col(i) = trial_rate_;
     }
-    const ByStage residual = h * f_ - z_ * method().inverse.transpose();
-    ByStage change = real_.solve(residual * method().left_real.transpose()) * method().right_real.transpose();
+    residual_ = h * f_;
+    residual_.noalias() -= z_ * method().inverse.transpose();
+    trial_.noalias() = residual_ * method().left_real.transpose();
+    error_ = real_.solve(trial_);
+    change_.noalias() = error_ * method().right_real.transpose();
     for (int k = 0; k < pairs; ++k) {
-      const Eigen::VectorXcd solved =
-          complex_[static_cast<std::size_t>(k)].solve(residual * method().left.row(k).transpose());
-      change += 2.0 * (solved * method().right.col(k).transpose()).real();
+      complex_residual_.noalias() = residual_ * method().left.row(k).transpose();
+      complex_change_ = complex_[static_cast<std::size_t>(k)].solve(complex_residual_);
+      for (int i = 0; i < stages; ++i)
+        change_.col(i) += 2.0 * (complex_change_ * method().right(i, k)).real();
     }
-    const double size = (unit.cwiseInverse().asDiagonal() * change).cwiseAbs().maxCoeff();
-    if (!std::isfinite(size)) return false;
-    z_ += change;
+    double size = 0.0;
+    for (int i = 0; i < stages; ++i)
+      size = vectrix::detail::larger(size, change_.col(i).cwiseAbs().cwiseQuotient(unit_).maxCoeff());
+    if (!std::isfinite(size) || !change_.allFinite()) return false;
+    z_ += change_;
     if (iterations_ > 1) {
       const double ratio = size / before;
       slowest_ratio_ = std::max(slowest_ratio_, ratio);
@@ -250,10 +270,6 @@ bool RadauStepper::iterate(double h) try {
     if (contraction_ * size <= small || size == 0.0) return true;
     before = size;
   }
-  return false;
-} catch (const Trouble& trouble) {
-  if (trouble.cause) throw;
-  not_finite_ = trouble;
   return false;
 }
 
@@ -280,35 +296,36 @@ void RadauStepper::find_terms() {
 /// that the first estimate overrates; `careful` estimates it once more.
 double RadauStepper::error_of(double h, bool careful) {
   new_y_ = y_ + z_.col(stages - 1);
-  const Vector unit = scale(y_.cwiseAbs().cwiseMax(new_y_.cwiseAbs()));
-  Vector error = real_.solve(h * rate_ - terms_.col(0));
-  const auto largest = [&] {
+  trial_ = y_.cwiseAbs().cwiseMax(new_y_.cwiseAbs());
+  find_unit(trial_);
+  const auto largest = [&](const Vector& rate) {
+    trial_ = h * rate - terms_.col(0);
+    error_ = real_.solve(trial_);
     Eigen::Index worst = 0;
-    const double size = error.cwiseAbs().cwiseQuotient(unit).maxCoeff(&worst);
+    const double size = error_.cwiseAbs().cwiseQuotient(unit_).maxCoeff(&worst);
     worst_ = static_cast<std::size_t>(worst);
-    return error.allFinite() && new_y_.allFinite() ? size : std::numeric_limits<double>::quiet_NaN();
+    return error_.allFinite() && new_y_.allFinite() ? size : std::numeric_limits<double>::quiet_NaN();
   };
-  double size = largest();
+  double size = largest(rate_);
   if (size > 1.0 && careful) {
-    trial_ = y_ + error;
-    evaluate(time(), span_of(std::as_const(trial_)), span_of(trial_rate_));
-    error = real_.solve(h * trial_rate_ - terms_.col(0));
-    size = largest();
+    trial_ = y_ + error_;
+    if (!evaluate_trial(time())) return std::numeric_limits<double>::quiet_NaN();
+    size = largest(trial_rate_);
   }
-  return vectrix::detail::larger(size, dense_error(h, unit));
+  return vectrix::detail::larger(size, dense_error(h));
 }
 
 /// The error of the polynomial between the nodes. The estimate at the node is blind to that of a stiff
 /// component. Here its slope at the start is compared with the one at the end of the last step, which the
 /// collocation makes equal to the rate, but without its errors.
-double RadauStepper::dense_error(double h, const Vector& unit) {
+double RadauStepper::dense_error(double h) {
   if (step_ == 0.0) return 0.0;
   static const double correction = largest_correction();
   double largest = 0.0;
   for (Eigen::Index c = 0; c < y_.size(); ++c) {
     double slope = 0.0;
     for (int p = 0; p < stages; ++p) slope += (p + 1) * last_terms_(c, p);
-    const double error = correction * std::abs(h / step_ * slope - terms_(c, 0)) / unit(c);
+    const double error = correction * std::abs(h / step_ * slope - terms_(c, 0)) / unit_(c);
     if (!(error > largest)) continue;
     largest = error;
     if (error > 1.0) worst_ = static_cast<std::size_t>(c);
@@ -320,8 +337,12 @@ void RadauStepper::accept(double h, bool last) {
   y_ = new_y_;
   last_terms_ = terms_;
   step_ = h;
-  elapsed_.add(h);
-  if (last) elapsed_ = {stop_ - origin_, 0.0};
+  if (last) {
+    origin_ = stop_;
+    elapsed_ = {};
+  } else {
+    elapsed_.add(h);
+  }
   jacobian_fresh_ = false;
   evaluate(time(), span_of(std::as_const(y_)), span_of(rate_));
 }
@@ -330,13 +351,15 @@ void RadauStepper::terms(std::span<double> terms) {
   std::copy(last_terms_.data(), last_terms_.data() + last_terms_.size(), terms.begin());
 }
 
-void RadauStepper::throw_too_short(double h) const {
-  if (not_finite_) throw Trouble(*not_finite_);
+void RadauStepper::throw_failed(double h) const {
+  rates_.require_none();
+  const double t = rates_.time(time());
+  if (overflowed_)
+    throw Trouble{flag::rhs_failed, t, "a step from t = " + detail::text(t) + " overflows", nullptr};
   const std::string why =
       converged_ ? "the error of " + detail::component_name(problem_, worst_) + " is still too large"
                  : "Newton's iteration still does not converge";
-  throw Trouble{flag::step_too_short, rates_.time(time()),
-                "the step fell below " + detail::text(h) + ", and " + why, nullptr};
+  throw Trouble{flag::step_too_short, t, "the step fell below " + detail::text(h) + ", and " + why, nullptr};
 }
 
 std::unique_ptr<Stepper> make_radau_stepper(const Problem& problem) {

@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
-#include <optional>
 #include <span>
 #include <string>
 
@@ -31,7 +30,6 @@ class RadauStepper final : public Stepper {
   void enter_segment(double start, double end) override;
   void evaluate(double elapsed, std::span<const double> y, std::span<double> ydot) override;
   void restart(double elapsed, std::span<const double> y, double stop, double longest) override;
-  void rate_at_restart(std::span<double> ydot) override { rate(ydot); }
   double step() override;
   [[nodiscard]] std::span<const double> state() const override { return span_of(y_); }
   void rate(std::span<double> ydot) override;
@@ -40,9 +38,10 @@ class RadauStepper final : public Stepper {
   [[nodiscard]] std::size_t evaluations() const override { return rates_.evaluations; }
   [[nodiscard]] std::size_t error_test_failures() const override { return rejections_; }
 
+  static constexpr int stages = RadauIIA7::stages;
+  static constexpr int pairs = (stages - 1) / 2;  ///< of complex eigenvalues
+
  private:
-  static constexpr int stages = 7;
-  static constexpr int pairs = 3;  ///< of complex eigenvalues
   using Vector = Eigen::VectorXd;
   using ByStage = Eigen::Matrix<double, Eigen::Dynamic, stages>;
 
@@ -51,22 +50,27 @@ class RadauStepper final : public Stepper {
   }
   static std::span<double> span_of(Vector& y) { return {y.data(), static_cast<std::size_t>(y.size())}; }
   [[nodiscard]] double time() const { return origin_ + (elapsed_.sum + elapsed_.rest); }
-  [[nodiscard]] double first_step(double longest) const;
-  [[nodiscard]] Vector scale(const Vector& y) const;
-  void find_jacobian(double h);
+  [[nodiscard]] double first_step(double longest);
+  /// Sets unit_, the tolerance of each component, for a state of these sizes.
+  void find_unit(const Vector& sizes);
+  /// The rate of a trial; false if it is not finite.
+  bool evaluate_trial(double elapsed);
+  bool find_jacobian(double h);
   void factorise(double h);
   void guess(double h);
   bool iterate(double h);
   void find_terms();
   double error_of(double h, bool careful);
-  double dense_error(double h, const Vector& unit);
+  double dense_error(double h);
   void accept(double h, bool last);
-  [[noreturn]] void throw_too_short(double h) const;
+  [[noreturn]] void throw_failed(double h) const;
 
   const Problem& problem_;
   detail::RatesOfSegment<std::dynamic_extent, std::reference_wrapper<const RightHandSide>> rates_;
-  Vector absolute_, y_, rate_, trial_, trial_rate_, new_y_;
-  ByStage z_, f_;       ///< Y_i - y and f(Y_i)
+  Vector absolute_, y_, rate_, trial_, trial_rate_, new_y_, unit_, error_;
+  ByStage z_, f_;  ///< Y_i - y and f(Y_i)
+  ByStage residual_, change_;
+  Eigen::VectorXcd complex_residual_, complex_change_;
   ByStage terms_;       ///< of the collocation polynomial
   ByStage last_terms_;  ///< those of the last accepted step
   Eigen::MatrixXd jacobian_;
@@ -84,8 +88,8 @@ class RadauStepper final : public Stepper {
   std::size_t worst_ = 0;
   bool jacobian_fresh_ = false;  ///< it is that of this state
   bool converged_ = true;        ///< Newton's iteration, in the last attempt
-  std::optional<Trouble> not_finite_;
-  bool jacobian_good_ = false;  ///< Newton's iteration converged fast with it
+  bool overflowed_ = false;      ///< the last attempt
+  bool jacobian_good_ = false;   ///< Newton's iteration converged fast with it
 };
 
 std::unique_ptr<Stepper> make_radau_stepper(const Problem& problem);

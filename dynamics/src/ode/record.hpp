@@ -43,11 +43,10 @@ struct Record {
   [[nodiscard]] std::span<const double> terms_of(std::size_t left) const {
     return {terms.data() + terms_begin[left], degree * dimension};
   }
-  /// Room for the terms of the last step.
-  [[nodiscard]] std::span<double> add_terms() {
+  /// Keeps the terms of the last step.
+  void add_terms(std::span<const double> added) {
     terms_begin[times.size() - 2] = terms.size();
-    terms.resize(terms.size() + degree * dimension);
-    return std::span(terms).last(degree * dimension);
+    terms.insert(terms.end(), added.begin(), added.end());
   }
   /// Takes back add_terms(), if it was called for the last step.
   void drop_terms() {

@@ -29,7 +29,8 @@ Run::Run(const Problem& problem, std::unique_ptr<Stepper> stepper)
       roots_(problem),
       record_(std::make_shared<Record>()),
       state_(problem.initial_state),
-      slope_(problem.initial_state.size()) {
+      slope_(problem.initial_state.size()),
+      terms_(stepper_->degree() * problem.initial_state.size()) {
   record_->dimension = problem.initial_state.size();
   record_->start = problem.start;
   record_->degree = stepper_->degree();
@@ -112,13 +113,17 @@ void Run::integrate_segment() {
 }
 
 /// Records the method's interpolant for the last step, if anything asks for it; roots do for the time of the
-/// step alone. An interval of several steps has none: it is so short that no time lies within it.
+/// step alone. An interval of several steps has none: it is so short that only the rounded time of a node
+/// lies within it.
 void Run::keep_terms() {
-  const double from = record_->times.end()[-2], to = record_->times.back();
+  const double from = record_->elapsed.end()[-2], to = record_->elapsed.back();
   const auto& outputs = problem_.output_times;
-  while (next_output_ < outputs.size() && outputs[next_output_] <= from) ++next_output_;
-  kept_for_good_ = problem_.dense_output || (next_output_ < outputs.size() && outputs[next_output_] < to);
-  if (parts_ == 1 && (kept_for_good_ || !problem_.roots.empty())) stepper_->terms(record_->add_terms());
+  const auto output = [&] { return outputs[next_output_] - segment_start_; };
+  while (next_output_ < outputs.size() && output() <= from) ++next_output_;
+  kept_for_good_ = problem_.dense_output || (next_output_ < outputs.size() && output() < to);
+  if (parts_ > 1 || !(kept_for_good_ || !problem_.roots.empty())) return;
+  stepper_->terms(terms_);
+  record_->add_terms(terms_);
 }
 
 /// The caller's time: exactly the end of the segment only there.

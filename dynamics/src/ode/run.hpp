@@ -41,6 +41,7 @@ class Run {
   std::size_t parts_ = 0;      ///< steps of the stepper in the last interval between nodes
   std::vector<double> state_;  ///< of the node being appended
   std::vector<double> slope_;
+  std::vector<double> terms_;  ///< of the step's interpolant
 };
 
 }  // namespace vectrix::ode

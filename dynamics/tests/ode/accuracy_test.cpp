@@ -246,6 +246,24 @@ TEST(OdeRadau, passes_over_a_lightly_damped_mode) {
     EXPECT_LT(std::abs(solution.at(t)[0] - exact(t)[0]), 10.0 * tight);
 }
 
+/// x' = 0, then x' = 1 - e^x from -3: e^-x = 1 + (e^3 - 1) e^-t. The step carried into the second segment is
+/// so long that differences for the Jacobian as large as h f would overflow.
+TEST(OdeRadau, a_step_carried_over_a_breakpoint_is_shortened_until_it_fits) {
+  constexpr double rest = 1e13;
+  Problem problem = oscillator(Method::radau_iia_7, 2.0 * rest, 1e-9);
+  problem.rhs = [](double segment_start, double, State y, std::span<double> ydot) {
+    ydot[0] = segment_start == rest ? 1.0 - std::exp(y[0]) : 0.0;
+  };
+  problem.initial_state = {-3.0};
+  problem.breakpoints = {rest};
+  set_tolerance(problem, 1e-9);
+  const Solution solution = solve(problem);
+  for (const double t : {0.5, 3.0, 20.0}) {  // multiples of the rounding of time, 2 ms
+    const double exact = -std::log1p(std::expm1(3.0) * std::exp(-t));
+    EXPECT_NEAR(solution.at(rest + t)[0], exact, 1e-7) << t;
+  }
+}
+
 /// Robertson's reactions, rates 0.04, 3e7 and 1e4, keep the sum of their three states; the first two decay
 /// slowly. E. Hairer, G. Wanner, Solving Ordinary Differential Equations II, equation IV.1.4.
 TEST(OdeRadau, goes_through_eleven_decades_of_time_with_robertsons_reactions) {

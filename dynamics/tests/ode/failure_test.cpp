@@ -67,6 +67,25 @@ TEST_P(OdeFailure, an_exception_of_the_right_hand_side_is_nested_and_nothing_is_
   }
 }
 
+/// Also in the stages of the dense output: then the last step has the cubic through its ends at least, whose
+/// error is h^4 / 384 here.
+TEST_P(OdeFailure, at_any_evaluation_leaves_dense_output_until_the_last_node) {
+  for (std::size_t last = 10; last < 150; ++last) {
+    Problem problem = oscillator(GetParam(), 100.0, 1e-9);
+    std::size_t evaluations = 0;
+    problem.rhs = [&, rhs = problem.rhs](double segment_start, double t, State y, std::span<double> ydot) {
+      if (++evaluations > last) throw std::runtime_error("enough");
+      rhs(segment_start, t, y, ydot);
+    };
+    const Solution solution = failure_of(problem).solution();
+    for (std::size_t i = 0; i + 1 < solution.node_count(); ++i) {
+      const double left = solution.node(i).t, h = solution.node(i + 1).t - left;
+      const double error = distance(solution.at(left + 0.5 * h), oscillator_state(left + 0.5 * h));
+      ASSERT_LE(error, std::pow(h, 4) / 384.0 + 1e-6) << last;  // 1e-6: of the nodes
+    }
+  }
+}
+
 TEST_P(OdeFailure, what_is_thrown_need_not_be_an_exception_class) {
   try {
     (void)solve(troubled(GetParam(), [](std::span<double>) { throw 42; }));

@@ -59,6 +59,43 @@ TEST_P(LateStart, gives_events_at_the_rounded_time_and_after_the_change_of_sign)
   }
 }
 
+// Of dense output that was not kept, at the rounded time of a node: the polynomial through six nodes. The
+// distance d to that node is half the spacing of times, 1.5e-5 s at most, and the error is below
+//     d^2 (1 1 2 2 3)^2 h^10 / 12!,  h the length of a step, less than 1.8 s.
+constexpr double next_to_a_node = 2e-14;
+
+// The state at the rounded time of a node may lie in the step before it or in the one after.
+TEST_P(LateStart, without_dense_output_has_outputs_and_events_at_the_times_of_nodes) {
+  for (const double start : starts) {
+    Problem problem = late(GetParam(), start);
+    problem.breakpoints = {start + 10.25};
+    const Solution nodes = solve(problem);
+    for (std::size_t i = 0; i < nodes.node_count(); i += 3) {
+      const Node node = nodes.node(i);
+      if (problem.output_times.empty() || problem.output_times.back() < node.t)
+        problem.output_times.push_back(node.t);
+      if (problem.roots.size() == 20) continue;
+      problem.roots.push_back({"node", [x = node.y[0]](double, State y) { return y[0] - x; }});
+    }
+    const Solution dense = solve(problem);
+    problem.dense_output = false;
+    const Solution sparse = solve(problem);
+    ASSERT_EQ(sparse.output_times().size(), problem.output_times.size());
+    for (std::size_t i = 0; i < problem.output_times.size(); ++i)
+      EXPECT_EQ(distance(sparse.output(i), dense.output(i)), 0.0);
+    ASSERT_EQ(sparse.events().size(), dense.events().size());
+    for (std::size_t i = 0; i < dense.events().size(); ++i) {
+      EXPECT_EQ(sparse.events()[i].time, dense.events()[i].time);
+      EXPECT_LE(distance(sparse.events()[i].state, dense.events()[i].state), next_to_a_node);
+      EXPECT_EQ(sparse.at(sparse.events()[i].time), sparse.events()[i].state);
+    }
+    for (std::size_t i = 0; i < sparse.node_count(); ++i) {
+      const double t = sparse.node(i).t;
+      EXPECT_LE(distance(sparse.at(t), dense.at(t)), next_to_a_node);
+    }
+  }
+}
+
 // A segment that is short beside the time zero: its nodes and steps count from its own start.
 TEST_P(LateStart, resolves_short_segments_far_from_the_start) {
   Problem problem = oscillator(GetParam(), 1.0, 1e-9);

@@ -1,6 +1,8 @@
+#include <array>
 #include <limits>
 
 #include "problems.hpp"
+#include "testing/free_body.hpp"
 
 namespace vectrix::ode::test::segments_test {
 namespace {
@@ -64,6 +66,36 @@ TEST_P(OdeSegments, breakpoint_is_a_node_of_both_segments) {
     EXPECT_EQ(after.ydot[1], segment == 1 ? 1.0 : 0.0);
   }
   EXPECT_EQ(solution.segment_begin(3), solution.node_count());
+}
+
+/// A body at rest for an hour, then a torque off its principal axes. The steps at rest grow without limit,
+/// and one of that length overflows in the pulse: in its stages the rate is squared again and again.
+Problem pushed_after_rest(Method method) {
+  constexpr double rest = 3600.0, pulse_end = rest + 20.0;
+  Problem problem;
+  problem.rhs = [](double segment_start, double, State y, std::span<double> ydot) {
+    constexpr std::array moments{1.0, 2.0, 3.0}, torque{0.5, -2.0, 3.0};
+    EXPECT_TRUE(std::ranges::all_of(y, [](double number) { return std::isfinite(number); }));
+    vectrix_test::free_body(moments, y.first<7>(), ydot.first<7>());
+    for (std::size_t i = 0; i < 3; ++i)
+      if (segment_start == rest) ydot[4 + i] += torque[i] / moments[i];
+  };
+  problem.initial_state = {1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
+  problem.start = 0.0;
+  problem.end = pulse_end;
+  problem.breakpoints = {rest};
+  problem.method = method;
+  set_tolerance(problem, 1e-10);
+  return problem;
+}
+
+TEST_P(OdeSegments, a_step_carried_into_a_pulse_is_shortened_until_it_fits) {
+  Problem problem = pushed_after_rest(GetParam());
+  const Solution carried = solve(problem);
+  problem.start = problem.breakpoints.front();
+  const Solution fresh = solve(problem);
+  // The first steps in the pulse differ, within the tolerance 1e-10 (1 + |w|), and |w| reaches 20.
+  EXPECT_LT(distance(carried.at(problem.end), fresh.at(problem.end)), 2e-9);
 }
 
 class OdeSegmentsOfSundials : public OdeSegments {};

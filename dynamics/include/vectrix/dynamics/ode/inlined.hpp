@@ -5,7 +5,9 @@
 #include <concepts>
 #include <cstddef>
 #include <exception>
+#include <limits>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -27,8 +29,9 @@ namespace detail {
 
 using vectrix::detail::text;
 
-/// The right-hand side at a time since the start of the segment. It never sees a time outside the segment.
-/// What it throws, and a rate that is not finite, become a Trouble.
+/// The right-hand side at a time since the start of the segment. It never sees a time outside the segment or
+/// a state that is not finite. What it throws becomes a Trouble, which is thrown. A rate that is not finite
+/// is kept as one: a shorter step may avoid it. A state that is not finite gets such a rate.
 template <std::size_t N, SegmentRates<N> F> struct RatesOfSegment {
   F rhs;
   const Problem* problem;
@@ -36,31 +39,47 @@ template <std::size_t N, SegmentRates<N> F> struct RatesOfSegment {
   double end = 0.0;
   double latest = 0.0;  ///< time of the last evaluation
   std::size_t evaluations = 0;
+  std::optional<Trouble> trouble = std::nullopt;  ///< the last that was kept
 
   [[nodiscard]] double time(double elapsed) const { return std::clamp(start + elapsed, start, end); }
 
   void operator()(double elapsed, std::span<const double, N> y, std::span<double, N> ydot) {
-    ++evaluations;
     latest = time(elapsed);
+    if (!finite(y)) [[unlikely]] {
+      if (!trouble) keep(y, " of a stage is ");
+      std::fill(ydot.begin(), ydot.end(), std::numeric_limits<double>::quiet_NaN());
+      return;
+    }
+    ++evaluations;
     try {
       rhs(start, latest, y, ydot);
     } catch (...) {
       throw Trouble{flag::rhs_failed, latest, "the right-hand side threw", std::current_exception()};
     }
-    double wrong = 0.0;
-    for (const double rate : ydot) wrong += 0.0 * rate;
-    if (wrong != 0.0) [[unlikely]] {
-      throw_not_finite(ydot);
+    if (!finite(ydot)) [[unlikely]] {
+      keep(ydot, " of the right-hand side is ");
     }
   }
 
-  [[noreturn]] void throw_not_finite(std::span<const double> ydot) const {
+  /// Throws what was kept.
+  void require_none() const {
+    if (trouble) [[unlikely]] {
+      throw Trouble(*trouble);
+    }
+  }
+
+ private:
+  static bool finite(std::span<const double, N> numbers) {
+    double wrong = 0.0;
+    for (const double number : numbers) wrong += 0.0 * number;
+    return wrong == 0.0;
+  }
+  void keep(std::span<const double> numbers, const char* what) {
     std::size_t i = 0;
-    while (std::isfinite(ydot[i])) ++i;
-    throw Trouble{flag::rhs_failed, latest,
-                  component_name(*problem, i) + " of the right-hand side is " + text(ydot[i]) +
-                      " at t = " + text(latest),
-                  nullptr};
+    while (std::isfinite(numbers[i])) ++i;
+    trouble =
+        Trouble{flag::rhs_failed, latest,
+                component_name(*problem, i) + what + text(numbers[i]) + " at t = " + text(latest), nullptr};
   }
 };
 
@@ -79,27 +98,32 @@ template <class Table, std::size_t N, SegmentRates<N> F> class InlinedStepper fi
   }
   void evaluate(double elapsed, std::span<const double> y, std::span<double> ydot) override {
     method_.rates()(elapsed, state_of(y), std::span<double, N>(ydot.data(), ydot.size()));
+    method_.rates().require_none();
   }
   void restart(double elapsed, std::span<const double> y, double stop, double longest) override {
     stop_ = stop;
     longest_ = longest;
     method_.start(elapsed, state_of(y), method_.next_step());
   }
-  void rate_at_restart(std::span<double> ydot) override { rate(ydot); }
   double step() override {
     const Advance advance = method_.step(stop_, longest_);
     if (advance == Advance::too_short || advance == Advance::not_finite) [[unlikely]] {
       throw_failed(advance);
     }
+    method_.rates().trouble.reset();  // that of attempts with longer steps
     return method_.time();
   }
   [[nodiscard]] std::span<const double> state() const override { return method_.state(); }
   void rate(std::span<double> ydot) override {
     const auto found = method_.rate();
+    method_.rates().require_none();
     std::copy(found.begin(), found.end(), ydot.begin());
   }
   [[nodiscard]] std::size_t degree() const override { return Table::degree; }
-  void terms(std::span<double> terms) override { method_.terms(terms); }
+  void terms(std::span<double> terms) override {
+    method_.terms(terms);
+    method_.rates().require_none();
+  }
   [[nodiscard]] std::size_t evaluations() const override { return method_.rates().evaluations; }
   [[nodiscard]] std::size_t error_test_failures() const override { return method_.rejections(); }
 
@@ -111,6 +135,7 @@ template <class Table, std::size_t N, SegmentRates<N> F> class InlinedStepper fi
   [[noreturn]] void throw_failed(Advance advance) const {
     const double t = method_.rates().time(method_.time());
     if (advance == Advance::not_finite) {
+      method_.rates().require_none();
       throw Trouble{flag::rhs_failed, t, "a step from t = " + text(t) + " overflows", nullptr};
     }
     throw Trouble{flag::step_too_short, t,

@@ -12,14 +12,13 @@
 #include <vector>
 
 #include <vectrix/dynamics/ode/elapsed_time.hpp>
-#include <vectrix/dynamics/ode/solution.hpp>
 #include <vectrix/frames/errors.hpp>
 
 namespace vectrix::ode {
 
 /// What a step of an integrator came to: a step towards `until`, the step that reaches it, or a failure that
 /// leaves the state as it was. `too_short`: the error stays too large with the shortest step that changes the
-/// time. `not_finite`: a rate is infinite or not a number.
+/// time. `not_finite`: the rate at the state is infinite or not a number, or one of the shortest step is.
 enum class Advance { stepped, reached, too_short, not_finite };
 
 /// A right-hand side of N components, ydot = f(t, y). N may be std::dynamic_extent.
@@ -58,7 +57,8 @@ template <> class Numbers<std::dynamic_extent> {
 }  // namespace detail
 
 /// One step after another of an embedded explicit Runge-Kutta pair, with the right-hand side inlined. A step
-/// is accepted if the estimated error of each component is at most relative * |y| + absolute.
+/// is accepted if the estimated error of each component is at most relative * |y| + absolute. A step in which
+/// anything is infinite or not a number is halved.
 ///
 ///     RungeKutta<Verner9, 7, F> method(f, 1e-10, absolute);
 ///     method.start(t, y);
@@ -67,8 +67,8 @@ template <> class Numbers<std::dynamic_extent> {
 /// The step to `until` is shortened to end there, never lengthened, and the length before that is remembered:
 /// start(t, y, method.next_step()) carries it over a discontinuity. Allocates nothing if N is fixed. An
 /// exception of the right-hand side passes through. Times are counted from
-/// the start, with the rounding error of their sum. Throws BadInput for tolerances, times and lengths that
-/// are not finite or have the wrong sign.
+/// the start, or from the last `until` reached, with the rounding error of their sum. Throws BadInput for
+/// tolerances, times and lengths that are not finite or have the wrong sign.
 template <class Table, std::size_t N, Rates<N> F> class RungeKutta {
  public:
   using State = std::span<const double, N>;
@@ -82,21 +82,30 @@ template <class Table, std::size_t N, Rates<N> F> class RungeKutta {
         y_(size_),
         before_(size_),
         stage_(size_),
+        errors_(size_),
         k_(make_stages(size_, std::make_index_sequence<Table::all_stages>{})) {
-    require(relative_ >= 0.0 && std::isfinite(relative_), "a relative tolerance of", relative_);
+    require(relative_ >= 0.0 && std::isfinite(relative_),
+            [&] { return ": the relative tolerance must be finite and at least 0, got " + text(relative_); });
     for (std::size_t c = 0; c < absolute_.width(); ++c)
       absolute_[c] = c < size_ ? absolute_tolerances[c] : 1.0;
     for (std::size_t c = 0; c < size_; ++c)
-      require(absolute_[c] > 0.0 && std::isfinite(absolute_[c]), "an absolute tolerance of", absolute_[c]);
+      require(absolute_[c] > 0.0 && std::isfinite(absolute_[c]), [&] {
+        return ": the absolute tolerance of component " + text(c) +
+               " must be finite and greater than 0, got " + text(absolute_[c]);
+      });
   }
 
   /// Begins at (t, y), without a memory of earlier rates. The length of the first step is chosen, unless
   /// given.
   void start(double t, State y, double first_step = 0.0) {
-    require(std::isfinite(t), "a start at", t);
-    require(y.size() == size_, "a state whose size is not that of the tolerances but", y.size());
-    for (const double number : y) require(std::isfinite(number), "a state with", number);
-    require(first_step >= 0.0, "a first step of", first_step);
+    require(std::isfinite(t), [&] { return "::start: the time must be finite, got " + text(t); });
+    require_size("::start", "the state", y.size(), size_);
+    for (std::size_t c = 0; c < size_; ++c)
+      require(std::isfinite(y[c]), [&] {
+        return "::start: component " + text(c) + " of the state must be finite, got " + text(y[c]);
+      });
+    require(first_step >= 0.0,
+            [&] { return "::start: the first step must be at least 0, got " + text(first_step); });
     std::copy(y.begin(), y.end(), y_.data());
     origin_ = t;
     until_ = std::numeric_limits<double>::infinity();
@@ -108,26 +117,30 @@ template <class Table, std::size_t N, Rates<N> F> class RungeKutta {
 
   /// One accepted step, at most to `until` and at most as long as `longest`.
   Advance step(double until, double longest = std::numeric_limits<double>::infinity()) {
-    const double remaining = (until - origin_) - elapsed_.sum - elapsed_.rest;
-    require(remaining > 0.0 && std::isfinite(until), "a step from where it stands to", until);
-    require(longest > 0.0, "a longest step of", longest);
+    const double end = until - origin_, remaining = elapsed_.remaining(end);
+    require(remaining > 0.0 && std::isfinite(until), [&] {
+      return "::step: the end must be finite and later than " + text(time()) + ", got " + text(until);
+    });
+    require(longest > 0.0,
+            [&] { return "::step: the longest step must be greater than 0, got " + text(longest); });
     until_ = until;
     step_ = 0.0;
-    const double rounding = 16.0 * epsilon * (elapsed_.sum + remaining);
     find_rate();
     k_[0] = k_[Table::stages];
+    for (std::size_t c = 0; c < size_; ++c)
+      if (!std::isfinite(k_[0][c])) return Advance::not_finite;
     if (!(next_step_ > 0.0)) next_step_ = first_step(std::min(remaining, longest));
+    Advance failure = Advance::too_short;
     bool rejected = false;
     while (true) {
-      double h = std::min(next_step_, longest);
-      const bool last = h >= remaining - rounding;
-      if (last) h = remaining;
-      if (!last && !(h > 4.0 * epsilon * elapsed_.sum)) return Advance::too_short;
+      const auto [h, last, too_short] = elapsed_.next(std::min(next_step_, longest), end);
+      if (too_short) return failure;
       const double error = attempt(h);
-      if (!std::isfinite(error)) return Advance::not_finite;
-      const double factor = safety * std::pow(error, -1.0 / (Table::error_order + 1));
-      if (error > 1.0) {
+      const bool finite = std::isfinite(error);
+      const double factor = finite ? safety * std::pow(error, -1.0 / (Table::error_order + 1)) : 0.5;
+      if (!(error <= 1.0)) {
         next_step_ = h * std::max(factor, least_factor);
+        failure = finite ? Advance::too_short : Advance::not_finite;
         rejected = true;
         ++rejections_;
         continue;
@@ -146,7 +159,6 @@ template <class Table, std::size_t N, Rates<N> F> class RungeKutta {
     find_rate();
     return State(k_[Table::stages].data(), size_);
   }
-  [[nodiscard]] Node node() { return {time(), state(), rate()}; }
   /// Length the next step would have if no end were near.
   [[nodiscard]] double next_step() const { return next_step_; }
   [[nodiscard]] F& rates() { return rates_; }
@@ -160,7 +172,12 @@ template <class Table, std::size_t N, Rates<N> F> class RungeKutta {
   void interpolate(double t, std::span<double, N> y) {
     const double theta = 1.0 + ((t - origin_) - elapsed_.sum - elapsed_.rest) / step_;
     const double slack = 4.0 * epsilon * (1.0 + std::abs(t) / step_);
-    require(step_ > 0.0 && theta >= -slack && theta <= 1.0 + slack, "a state outside the last step, at", t);
+    require_step("::interpolate");
+    require(theta >= -slack && theta <= 1.0 + slack, [&] {
+      return "::interpolate: the time " + text(t) + " is outside the last step, [" + text(time_of(-step_)) +
+             ", " + text(time()) + "]";
+    });
+    require_size("::interpolate", "the state", y.size(), size_);
     polynomial();
     for (std::size_t c = 0; c < size_; ++c) {
       double sum = 0.0;
@@ -171,18 +188,32 @@ template <class Table, std::size_t N, Rates<N> F> class RungeKutta {
 
   /// The same interpolant as numbers, term p of component c at [(p - 1) * N + c]:
   ///     y(t) = y_before + sum_p term_p theta^p,  theta = (t - t_before) / step,  p = 1 to `degree`.
+  /// Throws BadInput after a failed step, and for another number of terms.
   void terms(std::span<double> terms) {
+    require_step("::terms");
+    require_size("::terms", "the interpolant", terms.size(), degree * size_);
     polynomial();
     for (std::size_t p = 0; p < degree; ++p)
       std::copy(terms_[p].data(), terms_[p].data() + size_, terms.data() + p * size_);
   }
 
  private:
-  template <class Number> static void require(bool condition, const char* what, const Number& number) {
+  template <class Number> static std::string text(const Number& number) {
+    return vectrix::detail::text(number);
+  }
+  template <class Message> static void require(bool condition, const Message& message) {
     if (!condition) [[unlikely]] {
-      throw BadInput(std::string("ode::RungeKutta: ") + what + " " + vectrix::detail::text(number) +
-                     " is not possible");
+      throw BadInput("ode::RungeKutta" + message());
     }
+  }
+  static void require_size(const char* call, const char* what, std::size_t size, std::size_t wanted) {
+    require(size == wanted, [&] {
+      return std::string(call) + ": " + what + " has " + text(wanted) + " numbers, the span " + text(size);
+    });
+  }
+  void require_step(const char* call) const {
+    require(step_ > 0.0,
+            [&] { return std::string(call) + ": there is no accepted step that ends at " + text(time()); });
   }
 
   static constexpr double epsilon = std::numeric_limits<double>::epsilon();
@@ -237,18 +268,18 @@ template <class Table, std::size_t N, Rates<N> F> class RungeKutta {
   /// Leaves the new state in stage_; returns the largest error of a component, in units of its tolerance.
   template <std::size_t... J>
   [[gnu::always_inline]] double weigh_stages(double h, std::index_sequence<J...>) {
-    Numbers errors(size_);
     for (std::size_t c = 0; c < y_.width(); ++c) {
       double sum = 0.0, error = 0.0;
       (weigh<J>(sum, error, c), ...);
       stage_[c] = y_[c] + h * sum;
       const double size = std::max(std::abs(y_[c]), std::abs(stage_[c]));
-      errors[c] = std::abs(h * error) / (absolute_[c] + relative_ * size) + 0.0 * size;  // NaN if y overflows
+      errors_[c] =
+          std::abs(h * error) / (absolute_[c] + relative_ * size) + 0.0 * size;  // NaN if y overflows
     }
     double largest = 0.0;
     for (std::size_t c = 0; c < size_; ++c) {
-      if (errors[c] <= largest) continue;
-      largest = errors[c];  // not a number stays
+      if (errors_[c] <= largest) continue;
+      largest = errors_[c];  // not a number stays
       worst_ = c;
       if (!(largest < std::numeric_limits<double>::infinity())) break;
     }
@@ -264,8 +295,12 @@ template <class Table, std::size_t N, Rates<N> F> class RungeKutta {
     std::swap(before_, y_);
     std::swap(y_, stage_);
     step_ = h;
-    elapsed_.add(h);
-    if (last) elapsed_ = {until_ - origin_, 0.0};
+    if (last) {
+      origin_ = until_;
+      elapsed_ = {};
+    } else {
+      elapsed_.add(h);
+    }
     rate_known_ = dense_ = false;
   }
 
@@ -346,9 +381,10 @@ template <class Table, std::size_t N, Rates<N> F> class RungeKutta {
   Numbers y_;
   Numbers before_;  ///< at the start of the last step
   Numbers stage_;
+  Numbers errors_;  ///< of the last attempt, in units of their tolerances
   Stages k_;
   std::array<Numbers, degree> terms_ = make_terms(size_, std::make_index_sequence<degree>{});
-  double origin_ = 0.0;
+  double origin_ = 0.0;  ///< of the elapsed time
   double until_ = 0.0;
   ElapsedTime elapsed_;  ///< from the origin to y_
   double step_ = 0.0;    ///< the last accepted one

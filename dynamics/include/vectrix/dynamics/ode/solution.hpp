@@ -72,11 +72,12 @@ class VECTRIX_EXPORT Solution {
   [[nodiscard]] std::vector<Event> events() &&;
   [[nodiscard]] Statistics statistics() const;
 
-  /// State at any time in [start, end]. Verner's methods and Radau IIA have interpolants of their own. Else
-  /// this is the Hermite polynomial through (y, ydot) of up to six nodes around t within its smooth segment
-  /// (degree 11 or less). A node is reached at a time that need not be a double; at the node's rounded time
-  /// this is the state at the rounded time. Throws BadInput if t is outside [start, end] or not a number, or
-  /// if the dense output there was not kept (Problem::dense_output).
+  /// State at any time in [start, end]. Verner's methods and Radau IIA have interpolants of their own, where
+  /// they were kept. Else this is the Hermite polynomial through (y, ydot) of up to six nodes around t within
+  /// its smooth segment (degree 11 or less). A node is reached at a time that need not be a double; at the
+  /// node's rounded time this is the state at the rounded time. Throws BadInput if t is outside [start, end]
+  /// or not a number, or if it is between two nodes and the dense output there was not kept
+  /// (Problem::dense_output).
   [[nodiscard]] std::vector<double> at(double t) const;
   void at(double t, std::span<double> state) const;
 

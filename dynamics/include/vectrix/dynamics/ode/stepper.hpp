@@ -39,7 +39,7 @@ class VECTRIX_EXPORT Stepper {
   /// Begins at (elapsed, y), without history. Steps end exactly at `stop` and are no longer than `longest`.
   virtual void restart(double elapsed, std::span<const double> y, double stop, double longest) = 0;
   /// The right-hand side where the last restart was.
-  virtual void rate_at_restart(std::span<double> ydot) = 0;
+  virtual void rate_at_restart(std::span<double> ydot) { rate(ydot); }
   /// One accepted step; returns the time reached.
   virtual double step() = 0;
   [[nodiscard]] virtual std::span<const double> state() const = 0;

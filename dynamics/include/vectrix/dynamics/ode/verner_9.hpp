@@ -6,11 +6,11 @@
 namespace vectrix::ode {
 
 /// J. H. Verner's "most efficient" Runge-Kutta pair of orders 9 and 8, with an interpolant of order 9:
-///     Y_i = y + h sum_j a_ij k_j,  k_i = f(t + c_i h, Y_i),  y_new = y + h sum b_i k_i,  error = h sum e_i
-///     k_i.
+///     Y_i = y + h sum_j a_ij k_j,    k_i = f(t + c_i h, Y_i),
+///     y_new = y + h sum_i b_i k_i,   error = h sum_i e_i k_i.
 /// Index `stages` of k is the rate at y_new; the stages after it are those of the interpolant, in which k_i
 /// has the weight sum_p r_ip theta^p, p = 2 to 9. The first stage and the rate at y_new need no row of r: see
-/// RungeKutta::polynomial. Figures: J. H. Verner, "Refuge for Runge-Kutta pairs", IIa efficient 9(8) pair.
+/// RungeKutta::fill_terms. Figures: J. H. Verner, "Refuge for Runge-Kutta pairs", IIa efficient 9(8) pair.
 struct Verner9 {
   static constexpr std::size_t stages = 16;
   static constexpr std::size_t all_stages = 26;
