@@ -274,6 +274,15 @@ TEST(OrbitMeanElementsMessage, LinesThatAreNone) {
   EXPECT_EQ(complaint_of(iss + iss), "orbit mean-elements message: there are 2 messages");
 }
 
+// Cut inside its last number a message would still be one, of another B*.
+TEST(OrbitMeanElementsMessage, ATruncatedFile) {
+  const std::string cut = iss.substr(0, iss.find(".11479289E-3") + 5);
+  EXPECT_EQ(*Message::parse(cut).text("BSTAR"), ".1147");
+  const TemporaryFile file(cut);
+  EXPECT_EQ(complaint([&] { Message::read(file.path()); }, file.path()),
+            "orbit mean-elements message FILE, line 24: the file stops within this line; it was truncated");
+}
+
 TEST(OrbitMeanElementsMessage, FilesOfManyMessages) {
   const TemporaryFile file("\xEF\xBB\xBF" + iss + "\r\n" + with("NORAD_CAT_ID", "NORAD_CAT_ID = 100001\r"));
   const auto messages = Message::read(file.path());
