@@ -237,6 +237,9 @@ std::vector<OrbitMeanElementsMessage> OrbitMeanElementsMessage::read(const std::
   const std::string place = "orbit mean-elements message " + file.string();
   const auto content = detail::read_lines(file);
   if (!content) throw BadInput(place + ": cannot be read");
+  if (!content->whole)
+    throw BadInput(place + ", line " + detail::text(content->lines.size()) +
+                   ": the file stops within this line; it was truncated");
   return messages(place, content->lines);
 }
 

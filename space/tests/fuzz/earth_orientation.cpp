@@ -3,13 +3,13 @@
 
 #include "input_file.hpp"
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) try {
-  const vectrix::fuzz::InputFile file(bytes, size);
-  const auto orientation = vectrix::EarthOrientation::read(file.path());
-  for (const auto& epoch : {orientation.first(), orientation.last()}) {
-    static_cast<void>(orientation.parameters(epoch));
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
+  using namespace vectrix;
+  const fuzz::InputFile file(bytes, size);
+  const auto orientation = fuzz::accepted([&] { return EarthOrientation::read(file.path()); });
+  if (!orientation) return 0;
+  for (const auto& epoch : {orientation->first(), orientation->last()}) {
+    static_cast<void>(orientation->parameters(epoch));
   }
-  return 0;
-} catch (const vectrix::BadInput&) {
   return 0;
 }

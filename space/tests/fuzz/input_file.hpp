@@ -7,7 +7,10 @@
 #include <cstdint>
 #include <cstdlib>
 #include <filesystem>
+#include <optional>
 #include <string>
+
+#include <vectrix/frames/errors.hpp>
 
 namespace vectrix::fuzz {
 
@@ -26,5 +29,15 @@ class InputFile {
  private:
   int descriptor_;
 };
+
+/// What a reader makes of the input, or nothing if it refuses it. What comes after reading stands outside, so
+/// that a refusal there ends the fuzzer.
+template <class Error = BadInput, class Read> auto accepted(Read read) -> std::optional<decltype(read())> {
+  try {
+    return read();
+  } catch (const Error&) {
+    return std::nullopt;
+  }
+}
 
 }  // namespace vectrix::fuzz

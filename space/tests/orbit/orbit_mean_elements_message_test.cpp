@@ -9,6 +9,7 @@
 
 #include <vectrix/space/orbit/sgp4.hpp>
 
+#include "orbit/check_sum.hpp"
 #include "temporary_file.hpp"
 
 namespace vectrix::orbit_mean_elements_message_test {
@@ -126,11 +127,6 @@ TEST(OrbitMeanElementsMessage, IsTheMotionOfTheTwoLines) {
 
 // The two lines of the same set have an eccentricity of seven decimals, and five digits of B*.
 TEST(OrbitMeanElementsMessage, HasMoreDigitsThanTwoLines) {
-  const auto summed = [](std::string line) {
-    int sum = 0;
-    for (const char c : line) sum += c == '-' ? 1 : c >= '0' && c <= '9' ? c - '0' : 0;
-    return line + static_cast<char>('0' + sum % 10);
-  };
   const auto set =
       TwoLineElements::parse(summed("1 25544U 98067A   26202.18553447  .00005896  00000-0  11479-3 0  999"),
                              summed("2 25544  51.6316 131.8443 0006849 320.6461  39.4029 15.4907175657702"));
@@ -272,6 +268,15 @@ TEST(OrbitMeanElementsMessage, LinesThatAreNone) {
             "orbit mean-elements message, line 2: XML is not supported, only keyword = value");
   EXPECT_EQ(complaint_of(""), "orbit mean-elements message: there is no message");
   EXPECT_EQ(complaint_of(iss + iss), "orbit mean-elements message: there are 2 messages");
+}
+
+// Cut inside its last number a message would still be one, of another B*.
+TEST(OrbitMeanElementsMessage, ATruncatedFile) {
+  const std::string cut = iss.substr(0, iss.find(".11479289E-3") + 5);
+  EXPECT_EQ(*Message::parse(cut).text("BSTAR"), ".1147");
+  const TemporaryFile file(cut);
+  EXPECT_EQ(complaint([&] { Message::read(file.path()); }, file.path()),
+            "orbit mean-elements message FILE, line 24: the file stops within this line; it was truncated");
 }
 
 TEST(OrbitMeanElementsMessage, FilesOfManyMessages) {

@@ -8,6 +8,7 @@
 
 #include <vectrix/space/orbit/two_line_elements.hpp>
 
+#include "orbit/check_sum.hpp"
 #include "temporary_file.hpp"
 
 namespace vectrix::two_line_elements_test {
@@ -20,14 +21,6 @@ constexpr double conversion = 2 * std::numeric_limits<double>::epsilon();
 const std::string line1 = "1 00005U 58002B   00179.78495062  .00000023  00000-0  28098-4 0  4753";
 const std::string line2 = "2 00005  34.2682 348.7242 1859667 331.7664  19.3264 10.82419157413667";
 
-// The line with its check sum: digits count themselves, a minus sign 1.
-std::string summed(std::string line) {
-  int sum = 0;
-  for (std::size_t i = 0; i < 68; ++i)
-    sum += line[i] == '-' ? 1 : line[i] >= '0' && line[i] <= '9' ? line[i] - '0' : 0;
-  line[68] = static_cast<char>('0' + sum % 10);
-  return line;
-}
 // The line with other text from the column on, and its check sum.
 std::string with(std::string line, std::size_t column, const std::string& text) {
   return summed(line.replace(column - 1, text.size(), text));

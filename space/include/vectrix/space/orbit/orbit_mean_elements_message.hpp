@@ -30,12 +30,12 @@ class OrbitMeanElementsReader;
 /// and keywords that are there twice, are refused. Their order is not checked.
 class VECTRIX_EXPORT OrbitMeanElementsMessage {
  public:
-  /// Of one message. Throws BadInput with line, column, keyword and what was found there, or the keyword that
-  /// is missing.
+  /// Of one message. The end of the text ends its last line. Throws BadInput with line, column, keyword and
+  /// what was found there, or the keyword that is missing.
   static OrbitMeanElementsMessage parse(std::string_view text);
   /// All messages of a file, each from its CCSDS_OMM_VERS on. Throws BadInput with file, line, column and
   /// what was found there; also if the file cannot be read, has no message, or is XML, which is not
-  /// supported.
+  /// supported. A last line without a line end is refused, for it may have been cut within its number.
   static std::vector<OrbitMeanElementsMessage> read(const std::filesystem::path& file);
 
   /// OBJECT_NAME and OBJECT_ID, as written; may be empty.
