@@ -54,20 +54,20 @@ bool RootFinder::advance(const Record& record) {
   const std::size_t parts = record.has_terms(left) && !values_.empty() ? parts_of_a_step : 1;
   previous_values_ = values_;
   previous_brackets_ = brackets_.size();
-  bool stops = false;
+  bool ends = false;
   double from = begin;
   for (std::size_t part = 1; part < parts; ++part) {
     const double to = begin + length * static_cast<double>(part) / static_cast<double>(parts);
     Interpolant(record, left).at(to, state_);
-    stops = examine(left, from, to, start + to, state_) || stops;
+    ends = examine(left, from, to, start + to, state_) || ends;
     from = to;
   }
   return examine(left, from, record.elapsed[left + 1], record.times[left + 1], record.state(left + 1)) ||
-         stops;
+         ends;
 }
 
 bool RootFinder::examine(std::size_t left, double from, double to, double t, std::span<const double> y) {
-  bool stops = false;
+  bool ends = false;
   for (std::size_t i = 0; i < values_.size(); ++i) {
     const double before = std::exchange(values_[i], value(i, t, y));
     const Root& root = problem_.roots[i];
@@ -75,9 +75,9 @@ bool RootFinder::examine(std::size_t left, double from, double to, double t, std
     const bool falling = before > 0.0 && values_[i] <= 0.0 && root.direction != Direction::rising;
     if (!rising && !falling) continue;
     brackets_.push_back({i, left, from, to, before, values_[i]});
-    stops = stops || root.stop;
+    ends = ends || root.stop || root.ends_segment;
   }
-  return stops;
+  return ends;
 }
 
 void RootFinder::retreat() {

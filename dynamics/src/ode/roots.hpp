@@ -19,7 +19,7 @@ class RootFinder {
   explicit RootFinder(const Problem& problem);
 
   void start(double t, std::span<const double> y);
-  /// Examines the last step; true if it brackets a root with `stop`.
+  /// Examines the last step; true if it brackets a root that stops the run or ends the segment.
   bool advance(const Record& record);
   /// True if the last step brackets a root.
   [[nodiscard]] bool bracketed() const { return brackets_.size() > previous_brackets_; }

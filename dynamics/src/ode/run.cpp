@@ -48,16 +48,30 @@ Solution Run::operator()() {
 }
 
 void Run::integrate() {
-  roots_.start(problem_.start, state_);
+  const std::vector<double> ends = segment_ends();
+  std::vector<Event> ended_by;
   segment_start_ = problem_.start;
-  for (const double end : segment_ends()) {
-    segment_end_ = end;
+  for (auto end = ends.begin(); end != ends.end();) {
+    if (problem_.at_segment_start) change(ended_by);
+    if (problem_.at_segment_start || segment_start_ == problem_.start) roots_.start(segment_start_, state_);
+    segment_end_ = *end;
     stepper_->enter_segment(segment_start_, segment_end_);
     record_->segments.push_back(record_->times.size());
-    integrate_segment();
+    ended_by = integrate_segment();
     if (record_->stopped) return;
     roots_.resolve(*record_);
-    segment_start_ = segment_end_;
+    segment_start_ = record_->times.back();
+    if (segment_start_ == segment_end_) ++end;
+  }
+}
+
+void Run::change(std::span<const Event> ended_by) const {
+  try {
+    problem_.at_segment_start(segment_start_, state_, ended_by);
+  } catch (...) {
+    throw Trouble{flag::rhs_failed, segment_start_,
+                  "the change at the start of the segment at t = " + text(segment_start_) + " threw",
+                  std::current_exception()};
   }
 }
 
@@ -69,11 +83,12 @@ std::vector<double> Run::segment_ends() const {
   return ends;
 }
 
-/// A stopping root is located on the method's own interpolant. Without one, the step that passes it is
+/// Returns the events that end the segment early. A root that stops the run or ends the segment is located on
+/// the method's own interpolant. Without one, the step that passes it is
 /// repeated in at least five shorter steps: the root then has nodes of its own scale on both sides. The rate
 /// is never evaluated beyond the end of the step that passes the root. All times count from the start of the
 /// segment.
-void Run::integrate_segment() {
+std::vector<Event> Run::integrate_segment() {
   const bool own_interpolant = record_->degree > 0;
   const double end = segment_end_ - segment_start_;
   const double longest =
@@ -89,13 +104,10 @@ void Run::integrate_segment() {
     stepper_->rate(slope_);
     record_->push(time(t), t, state_, slope_);
     if (own_interpolant) keep_terms();
-    const bool stops = roots_.advance(*record_);
+    const bool ends = roots_.advance(*record_);
     if (!kept_for_good_ && !roots_.bracketed()) record_->drop_terms();
-    if (stops && (own_interpolant || retaking)) {
-      stop_at_first_stopping_event();
-      return;
-    }
-    if (stops) {
+    if (ends && (own_interpolant || retaking)) return end_at_first_ending_event();
+    if (ends) {
       roots_.retreat();
       record_->pop();
       std::ranges::copy(record_->state(record_->times.size() - 1), state_.begin());
@@ -103,7 +115,7 @@ void Run::integrate_segment() {
       target = t;
       stepper_->restart(before, state_, target, (target - before) / steps_per_segment);
     } else if (t == end) {
-      return;
+      return {};
     } else if (t == target) {  // because of rounding, the zero is now later than this step
       retaking = false;
       target = end;
@@ -150,21 +162,30 @@ double Run::step() {
   return t;
 }
 
-void Run::stop_at_first_stopping_event() {
+/// Returns the events at the first instant at which one stops the run or ends the segment, if they do: one
+/// that stops the run is the last event of all. Later events will be found again.
+std::vector<Event> Run::end_at_first_ending_event() {
   roots_.resolve(*record_);
   auto& events = record_->events;
+  const auto stops = [&](const Event& e) { return problem_.roots[e.root].stop; };
+  const auto ends = [&](const Event& e) { return stops(e) || problem_.roots[e.root].ends_segment; };
   const auto first =
-      std::ranges::find_if(events, [&](const Event& e) { return problem_.roots[e.root].stop; });
-  const double stop = first->time;
-  std::rotate(first, first + 1, std::ranges::upper_bound(events, stop, {}, &Event::time));
-  events.erase(std::ranges::upper_bound(events, stop, {}, &Event::time), events.end());
-  if (stop < record_->times.back()) {
+      std::ranges::find_if(events, [&](const Event& e) { return e.time > segment_start_ && ends(e); });
+  const double t = first->time;
+  events.erase(std::ranges::upper_bound(events, t, {}, &Event::time), events.end());
+  const auto together = std::ranges::lower_bound(events, t, {}, &Event::time);
+  const auto stopping = std::find_if(together, events.end(), stops);
+  record_->stopped = stopping != events.end();
+  if (record_->stopped) std::rotate(stopping, stopping + 1, events.end());
+  if (t < record_->times.back()) {
     state_ = events.back().state;
-    const double elapsed = stop - segment_start_;
+    const double elapsed = t - segment_start_;
     stepper_->evaluate(elapsed, state_, slope_);
-    record_->shorten(time(elapsed), elapsed, state_, slope_);
+    record_->shorten(t, elapsed, state_, slope_);
   }
-  record_->stopped = true;
+  std::vector<Event> ending;
+  std::copy_if(together, events.end(), std::back_inserter(ending), ends);
+  return ending;
 }
 
 void Run::fill_outputs() {

@@ -22,11 +22,12 @@ class Run {
  private:
   void integrate();
   [[nodiscard]] std::vector<double> segment_ends() const;
-  void integrate_segment();
+  void change(std::span<const Event> ended_by) const;
+  [[nodiscard]] std::vector<Event> integrate_segment();
   double step();
   [[nodiscard]] double time(double elapsed) const;
   void keep_terms();
-  void stop_at_first_stopping_event();
+  [[nodiscard]] std::vector<Event> end_at_first_ending_event();
   void fill_outputs();
   [[noreturn]] void fail(const Trouble& trouble);
 

@@ -135,12 +135,12 @@ RC_GTEST_PROP(IntermediateFrames, RatesAreTheDerivatives, ()) {
   // s' is taken as constant, 47 microarcsec a century.
   RC_ASSERT(rate_error(tirf_from_itrf, t, p, hour) <= 1e-19);
   RC_ASSERT(rate_error(cirf_from_tirf, t, p, hour) <= 1.5 * angle_rounding / hour);
-  // In axes that turn by x from the middle to each end, a motion of the pole at the rate v across the axis gives
-  // the mean rate v x cot x = v (1 - x^2/3 - x^4/45 - ...), of which 4/45 x^4 v are left. It is largest for the
-  // motion in the Earth, given above; that of X and Y is 1.5e-11 rad/s and gives 7/90.
+  // In axes that turn by x from the middle to each end, a motion of the pole at the rate v across the axis
+  // gives the mean rate v x cot x = v (1 - x^2/3 - x^4/45 - ...), of which 4/45 x^4 v are left. It is largest
+  // for the motion in the Earth, given above; that of X and Y is 1.5e-11 rad/s and gives 7/90.
   constexpr double x = 7.2921150e-5 * ten_minutes;
-  const double of_order = 4.0 / 45.0 * std::pow(x, 4) *
-                          (std::hypot(p.pole_x_rate.value(), p.pole_y_rate.value()) + 1.5e-11);
+  const double of_order =
+      4.0 / 45.0 * std::pow(x, 4) * (std::hypot(p.pole_x_rate.value(), p.pole_y_rate.value()) + 1.5e-11);
   RC_ASSERT(rate_error(earth_rotation, t, p, ten_minutes) <=
             1.5 * angle_rounding / ten_minutes + of_pole + of_order);
 }

@@ -50,13 +50,21 @@ using RightHandSide =
 /// A function of time and state whose zeros are found and reported. A zero is found where the function
 /// changes sign, or becomes 0, from one step to the next, or within a quarter of a step of our methods.
 /// Two zeros in between are not found; set `maximum_step` to prevent this. A value of 0 at the start is not
-/// an event. With `stop` the solution ends at the first zero.
+/// an event. With `stop` the solution ends at the first zero; with `ends_segment` a new smooth segment begins
+/// there.
 struct Root {
   std::string name;
   std::function<double(double t, std::span<const double> y)> function;
   Direction direction = Direction::any;
   bool stop = false;
+  bool ends_segment = false;
 };
+
+/// Called at the start of each smooth segment, with its time and state, and with the zeros that ended the
+/// segment before: none at a breakpoint. What the right-hand side and the roots depend on, besides time and
+/// state, may change here and nowhere else. A root whose sign changes by that has no event.
+using SegmentStart =
+    std::function<void(double segment_start, std::span<const double> y, std::span<const Event> ended_by)>;
 
 /// An initial-value problem ydot = f(t, y), y(start) = initial_state. Members without a reasonable default
 /// are NaN until they are set.
@@ -70,6 +78,7 @@ struct Problem {
   double relative_tolerance = std::numeric_limits<double>::quiet_NaN();
   std::vector<double> absolute_tolerances;  ///< one for each component
   std::vector<Root> roots;
+  SegmentStart at_segment_start;  ///< may be empty
   Method method = Method::cvode_adams;
   std::size_t max_steps = 10'000'000;
   double maximum_step = std::numeric_limits<double>::infinity();

@@ -1,0 +1,179 @@
+#include <limits>
+#include <stdexcept>
+
+#include "problems.hpp"
+
+// What changes at the start of a segment: sampled values, switches at zeros.
+namespace vectrix::ode::test::changes_test {
+namespace {
+
+class OdeChanges : public testing::TestWithParam<Method> {};
+INSTANTIATE_TEST_SUITE_P(Methods, OdeChanges, testing::ValuesIn(methods), name);
+
+/// The error of a run of some 20 segments with a tolerance of 1e-12 each; BDF, of order 5, has more.
+double error_of(Method method) {
+  return method == Method::cvode_bdf ? 1e-7 : 1e-9;
+}
+
+/// A heater: y' = u - y, u = 2 until y reaches 3/2, then 0 until y reaches 1/2, and so on. From y = 1 it
+/// switches first after ln 2, then every ln 3.
+struct Heater {
+  double u = 2.0;
+  std::vector<double> switched;
+
+  Problem problem(Method method, double start) {
+    Problem problem;
+    problem.rhs = [this](double, double, State y, std::span<double> ydot) { ydot[0] = u - y[0]; };
+    problem.initial_state = {1.0};
+    problem.start = start;
+    problem.end = start + 20.0;
+    problem.method = method;
+    set_tolerance(problem, 1e-12);
+    problem.roots = {{"hot", [](double, State y) { return y[0] - 1.5; }, Direction::rising, false, true},
+                     {"cold", [](double, State y) { return y[0] - 0.5; }, Direction::falling, false, true}};
+    problem.at_segment_start = [this](double t, State, std::span<const Event> ended_by) {
+      for (const Event& event : ended_by) {
+        EXPECT_EQ(event.time, t);
+        u = event.name == "hot" ? 0.0 : 2.0;
+        switched.push_back(t);
+      }
+    };
+    return problem;
+  }
+};
+
+void expect_heater(const Heater& heater, const Solution& solution, double within) {
+  ASSERT_EQ(heater.switched.size(), 18U);
+  ASSERT_EQ(solution.segment_count(), 19U);
+  ASSERT_EQ(solution.events().size(), 18U);
+  for (std::size_t i = 0; i < 18; ++i) {
+    const double expected = std::numbers::ln2 + static_cast<double>(i) * std::log(3.0);
+    EXPECT_NEAR(heater.switched[i] - solution.start(), expected, within) << i;
+    EXPECT_EQ(solution.events()[i].time, heater.switched[i]);
+    const Node first = solution.node(solution.segment_begin(i + 1));
+    EXPECT_EQ(first.t, heater.switched[i]);
+    EXPECT_NEAR(first.ydot[0], (i % 2 == 0 ? 0.0 : 2.0) - first.y[0], within);
+    // In the middle of the segment that follows, ln(3)/2 after the switch.
+    const double target = i % 2 == 0 ? 0.0 : 2.0, from = i % 2 == 0 ? 1.5 : 0.5;
+    const double middle = heater.switched[i] + 0.5 * std::log(3.0);
+    if (middle < solution.end()) {
+      EXPECT_NEAR(solution.at(middle)[0], target + (from - target) / std::sqrt(3.0), within);
+    }
+  }
+}
+
+TEST_P(OdeChanges, a_switch_at_a_zero_takes_effect_there) {
+  Heater heater;
+  const Problem problem = heater.problem(GetParam(), 0.0);
+  expect_heater(heater, solve(problem), error_of(GetParam()));
+}
+
+TEST_P(OdeChanges, a_late_start_costs_its_rounding_alone) {
+  Heater heater;
+  const Problem problem = heater.problem(GetParam(), 1e9);
+  expect_heater(heater, solve(problem), 18 * 1.2e-7);  // each switch is at a rounded time
+}
+
+// y' = y + u, u = -1.2 y at the start of each interval of 1/2: exact from one sample to the next.
+TEST_P(OdeChanges, a_sampled_value_holds_until_the_next_sample) {
+  double u = std::numeric_limits<double>::quiet_NaN();
+  std::vector<double> times;
+  Problem problem;
+  problem.rhs = [&](double, double, State y, std::span<double> ydot) { ydot[0] = y[0] + u; };
+  problem.initial_state = {1.0};
+  problem.start = 0.0;
+  problem.end = 5.0;
+  for (int k = 1; k < 10; ++k) problem.breakpoints.push_back(0.5 * k);
+  problem.method = GetParam();
+  set_tolerance(problem, 1e-12);
+  problem.at_segment_start = [&](double t, State y, std::span<const Event> ended_by) {
+    EXPECT_TRUE(ended_by.empty());
+    times.push_back(t);
+    u = -1.2 * y[0];
+  };
+  const Solution solution = solve(problem);
+  ASSERT_EQ(times.size(), 10U);
+  double y = 1.0;
+  for (int k = 0; k < 10; ++k) {
+    EXPECT_EQ(times[static_cast<std::size_t>(k)], 0.5 * k);
+    const double half = std::exp(0.25), whole = std::exp(0.5);
+    EXPECT_NEAR(solution.at(0.5 * k + 0.25)[0], (half - 1.2 * (half - 1.0)) * y, error_of(GetParam()));
+    y *= whole - 1.2 * (whole - 1.0);
+  }
+  EXPECT_NEAR(solution.at(5.0)[0], y, error_of(GetParam()));
+}
+
+TEST_P(OdeChanges, a_breakpoint_and_a_zero_at_one_instant_are_one_change) {
+  std::vector<std::pair<double, std::size_t>> calls;
+  Problem problem = oscillator(GetParam(), 2.0, 1e-12);
+  problem.breakpoints = {1.0};
+  problem.roots = {{"one", [](double t, State) { return t - 1.0; }, Direction::any, false, true}};
+  problem.at_segment_start = [&](double t, State, std::span<const Event> ended_by) {
+    calls.emplace_back(t, ended_by.size());
+  };
+  const Solution solution = solve(problem);
+  EXPECT_EQ(calls, (std::vector<std::pair<double, std::size_t>>{{0.0, 0}, {1.0, 1}}));
+  EXPECT_EQ(solution.segment_count(), 2U);
+  EXPECT_NEAR(solution.at(2.0)[0], std::cos(2.0), error_of(GetParam()));
+}
+
+TEST_P(OdeChanges, a_zero_after_the_change_is_found_once) {
+  Problem problem = oscillator(GetParam(), 100.0, 1e-12);
+  const auto zero_at = [](double t0) { return [t0](double t, State) { return t - t0; }; };
+  problem.roots = {{"ends", zero_at(5.0), Direction::any, false, true},
+                   {"before", zero_at(std::nextafter(5.0, 0.0))},
+                   {"after", zero_at(std::nextafter(5.0, 6.0))},
+                   {"later", zero_at(5.001)}};
+  problem.at_segment_start = [](double, State, std::span<const Event>) {};
+  const Solution solution = solve(problem);
+  std::vector<std::string> names;
+  for (const Event& event : solution.events()) names.push_back(event.name);
+  EXPECT_EQ(names, (std::vector<std::string>{"before", "ends", "after", "later"}));
+}
+
+TEST_P(OdeChanges, a_stop_is_the_last_event) {
+  Problem problem = oscillator(GetParam(), 100.0, 1e-10);
+  const auto two = [](double t, State) { return t - 2.0; };
+  problem.roots = {{"stops", two, Direction::any, true}, {"ends", two, Direction::any, false, true}};
+  int calls = 0;
+  problem.at_segment_start = [&](double, State, std::span<const Event>) { ++calls; };
+  const Solution solution = solve(problem);
+  EXPECT_TRUE(solution.stopped());
+  EXPECT_EQ(solution.end(), 2.0);
+  ASSERT_EQ(solution.events().size(), 2U);
+  EXPECT_EQ(solution.events().back().name, "stops");
+  EXPECT_EQ(calls, 1);
+}
+
+// What a root function reads may jump with the change: no zero was crossed.
+TEST_P(OdeChanges, a_sign_that_a_change_turns_is_no_event) {
+  double limit = 5.0;
+  Problem problem = oscillator(GetParam(), 6.0, 1e-10);
+  problem.breakpoints = {1.0};
+  problem.roots = {{"limit", [&](double t, State) { return t - limit; }}};
+  problem.at_segment_start = [&](double t, State, std::span<const Event>) { limit = t < 1.0 ? 5.0 : 0.5; };
+  EXPECT_TRUE(solve(problem).events().empty());
+}
+
+TEST_P(OdeChanges, an_exception_arrives_with_the_solution_until_then) {
+  Problem problem = oscillator(GetParam(), 10.0, 1e-10);
+  problem.breakpoints = {1.0, 3.0};
+  problem.at_segment_start = [](double t, State, std::span<const Event>) {
+    if (t == 3.0) throw std::domain_error("no command");
+  };
+  try {
+    solve(problem);
+    FAIL() << "no failure";
+  } catch (const Failure& failure) {
+    EXPECT_EQ(failure.time(), 3.0);
+    EXPECT_NE(std::string(failure.what()).find("the change at the start of the segment at t = 3 threw"),
+              std::string::npos)
+        << failure.what();
+    EXPECT_THROW(std::rethrow_if_nested(failure), std::domain_error);
+    EXPECT_EQ(failure.solution().end(), 3.0);
+    EXPECT_NEAR(failure.solution().at(3.0)[0], std::cos(3.0), 1e-8);
+  }
+}
+
+}  // namespace
+}  // namespace vectrix::ode::test::changes_test
