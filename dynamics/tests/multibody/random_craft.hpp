@@ -71,12 +71,15 @@ class RandomCraft {
     for (int i = 0; i < bodies; ++i) craft.bodies.push_back(body(below(i + 1), JointKind(below(6)), 1.0));
     for (int i = 0; i < 3; ++i) {
       const int at = below(bodies + 1);
+      const Described& b = at == 0 ? craft.hub : craft.bodies[std::size_t(at) - 1];
+      const Matrix3d inverse = b.J.inverse();
+      // About the centre, d of mass 1 takes the share d^T M^-1 d: three rotors and three modes at most 9/10.
       const Vector3d n = triple().normalized();
-      const Matrix3d& J = at == 0 ? craft.hub.J : craft.bodies[std::size_t(at) - 1].J;
-      // Three of them leave some of the body's inertia.
-      craft.rotors.push_back({at, {n.x(), n.y(), n.z()}, 0.3 / J.inverse().trace()});
-      const double root = std::sqrt(at == 0 ? craft.hub.m : craft.bodies[std::size_t(at) - 1].m);
-      const Vector3d r = 0.02 * root * triple(), t = 0.1 * root * triple();
+      craft.rotors.push_back({at, {n.x(), n.y(), n.z()}, 0.2 / inverse.trace()});
+      Vector3d r = 0.02 * triple(), t = 0.1 * triple();
+      const double scale = std::sqrt(0.1 / (r.dot(inverse * r) + t.squaredNorm() / b.m));
+      t *= scale;
+      r = scale * r + b.c.cross(t);
       craft.modes.push_back(
           {at, {r.x(), r.y(), r.z()}, {t.x(), t.y(), t.z()}, between(0.5, 3.0), between(0.0, 0.1)});
     }
@@ -86,6 +89,9 @@ class RandomCraft {
   std::vector<double> state(const mb::Tree<double>& tree) {
     std::vector<double> y(tree.layout().size());
     for (double& number : y) number = normal();
+    // The inertia of a body does not depend on its modes, its first moment does: small deflections leave its
+    // inertia about the centre positive.
+    for (std::size_t i = tree.layout().modes_begin(); i < y.size(); ++i) y[i] *= 0.01;
     return y;
   }
 
