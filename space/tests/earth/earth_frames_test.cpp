@@ -69,11 +69,7 @@ struct Published {
                                       (-0.4399619 - 32.0) * si::second,
                                       Quantity<si::dimensionless>{-0.0015563 / 86400.0},
                                       0.0 * si::radian,
-                                      0.0 * si::radian,
-                                      {},
-                                      {},
-                                      {},
-                                      {}};
+                                      0.0 * si::radian};
   Eigen::Vector3d r_teme{5094180.16210, 6127644.65950, 6380344.53270};   // m
   Eigen::Vector3d v_teme{-4746.131487, 785.818041, 5531.931288};         // m/s
   Eigen::Vector3d r_itrf{-1033479.38300, 7901295.27540, 6380356.59580};  // m
