@@ -155,7 +155,7 @@ Ut1 Ut1::minus_tai(const Quantity<si::time>& difference) {
 Ut1 Ut1::minus_utc(const Quantity<si::time>& difference) {
   if (!(std::abs(difference.value()) <= 1.0)) {
     throw BadInput("Ut1::minus_utc: UT1-UTC is " + detail::text(difference.value()) +
-                   " s; UTC keeps it below 0.9 s");
+                   " s; it must be within 1 s (UTC keeps it below 0.9 s)");
   }
   return Ut1{Kind::ut1_by_utc, difference};
 }
