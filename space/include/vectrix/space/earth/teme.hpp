@@ -11,7 +11,7 @@ namespace earth {
 /// True equator, mean equinox of date: the frame of two-line element sets and SGP4. z is along the celestial
 /// intermediate pole; x differs from that of TrueOfDate by the equation of the equinoxes. SGP4 takes it for
 /// inertial: it turns by 8e-12 rad/s relative to Gcrf, by precession, 5e-5 m/s in a low orbit. A position in
-/// it taken for one in Gcrf is off there by 1.7 km for each year since 2000: 43 km in 2026.
+/// it taken for one in Gcrf is off there by 1.7 km for each year since 2000: 44 km in 2026.
 struct Teme : inertial_frame {};
 
 }  // namespace earth
