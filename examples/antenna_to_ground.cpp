@@ -68,8 +68,7 @@ void run(const std::filesystem::path& data) {
       }),
       rigid_edge(turned_y(to<Antenna>, from<Body>, degrees(30))));
 
-  const auto look = [&](const Epoch& t) {
-    const auto now = graph.at(t);
+  const auto look = [](const auto& now) {
     return look_angles(
         now.position(of<Satellite>, relative_to<Station>, in<Station>),
         now.velocity(of<Satellite>, relative_to<Station>, observed_from<Station>, in<Station>));
@@ -79,12 +78,12 @@ void run(const std::filesystem::path& data) {
               boulder.latitude.in(si::degree), boulder.longitude.in(si::degree), set.epoch().utc(0).c_str());
   const auto step = 60.0 * si::second;
   for (const TimeSpan& pass :
-       intervals(day, step, [&](const Epoch& t) { return look(t).elevation - degrees(5); })) {
-    const auto tops = events(pass, step, [&](const Epoch& t) { return look(t).elevation_rate; });
+       intervals(day, step, [&](const Epoch& t) { return look(graph.at(t)).elevation - degrees(5); })) {
+    const auto tops = events(pass, step, [&](const Epoch& t) { return look(graph.at(t)).elevation_rate; });
     if (tops.empty()) continue;  // it began before the day, or ends after it
     const Epoch& top = tops.front().epoch;
     std::printf("\n%s to %s, highest %.2f deg at %s\n", pass.start().utc(0).substr(11).c_str(),
-                pass.end().utc(0).substr(11).c_str(), look(top).elevation.in(si::degree),
+                pass.end().utc(0).substr(11).c_str(), look(graph.at(top)).elevation.in(si::degree),
                 top.utc(0).substr(11).c_str());
     std::printf("%10s %9s %9s %9s %9s %9s %9s\n", "UTC", "azimuth", "elevation", "range", "its rate",
                 "boresight", "Sun");
@@ -93,7 +92,7 @@ void run(const std::filesystem::path& data) {
       const auto now = graph.at(t);
       const auto line = now.position(of<Station>, relative_to<Satellite>, in<Antenna>);
       const auto to_sun = sun.direction(now, seen_from<Satellite>, apparent, in<Antenna>);
-      const auto seen = look(t);
+      const auto seen = look(now);
       std::printf("%10s %9.3f %9.3f %9.2f %9.4f %9.3f %9.3f\n", t.utc(0).substr(11).c_str(),
                   seen.azimuth.in(si::degree), seen.elevation.in(si::degree), seen.range.in(si::kilometre),
                   1e-3 * seen.range_rate.value(), angle_between(line, unit_z(in<Antenna>)).in(si::degree),

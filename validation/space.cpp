@@ -52,11 +52,7 @@ Rows earth_rows() {
                                               number("dut1_s") * si::second - epoch.tai_minus_utc(),
                                               Quantity<si::dimensionless>{0.0},
                                               arcseconds(1e-3 * number("dX_mas")),
-                                              arcseconds(1e-3 * number("dY_mas")),
-                                              {},
-                                              {},
-                                              {},
-                                              {}};
+                                              arcseconds(1e-3 * number("dY_mas"))};
     const Dcm<Itrf, Gcrf> R_itrf_from_gcrf = inverse(earth_rotation(epoch, observed).rotation);
     const auto R_true_from_gcrf = true_of_date_from_gcrf(epoch);
     for (int row = 0; row < 3; ++row) {

@@ -1,24 +1,26 @@
 #include <cmath>
-#include <string>
 
 #include <vectrix/space/earth/ellipsoid.hpp>
 
-#include "latitude.hpp"
+#include "require_geodetic.hpp"
 
 namespace vectrix::wgs84 {
 namespace {
 
 constexpr double a = semi_major_axis.value(), e2 = flattening * (2.0 - flattening);
 
-double checked_azimuth(const char* name, const Quantity<si::angle>& azimuth) {
+using detail::Caller;
+
+double checked_azimuth(const Caller& name, const Quantity<si::angle>& azimuth) {
   if (!std::isfinite(azimuth.value())) {
-    throw BadInput(std::string{name} + ": the azimuth is " + detail::text(azimuth.value()) + " rad");
+    throw BadInput(name() + "the azimuth is " + detail::text(azimuth.value()) + " rad");
   }
   return azimuth.value();
 }
 
-RadiiOfCurvature radii(const char* name, const Geodetic& place) {
-  const double sine = std::sin(detail::checked_latitude(name, place));
+RadiiOfCurvature radii(const Caller& name, const Geodetic& place) {
+  detail::require_geodetic(name, place);
+  const double sine = std::sin(place.latitude.value());
   const double w2 = 1.0 - e2 * sine * sine, across = a / std::sqrt(w2);
   return {(1.0 - e2) / w2 * across * si::metre, across * si::metre};
 }
@@ -26,12 +28,13 @@ RadiiOfCurvature radii(const char* name, const Geodetic& place) {
 }  // namespace
 
 RadiiOfCurvature radii_of_curvature(const Geodetic& place) {
-  return radii("wgs84::radii_of_curvature", place);
+  return radii({"wgs84::radii_of_curvature"}, place);
 }
 
 Quantity<si::length> radius_of_curvature(const Geodetic& place, const Quantity<si::angle>& azimuth) {
-  const auto both = radii("wgs84::radius_of_curvature", place);
-  const double A = checked_azimuth("wgs84::radius_of_curvature", azimuth);
+  const Caller name{"wgs84::radius_of_curvature"};
+  const auto both = radii(name, place);
+  const double A = checked_azimuth(name, azimuth);
   const double cosine = std::cos(A), sine = std::sin(A);
   return 1.0 / (cosine * cosine / both.meridian.value() + sine * sine / both.prime_vertical.value()) *
          si::metre;
@@ -42,11 +45,12 @@ Quantity<si::length> radius_of_curvature(const Geodetic& place, const Quantity<s
 // the unit sphere if
 //     tan(dip) = (sqrt(h (2c + h q.q) p.p) - h p.q) / c
 Quantity<si::angle> horizon_dip(const Geodetic& place, const Quantity<si::angle>& azimuth) {
-  const char* const name = "wgs84::horizon_dip";
-  const double latitude = detail::checked_latitude(name, place);
-  const double A = checked_azimuth(name, azimuth), h = place.height.value();
-  if (!(h >= 0.0 && std::isfinite(h))) {
-    throw BadInput(std::string{name} + ": the height is " + detail::text(h) + " m; there is no horizon");
+  const Caller name{"wgs84::horizon_dip"};
+  detail::require_geodetic(name, place);
+  const double latitude = place.latitude.value(), h = place.height.value();
+  const double A = checked_azimuth(name, azimuth);
+  if (!(h >= 0.0)) {
+    throw BadInput(name() + "the height is " + detail::text(h) + " m; there is no horizon");
   }
   const double sine = std::sin(latitude), cosine = std::cos(latitude);
   constexpr double equator = 1.0 / (a * a), pole = equator / (1.0 - e2);  // the squares of S, 1/m^2

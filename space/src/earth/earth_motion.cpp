@@ -9,7 +9,6 @@
 
 #include "celestial_pole.hpp"
 #include "erfa_rotation.hpp"
-#include "finals2000a.hpp"
 #include "ocean_tides.hpp"
 
 namespace vectrix {
@@ -206,8 +205,7 @@ EarthMotion::EarthMotion(const EarthOrientation& orientation, const TimeSpan& sp
 
 EarthMotion::Place EarthMotion::place(const Epoch& epoch) const {
   if (!span_.contains(epoch)) [[unlikely]] {
-    throw BadInput("EarthMotion: the epoch " + detail::shown(epoch) + " is outside the span, " +
-                   detail::shown(span_.start()) + " to " + detail::shown(span_.end()));
+    detail::refuse_outside("EarthMotion", epoch, "the span,", span_);
   }
   const auto& tai = epoch.tai();
   const double of_day = tai.fraction * cells_of_a_day_;

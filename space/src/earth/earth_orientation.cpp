@@ -1,5 +1,4 @@
 #include <erfa.h>
-#include <erfam.h>
 
 #include <algorithm>
 #include <cmath>
@@ -10,6 +9,7 @@
 #include <vectrix/space/earth/earth_orientation.hpp>
 #include <vectrix/space/earth/intermediate_frames.hpp>
 
+#include "../time/date.hpp"
 #include "erfa_rotation.hpp"
 #include "finals2000a.hpp"
 #include "ocean_tides.hpp"
@@ -56,7 +56,7 @@ EarthOrientation EarthOrientation::read(const std::filesystem::path& finals2000A
 EarthOrientation EarthOrientation::unobserved(const TimeSpan& span, const Quantity<si::time>& ut1_minus_utc) {
   if (!(std::abs(ut1_minus_utc.value()) <= 1.0)) {
     throw BadInput("EarthOrientation::unobserved: UT1-UTC is " + detail::text(ut1_minus_utc.value()) +
-                   " s; UTC keeps it below 0.9 s");
+                   " s; it must be within 1 s (UTC keeps it below 0.9 s)");
   }
   constexpr double longest = 100.0 * 365.25 * 86400.0;  // s
   const double length = (span.end() - span.start()).value();
@@ -80,9 +80,7 @@ EarthOrientation EarthOrientation::unobserved(const TimeSpan& span, const Quanti
 
 void EarthOrientation::require(const Epoch& epoch) const {
   if (epoch < first() || epoch > last()) {
-    throw BadInput("EarthOrientation: the epoch " + detail::shown(epoch) +
-                   " is outside the data, which span " + detail::shown(first()) + " to " +
-                   detail::shown(last()));
+    detail::refuse_outside("EarthOrientation", epoch, "the data, which span", from_until(first(), last()));
   }
 }
 

@@ -6,7 +6,8 @@
 
 #include <vectrix/space/earth/ellipsoid.hpp>
 
-#include "latitude.hpp"
+#include "ellipsoid_normal.hpp"
+#include "require_geodetic.hpp"
 
 namespace vectrix::wgs84 {
 namespace {
@@ -102,11 +103,15 @@ Normal nearest(const Eigen::Vector3d& r) {
   return outside ? nearest_from_outside(on_meridian(r)) : nearest_from_inside(on_meridian(r));
 }
 
+void require_not_centre(const detail::Caller& name, const Eigen::Vector3d& r) {
+  if (r.isZero(0.0)) throw BadInput(name() + "the centre of the Earth has no latitude");
+}
+
 }  // namespace
 
 Geodetic geodetic(const Vector<earth::Itrf, si::length>& r_itrf) {
   const Eigen::Vector3d r = r_itrf.coordinates();
-  if (r.isZero(0.0)) throw BadInput("wgs84::geodetic: the centre of the Earth has no latitude");
+  require_not_centre({"wgs84::geodetic"}, r);
   const double longitude = std::atan2(r.y() + 0.0, r.x() + 0.0);  // -0 becomes 0: longitude pi, not -pi
   const Normal normal = nearest(r);
   const double latitude = std::atan2(static_cast<double>(normal.sine), static_cast<double>(normal.cosine));
@@ -114,23 +119,15 @@ Geodetic geodetic(const Vector<earth::Itrf, si::length>& r_itrf) {
 }
 
 Vector<earth::Itrf, si::length> position(const Geodetic& geodetic) {
-  const double latitude = detail::checked_latitude("wgs84::position", geodetic);
-  if (!std::isfinite(geodetic.longitude.value()) || !std::isfinite(geodetic.height.value())) {
-    throw BadInput("wgs84::position: the longitude is " + detail::text(geodetic.longitude.value()) +
-                   " rad, the height " + detail::text(geodetic.height.value()) + " m");
-  }
+  detail::require_geodetic({"wgs84::position"}, geodetic);
   Eigen::Vector3d r;
-  eraGd2gc(ERFA_WGS84, geodetic.longitude.value(), latitude, geodetic.height.value(), r.data());
+  eraGd2gc(ERFA_WGS84, geodetic.longitude.value(), geodetic.latitude.value(), geodetic.height.value(),
+           r.data());
   return vector<si::length>(in<earth::Itrf>, r);
 }
 
 Vector<earth::Itrf, si::dimensionless> up(const Vector<earth::Itrf, si::length>& r_itrf) {
-  const Geodetic g = geodetic(r_itrf);
-  const double latitude = g.latitude.value();
-  const double longitude = g.longitude.value();
-  return vector<si::dimensionless>(
-      in<earth::Itrf>, Eigen::Vector3d(std::cos(latitude) * std::cos(longitude),
-                                       std::cos(latitude) * std::sin(longitude), std::sin(latitude)));
+  return {detail::trusted, detail::normal_at({"wgs84::up"}, r_itrf.coordinates()).up};
 }
 
 // On the unit sphere: u + t v is nearest to the centre at the point n = u - (u.v / v.v) v. It meets the
@@ -157,3 +154,18 @@ std::optional<Vector<earth::Itrf, si::length>> first_intersection(
 }
 
 }  // namespace vectrix::wgs84
+
+namespace vectrix::detail {
+
+EllipsoidNormal normal_at(const Caller& name, const Eigen::Vector3d& r) {
+  wgs84::require_not_centre(name, r);
+  const auto [cosine, sine, height] = wgs84::nearest(r);
+  const double from_axis = std::hypot(r.x(), r.y());
+  const Eigen::Vector2d outward =
+      from_axis > 0.0 ? Eigen::Vector2d(r.head<2>() / from_axis) : Eigen::Vector2d(Eigen::Vector2d::UnitX());
+  const wgs84::Real length = std::sqrt(cosine * cosine + sine * sine);
+  const auto c = static_cast<double>(cosine / length), s = static_cast<double>(sine / length);
+  return {{c * outward.x(), c * outward.y(), s}, static_cast<double>(height)};
+}
+
+}  // namespace vectrix::detail

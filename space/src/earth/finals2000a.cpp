@@ -183,12 +183,4 @@ std::pair<std::vector<Epoch>, std::vector<EarthOrientationParameters>> read_fina
   return reader.result();
 }
 
-std::string shown(const Epoch& epoch) {
-  try {
-    return epoch.utc() + " UTC";
-  } catch (const BadInput&) {
-    return epoch.tt() + " TT";
-  }
-}
-
 }  // namespace vectrix::detail

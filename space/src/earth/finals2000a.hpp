@@ -1,7 +1,6 @@
 #pragma once
 
 #include <filesystem>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -13,8 +12,5 @@ namespace vectrix::detail {
 /// EarthOrientation::read.
 std::pair<std::vector<Epoch>, std::vector<EarthOrientationParameters>> read_finals2000A(
     const std::filesystem::path& file);
-
-/// The epoch for messages: in UTC where UTC is defined, else in TT.
-std::string shown(const Epoch& epoch);
 
 }  // namespace vectrix::detail

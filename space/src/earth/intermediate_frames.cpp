@@ -1,5 +1,4 @@
 #include <erfa.h>
-#include <erfam.h>
 
 #include <Eigen/Geometry>
 #include <cmath>

@@ -3,12 +3,9 @@
 #include <Eigen/Core>
 #include <cmath>
 
-namespace vectrix::detail {
+#include "../varying.hpp"
 
-/// A number and its first and second derivative by time.
-struct Varying {
-  double value, rate, second;
-};
+namespace vectrix::detail {
 
 /// The turn of a frame c relative to g whose z axis is at p = (X, Y, Z) in g, by the shortest arc:
 ///     R_g^c = R3(-E) R2(d) R3(E) = [1 - aX^2, -aXY, -X; -aXY, 1 - aY^2, -Y; X, Y, Z],    a = 1 / (1 + Z)

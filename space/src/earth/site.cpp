@@ -2,18 +2,13 @@
 
 #include <vectrix/space/earth/site.hpp>
 
-#include "latitude.hpp"
+#include "require_geodetic.hpp"
 
 namespace vectrix::detail {
 
-SiteNumbers east_north_up_site(const std::string& name, const Geodetic& place) {
-  const double latitude = checked_latitude(name, place), longitude = place.longitude.value();
-  if (!std::isfinite(longitude)) {
-    throw BadInput(name + ": the longitude " + text(longitude) + " rad is not finite");
-  }
-  if (!std::isfinite(place.height.value())) {
-    throw BadInput(name + ": the height " + text(place.height.value()) + " m is not finite");
-  }
+SiteNumbers east_north_up_site(const Caller& name, const Geodetic& place) {
+  require_geodetic(name, place);
+  const double latitude = place.latitude.value(), longitude = place.longitude.value();
   const Eigen::Vector3d east(-std::sin(longitude), std::cos(longitude), 0.0);
   const Eigen::Vector3d outward(std::cos(longitude), std::sin(longitude), 0.0);
   const Eigen::Vector3d pole = Eigen::Vector3d::UnitZ();
@@ -24,7 +19,7 @@ SiteNumbers east_north_up_site(const std::string& name, const Geodetic& place) {
   return site;
 }
 
-SiteNumbers north_east_down_site(const std::string& name, const Geodetic& place) {
+SiteNumbers north_east_down_site(const Caller& name, const Geodetic& place) {
   const SiteNumbers enu = east_north_up_site(name, place);
   SiteNumbers site = enu;
   site.axes << enu.axes.col(1), enu.axes.col(0), -enu.axes.col(2);

@@ -6,12 +6,12 @@
 
 namespace vectrix::detail {
 
-void require_positive(const OrbitName& name, const char* what, double value, const char* unit) {
+void require_positive(const Caller& name, const char* what, double value, const char* unit) {
   if (!(value > 0.0 && std::isfinite(value)))
     throw BadInput(name() + what + " is " + text(value) + unit + "; it must be finite and positive");
 }
 
-Conic conic_of(const OrbitName& name, double mu, const OrbitNumbers& orbit) {
+Conic conic_of(const Caller& name, double mu, const OrbitNumbers& orbit) {
   require_positive(name, "mu", mu, " m^3/s^2");
   const double r = orbit.r.norm(), v = orbit.v.norm();
   const Eigen::Vector3d h = orbit.r.cross(orbit.v);
@@ -25,7 +25,7 @@ Conic conic_of(const OrbitName& name, double mu, const OrbitNumbers& orbit) {
   return {p, h / momentum, p / r - 1.0, momentum * orbit.r.dot(orbit.v) / (mu * r)};
 }
 
-OrbitNumbers in_space(const OrbitName& name, double mu, double p, const PlanarMotion& motion,
+OrbitNumbers in_space(const Caller& name, double mu, double p, const PlanarMotion& motion,
                       const Eigen::Vector3d& P, const Eigen::Vector3d& Q) {
   require_positive(name, "mu", mu, " m^3/s^2");
   const double speed = std::sqrt(mu / p);

@@ -13,16 +13,16 @@ struct Conic {
   double e_cos_nu, e_sin_nu;
 };
 /// Throws BadInput if mu is not positive or the motion has no plane.
-Conic conic_of(const OrbitName& name, double mu, const OrbitNumbers& orbit);
+Conic conic_of(const Caller& name, double mu, const OrbitNumbers& orbit);
 
 /// The motion r = radius (cosine P + sine Q), v = (mu/p)^1/2 (x P + y Q) in the plane of the unit vectors P
 /// and Q. Throws BadInput if it is not finite.
 struct PlanarMotion {
   double radius, cosine, sine, x, y;
 };
-OrbitNumbers in_space(const OrbitName& name, double mu, double p, const PlanarMotion& motion,
+OrbitNumbers in_space(const Caller& name, double mu, double p, const PlanarMotion& motion,
                       const Eigen::Vector3d& P, const Eigen::Vector3d& Q);
 
-void require_positive(const OrbitName& name, const char* what, double value, const char* unit);
+void require_positive(const Caller& name, const char* what, double value, const char* unit);
 
 }  // namespace vectrix::detail

@@ -17,7 +17,7 @@ Quantity<si::length> semi_latus_rectum(const Quantity<si::length>& semi_major_ax
 
 namespace detail {
 
-KeplerianNumbers checked_keplerian(const OrbitName& name, const KeplerianNumbers& x) {
+KeplerianNumbers checked_keplerian(const Caller& name, const KeplerianNumbers& x) {
   require_positive(name, "the semi-latus rectum", x.semi_latus_rectum, " m");
   if (!(x.eccentricity >= 0.0 && std::isfinite(x.eccentricity)))
     throw BadInput(name() + "the eccentricity is " + text(x.eccentricity) +
@@ -33,9 +33,8 @@ KeplerianNumbers checked_keplerian(const OrbitName& name, const KeplerianNumbers
   return x;
 }
 
-// n = (cos Om, sin Om, 0) to the node, m = normal x n; the argument of latitude u = w + nu counts from n to
-// m.
-KeplerianNumbers keplerian_of(const OrbitName& name, double mu, const OrbitNumbers& orbit) {
+// n = (cos Om, sin Om, 0) to the node, m = normal x n; the argument of latitude, w + nu, counts from n to m.
+KeplerianNumbers keplerian_of(const Caller& name, double mu, const OrbitNumbers& orbit) {
   const Conic conic = conic_of(name, mu, orbit);
   const Eigen::Vector3d& normal = conic.normal;
   const double tilt = std::hypot(normal.x(), normal.y());
@@ -52,7 +51,7 @@ KeplerianNumbers keplerian_of(const OrbitName& name, double mu, const OrbitNumbe
           nu};
 }
 
-OrbitNumbers orbit_of_keplerian(const OrbitName& name, double mu, const KeplerianNumbers& x) {
+OrbitNumbers orbit_of_keplerian(const Caller& name, double mu, const KeplerianNumbers& x) {
   const double e = x.eccentricity, c = std::cos(x.true_anomaly), s = std::sin(x.true_anomaly);
   const double cos_node = std::cos(x.ascending_node), sin_node = std::sin(x.ascending_node);
   const double cos_i = std::cos(x.inclination), sin_i = std::sin(x.inclination);

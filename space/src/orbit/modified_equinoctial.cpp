@@ -23,7 +23,7 @@ struct EquinoctialAxes {
 
 }  // namespace
 
-EquinoctialNumbers checked_equinoctial(const OrbitName& name, const EquinoctialNumbers& x) {
+EquinoctialNumbers checked_equinoctial(const Caller& name, const EquinoctialNumbers& x) {
   require_positive(name, "the semi-latus rectum", x.p, " m");
   for (const double number : {x.f, x.g, x.h, x.k, x.L}) {
     if (!std::isfinite(number)) throw BadInput(name() + "an element is " + text(number));
@@ -36,7 +36,7 @@ EquinoctialNumbers checked_equinoctial(const OrbitName& name, const EquinoctialN
 }
 
 // tan^I(i/2) (cos Om, sin Om) = (-normal_y, normal_x)/(1 + I normal_z)
-EquinoctialNumbers equinoctial_of(const OrbitName& name, int factor, double mu, const OrbitNumbers& orbit) {
+EquinoctialNumbers equinoctial_of(const Caller& name, int factor, double mu, const OrbitNumbers& orbit) {
   const Conic conic = conic_of(name, mu, orbit);
   const Eigen::Vector3d& normal = conic.normal;
   const double z = factor * normal.z();
@@ -52,7 +52,7 @@ EquinoctialNumbers equinoctial_of(const OrbitName& name, int factor, double mu, 
   return {conic.p, conic.e_cos_nu * c + conic.e_sin_nu * s, conic.e_cos_nu * s - conic.e_sin_nu * c, h, k, L};
 }
 
-OrbitNumbers orbit_of_equinoctial(const OrbitName& name, int factor, double mu, const EquinoctialNumbers& x) {
+OrbitNumbers orbit_of_equinoctial(const Caller& name, int factor, double mu, const EquinoctialNumbers& x) {
   const EquinoctialAxes axes(factor, x.h, x.k);
   const double c = std::cos(x.L), s = std::sin(x.L);
   return in_space(name, mu, x.p, {x.p / (1.0 + x.f * c + x.g * s), c, s, -(x.g + s), x.f + c}, axes.f,

@@ -98,7 +98,7 @@ OrbitNumbers moved_past_periapsis(const OrbitNumbers& start, const UniversalOrbi
 
 }  // namespace
 
-OrbitNumbers propagated(const OrbitName& name, double mu, const OrbitNumbers& start, double dt,
+OrbitNumbers propagated(const Caller& name, double mu, const OrbitNumbers& start, double dt,
                         StateTransition* transition) {
   const double r = start.r.norm(), v2 = start.v.squaredNorm();
   if (!(mu > 0.0 && std::isfinite(mu)))

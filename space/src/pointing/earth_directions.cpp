@@ -5,6 +5,9 @@
 #include <vectrix/space/pointing/earth_directions.hpp>
 #include <vectrix/space/pointing/pointing.hpp>
 
+#include "../earth/ellipsoid_normal.hpp"
+#include "../varying.hpp"
+
 namespace vectrix::detail {
 namespace {
 
@@ -14,45 +17,39 @@ constexpr double equatorial = wgs84::semi_major_axis.value();
 constexpr double polar = equatorial * (1.0 - wgs84::flattening);
 constexpr double nearly_on_evolute = 1.0;  // m; the normal turns by v over the distance from it
 
-/// A number and its first two derivatives.
-struct NumberJet {
-  double value, first, second;
-};
-NumberJet operator*(const NumberJet& f, const NumberJet& g) {
-  return {f.value * g.value, f.first * g.value + f.value * g.first,
-          f.second * g.value + 2 * f.first * g.first + f.value * g.second};
+Varying operator*(const Varying& f, const Varying& g) {
+  return {f.value * g.value, f.rate * g.value + f.value * g.rate,
+          f.second * g.value + 2 * f.rate * g.rate + f.value * g.second};
 }
-NumberJet square_root(const NumberJet& f) {
-  const double root = std::sqrt(f.value), first = f.first / (2 * root);
+Varying square_root(const Varying& f) {
+  const double root = std::sqrt(f.value), first = f.rate / (2 * root);
   return {root, first, (f.second / 2 - first * first) / root};
 }
-NumberJet square_of(const PathInItrf& u) {
+Varying square_of(const PathInItrf& u) {
   return {u[0].squaredNorm(), 2 * u[0].dot(u[1]), 2 * (u[1].squaredNorm() + u[0].dot(u[2]))};
 }
-PathInItrf operator*(const NumberJet& f, const PathInItrf& u) {
-  return {f.value * u[0], f.first * u[0] + f.value * u[1],
-          f.second * u[0] + 2 * f.first * u[1] + f.value * u[2]};
+PathInItrf operator*(const Varying& f, const PathInItrf& u) {
+  return {f.value * u[0], f.rate * u[0] + f.value * u[1],
+          f.second * u[0] + 2 * f.rate * u[1] + f.value * u[2]};
 }
 
 }  // namespace
 
-PathInItrf geodetic_up(const std::string& name, const PathInItrf& path) {
-  const auto r = vector<si::length>(in<earth::Itrf>, path[0]);
-  const Vector3d n = wgs84::up(r).coordinates(),
-                 D(equatorial * equatorial, equatorial * equatorial, polar * polar);
-  const double h = wgs84::geodetic(r).height.value();
+PathInItrf geodetic_up(const Caller& name, const PathInItrf& path) {
+  const auto [n, h] = normal_at(name, path[0]);
+  const Vector3d D(equatorial * equatorial, equatorial * equatorial, polar * polar);
   const Vector3d Dn = D.cwiseProduct(n);
   const double s = std::sqrt(n.dot(Dn));
   const double from_evolute = equatorial * equatorial * polar * polar / (s * s * s) + h;
   if (!(from_evolute > nearly_on_evolute)) {
-    throw BadInput(name + "the point is at the height " + text(h) + " m, " + text(from_evolute) +
+    throw BadInput(name() + "the point is at the height " + text(h) + " m, " + text(from_evolute) +
                    " m from the centre of curvature of the meridian, where the normal has no rate");
   }
   Matrix3d G = -Dn * Dn.transpose() / (s * s * s);
   G.diagonal() += D / s;
   // G n = 0, and what it is applied to is normal to n: the term along n makes the matrix regular.
   const Matrix3d inverse = (G + h * Matrix3d::Identity() + (equatorial + h) * n * n.transpose()).inverse();
-  const auto across = [&](const Vector3d& x) { return Vector3d(x - n.dot(x) * n); };
+  const auto across = [&n = n](const Vector3d& x) { return Vector3d(x - n.dot(x) * n); };
 
   const Vector3d ndot = inverse * across(path[1]);
   // rddot = Gdot ndot + G nddot + hddot n + 2 hdot ndot + h nddot
@@ -65,7 +62,7 @@ PathInItrf geodetic_up(const std::string& name, const PathInItrf& path) {
   return {n, ndot, nddot};
 }
 
-PathInItrf limb_of_ellipsoid(const std::string& name, double height, const PathInItrf& path,
+PathInItrf limb_of_ellipsoid(const Caller& name, double height, const PathInItrf& path,
                              const PathInItrf& towards) {
   const Vector3d axes(equatorial + height, equatorial + height, polar + height);
   PathInItrf r, u;
@@ -74,12 +71,12 @@ PathInItrf limb_of_ellipsoid(const std::string& name, double height, const PathI
     u[i] = towards[i].cwiseQuotient(axes);
   }
   if (!(axes.z() > 0 && r[0].squaredNorm() > 1 && (r[0] - r[0]).isZero(0))) {
-    throw BadInput(name + "the height of the limb is " + text(height) + " m, and |r| is " +
+    throw BadInput(name() + "the height of the limb is " + text(height) + " m, and |r| is " +
                    text(path[0].norm()) + " m; the point must be above it");
   }
-  require_two_directions([&] { return name; }, "directions, r and u,", path[0], towards[0]);
+  require_two_directions(name, "directions, r and u,", path[0], towards[0]);
   const PathInItrf n = cross_of(r, u), across = cross_of(n, r);
-  NumberJet above = square_of(r);
+  Varying above = square_of(r);
   above.value -= 1;
   const PathInItrf down = square_root(above * square_of(n)) * r;
   PathInItrf limb;

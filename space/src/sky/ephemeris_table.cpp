@@ -1,4 +1,4 @@
-#include <sstream>
+#include <string>
 #include <utility>
 
 #include <vectrix/frames/errors.hpp>
@@ -21,6 +21,11 @@ ChebyshevPieces pieces_of(Body body, const TimeSpan& span) {
   return {series_of(body).motion, days, coefficients, span.start() - longest_light_time(body), span.end()};
 }
 
+const TimeSpan& within_series(const std::string& name, const TimeSpan& span) {
+  for (const Epoch& end : {span.start(), span.end()}) require_series([&] { return name; }, end);
+  return span;
+}
+
 }  // namespace
 
 EphemerisTable::EphemerisTable(Body body, const TimeSpan& span)
@@ -29,17 +34,13 @@ EphemerisTable::EphemerisTable(Body body, const TimeSpan& span)
 EphemerisTable::EphemerisTable(std::string name, Body body, const TimeSpan& span)
     : name_(std::move(name)),
       body_(body),
-      span_((require_series(name_, span.start()), require_series(name_, span.end()), span)),
+      span_(within_series(name_, span)),
       body_pieces_(pieces_of(body, span)),
       earth_pieces_(earth_motion, 16, 14, span.start() - longest_light_time(body), span.end()) {}
 
 void EphemerisTable::require(const Epoch& epoch) const {
-  if (span_.contains(epoch)) [[likely]]
-    return;
-  std::ostringstream out;
-  out << name_ << ": the epoch " << epoch << " is outside the span, " << span_.start() << " to "
-      << span_.end();
-  throw BadInput(out.str());
+  if (!span_.contains(epoch)) [[unlikely]]
+    refuse_outside(name_, epoch, "the span,", span_);
 }
 
 PlainMotion EphemerisTable::motion(const Epoch& epoch) const {

@@ -72,7 +72,7 @@ constexpr std::array<IauElements, 9> all_elements = {
 }  // namespace
 
 IauElements iau_elements(Body body) {
-  return all_elements.at(static_cast<std::size_t>(body) - 1);
+  return all_elements.at(static_cast<std::size_t>(body));
 }
 
 }  // namespace vectrix::detail

@@ -5,8 +5,8 @@
 
 #include <array>
 #include <cstddef>
+#include <string>
 
-#include <vectrix/frames/errors.hpp>
 #include <vectrix/space/earth/eme2000.hpp>
 
 namespace vectrix::detail {
@@ -61,7 +61,7 @@ constexpr std::array<BodySeries, 9> all_series = {{{"Sun", sun_motion},
 }  // namespace
 
 BodySeries series_of(Body body) {
-  return all_series.at(static_cast<std::size_t>(body) - 1);
+  return all_series.at(static_cast<std::size_t>(body));
 }
 
 PlainMotion earth_motion(const JulianDate<scale::Tt>& tt) {
@@ -71,18 +71,15 @@ PlainMotion earth_motion(const JulianDate<scale::Tt>& tt) {
   return in_metres(barycentric, 1.0);
 }
 
-void require_series(const std::string& what, const Epoch& epoch) {
+bool in_series(const Epoch& epoch) {
   constexpr double first = 2415020.5;  // 1900 January 1
   constexpr double after = 2488069.5;  // 2100 January 1
-  if (!(epoch.tai().day >= first && epoch.tai().day < after)) {
-    throw BadInput(what + ": the epoch " + epoch.tt(0) +
-                   " TT is outside the years of the series, 1900 to 2099");
-  }
+  return epoch.tai().day >= first && epoch.tai().day < after;
 }
 
 PlainMotion geocentric_motion(Body body, const Epoch& epoch) {
   const BodySeries series = series_of(body);
-  require_series(std::string{"geocentric(of<"} + series.name + ">)", epoch);
+  require_series([&] { return std::string{"geocentric(of<"} + series.name + ">)"; }, epoch);
   return series.motion(epoch.tt_date());
 }
 

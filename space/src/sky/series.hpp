@@ -1,7 +1,6 @@
 #pragma once
 
-#include <string>
-
+#include <vectrix/frames/errors.hpp>
 #include <vectrix/space/sky/chebyshev.hpp>
 
 namespace vectrix::detail {
@@ -17,7 +16,14 @@ BodySeries series_of(Body body);
 /// Of the Earth relative to the barycentre of the solar system, by eraEpv00.
 PlainMotion earth_motion(const JulianDate<scale::Tt>& tt);
 
-/// Throws BadInput outside the years 1900 to 2099, for which eraEpv00 was made.
-void require_series(const std::string& what, const Epoch& epoch);
+/// Whether the epoch is in the years 1900 to 2099, for which eraEpv00 was made.
+bool in_series(const Epoch& epoch);
+/// Throws BadInput outside them. name() begins the message.
+template <class Name> void require_series(const Name& name, const Epoch& epoch) {
+  if (!in_series(epoch)) [[unlikely]] {
+    throw BadInput(name() + ": the epoch " + epoch.tt(0) +
+                   " TT is outside the years of the series, 1900 to 2099");
+  }
+}
 
 }  // namespace vectrix::detail

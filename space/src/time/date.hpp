@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include <vectrix/space/time/julian_date.hpp>
+#include <vectrix/space/time/epoch.hpp>
 
 namespace vectrix::detail {
 
@@ -23,6 +23,9 @@ bool before_utc(const Date& tai);
 double tai_minus_utc(const Date& utc);
 /// The length of the day of UTC, s, that the date is in.
 double length_of_utc_day(const Date& utc);
+
+/// The epoch for messages and streams: in UTC, before UTC in TT.
+std::string shown(const Epoch& epoch);
 
 /// The date in the scale of a calendar text. Throws BadInput with text, scale and reason.
 Date read_calendar(const TimeScale& scale, std::string_view text);

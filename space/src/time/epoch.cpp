@@ -137,8 +137,12 @@ Epoch operator-(const Epoch& epoch, const Quantity<si::time>& duration) {
   return epoch + (-duration);
 }
 
+std::string detail::shown(const Epoch& epoch) {
+  return before_utc(plain(epoch.tai())) ? epoch.tt() + " TT" : epoch.utc() + " UTC";
+}
+
 std::ostream& operator<<(std::ostream& out, const Epoch& epoch) {
-  return detail::before_utc(plain(epoch.tai())) ? out << epoch.tt() << " TT" : out << epoch.utc() << " UTC";
+  return out << detail::shown(epoch);
 }
 
 }  // namespace vectrix

@@ -20,8 +20,9 @@ Date shifted(const Date& date, double seconds) {
   return normalised(date.day, date.fraction + seconds / ERFA_DAYSEC);
 }
 
-void require_utc(int status, const std::string& what) {
-  if (status < 0) throw BadInput(what + " is not a date that ERFA can take to or from UTC");
+// what() begins the message.
+template <class What> void require_utc(int status, const What& what) {
+  if (status < 0) throw BadInput(what() + " is not a date that ERFA can take to or from UTC");
 }
 
 std::string tai_text(const Date& tai) {
@@ -36,7 +37,7 @@ Date tai_of_utc(const Date& utc, const std::string& what) {
   require_known_utc(utc, what);
   double day = 0.0;
   double fraction = 0.0;
-  require_utc(eraUtctai(utc.day, utc.fraction, &day, &fraction), what);
+  require_utc(eraUtctai(utc.day, utc.fraction, &day, &fraction), [&] { return what; });
   return normalised(day, fraction);
 }
 
@@ -44,7 +45,7 @@ Date utc_of(const Date& tai) {
   if (before_utc(tai)) throw BadInput(tai_text(tai) + ": UTC is not known before 1960");
   double day = 0.0;
   double fraction = 0.0;
-  require_utc(eraTaiutc(tai.day, tai.fraction, &day, &fraction), tai_text(tai));
+  require_utc(eraTaiutc(tai.day, tai.fraction, &day, &fraction), [&] { return tai_text(tai); });
   return normalised(day, fraction);
 }
 
@@ -155,7 +156,7 @@ Ut1 Ut1::minus_tai(const Quantity<si::time>& difference) {
 Ut1 Ut1::minus_utc(const Quantity<si::time>& difference) {
   if (!(std::abs(difference.value()) <= 1.0)) {
     throw BadInput("Ut1::minus_utc: UT1-UTC is " + detail::text(difference.value()) +
-                   " s; UTC keeps it below 0.9 s");
+                   " s; it must be within 1 s (UTC keeps it below 0.9 s)");
   }
   return Ut1{Kind::ut1_by_utc, difference};
 }

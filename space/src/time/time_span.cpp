@@ -1,21 +1,20 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <sstream>
 
 #include <vectrix/frames/errors.hpp>
 #include <vectrix/space/time/time_span.hpp>
 
+#include "date.hpp"
+
 namespace vectrix {
-namespace {
+using detail::shown;
 
-std::string shown(const Epoch& epoch) {
-  std::ostringstream out;
-  out << epoch;
-  return out.str();
+void detail::refuse_outside(const std::string& name, const Epoch& epoch, const char* what,
+                            const TimeSpan& span) {
+  throw BadInput(name + ": the epoch " + shown(epoch) + " is outside " + what + " " + shown(span.start()) +
+                 " to " + shown(span.end()));
 }
-
-}  // namespace
 
 TimeSpan from_until(const Epoch& start, const Epoch& end) {
   if (end < start) {

@@ -8,9 +8,12 @@
 #include <vectrix/space/earth/site.hpp>
 
 #include "temporary_file.hpp"
+#include "testing/attitudes.hpp"
 
 namespace vectrix::curvature_test {
 namespace {
+
+using vectrix_test::coordinate;
 
 constexpr double pi = std::numbers::pi;
 constexpr double published = 5e-4;  // m: of the last digit
@@ -18,9 +21,6 @@ constexpr double rounding = 1e-15;
 
 struct Place : north_east_down_frame {};
 
-double part() {
-  return *rc::gen::inRange(-1'000'000, 1'000'001) * 1e-6;
-}
 Geodetic at(double latitude, double longitude = 0.0, double height = 0.0) {
   return {latitude * si::radian, longitude * si::radian, height * si::metre};
 }
@@ -28,7 +28,7 @@ Quantity<si::angle> angle(double value) {
   return value * si::radian;
 }
 Geodetic any_place(double height) {
-  return at(0.5 * pi * part(), pi * part(), height);
+  return at(0.5 * pi * *coordinate(), pi * *coordinate(), height);
 }
 
 // Along the horizontal in an azimuth, and along the vertical downwards, in ITRF.
@@ -60,7 +60,7 @@ TEST(Curvature, HasThePublishedRadii) {
 
 // |d position / d latitude| = M + h,  |d position / d longitude| = (N + h) cos(latitude)
 RC_GTEST_PROP(Curvature, IsTheDerivativeOfThePosition, ()) {
-  const double height = 1e6 * part(), latitude = 1.5 * part(), longitude = pi * part();
+  const double height = 1e6 * *coordinate(), latitude = 1.5 * *coordinate(), longitude = pi * *coordinate();
   const auto radii = wgs84::radii_of_curvature(at(latitude, longitude, height));
   const double step = 1e-4;  // rad: h^2/6 of the third derivative is 2e-9 of it, and rounding 1e-12
   const auto slope = [&](double up, double east) {
@@ -78,7 +78,7 @@ RC_GTEST_PROP(Curvature, IsTheDerivativeOfThePosition, ()) {
 // The surface is s^2 / (2 R) below the horizontal plane at a distance s ahead and behind, in the mean.
 RC_GTEST_PROP(Curvature, InAnAzimuthIsThatOfTheNormalSection, ()) {
   const auto place = any_place(0.0);
-  const double azimuth = pi * part(), s = 2e4, up = 100.0;  // m
+  const double azimuth = pi * *coordinate(), s = 2e4, up = 100.0;  // m
   const auto axes = axes_of(place, azimuth);
   const auto depth = [&](double ahead) {
     const Eigen::Vector3d r = axes.position + ahead * axes.ahead - up * axes.down;
@@ -95,9 +95,9 @@ RC_GTEST_PROP(Curvature, InAnAzimuthIsThatOfTheNormalSection, ()) {
 
 // A ray below the horizon meets the ground, one above does not, from 1 m to 1e8 m.
 RC_GTEST_PROP(HorizonDip, IsWhereTheGroundEnds, ()) {
-  const double height = std::pow(10.0, 4.0 + 4.0 * part());
+  const double height = std::pow(10.0, 4.0 + 4.0 * *coordinate());
   const auto place = any_place(height);
-  const double azimuth = pi * part();
+  const double azimuth = pi * *coordinate();
   const double dip = wgs84::horizon_dip(place, angle(azimuth)).value();
   const auto axes = axes_of(place, azimuth);
   const auto meets = [&](double below) {
@@ -133,6 +133,13 @@ TEST(Curvature, RefusesBadInput) {
   EXPECT_EQ(complaint([&] { (void)wgs84::horizon_dip(at(0.1, 0.0, -1.0), angle(0.0)); }),
             "wgs84::horizon_dip: the height is -1 m; there is no horizon");
   const double infinity = std::numeric_limits<double>::infinity();
+  // Also the numbers that the radii do not need.
+  EXPECT_EQ(complaint([&] { (void)wgs84::radii_of_curvature(at(0.1, nan, 0.0)); }),
+            "wgs84::radii_of_curvature: the longitude nan rad is not finite");
+  EXPECT_EQ(complaint([&] { (void)wgs84::radius_of_curvature(at(0.1, 0.0, -infinity), angle(0.0)); }),
+            "wgs84::radius_of_curvature: the height -inf m is not finite");
+  EXPECT_EQ(complaint([&] { (void)wgs84::horizon_dip(at(0.1, infinity, 1.0), angle(0.0)); }),
+            "wgs84::horizon_dip: the longitude inf rad is not finite");
   EXPECT_THROW((void)wgs84::horizon_dip(at(0.1, 0.0, infinity), angle(0.0)), BadInput);
   EXPECT_THROW((void)wgs84::horizon_dip(at(0.1, 0.0, 1.0), angle(infinity)), BadInput);
 }

@@ -180,6 +180,8 @@ TEST(Ellipsoid, AnOriginOnTheSurfaceIsTheAnswer) {
 TEST(Ellipsoid, RefusesBadInput) {
   EXPECT_EQ(complaint([] { wgs84::geodetic(r(0.0, 0.0, 0.0)); }),
             "wgs84::geodetic: the centre of the Earth has no latitude");
+  EXPECT_EQ(complaint([] { wgs84::up(r(0.0, 0.0, 0.0)); }),
+            "wgs84::up: the centre of the Earth has no latitude");
   EXPECT_EQ(complaint([] { wgs84::first_intersection(r(0.0, 0.0, 0.0), d(1.0, 0.0, 0.0)); }),
             "wgs84::first_intersection: the origin lies inside the ellipsoid, at a height of " +
                 detail::text(-b) + " m");
@@ -192,7 +194,7 @@ TEST(Ellipsoid, RefusesBadInput) {
             "wgs84::position: the latitude 1.6 rad is not in [-pi/2, pi/2]");
   EXPECT_THROW(at(std::numeric_limits<double>::quiet_NaN(), 0.0), BadInput);
   EXPECT_EQ(complaint([&] { at(1.0, std::numeric_limits<double>::infinity()); }),
-            "wgs84::position: the longitude is 0 rad, the height inf m");
+            "wgs84::position: the height inf m is not finite");
 }
 
 }  // namespace

@@ -220,7 +220,7 @@ auto shape(const Quantity<si::gravitational_parameter>& mu, const MeanElements& 
 }  // namespace osculating_elements_of_mean_ones
 
 namespace sgp4_taken_for_gcrf {
-// mistake: the position of SGP4 taken for one in Gcrf: 43 km off in a low orbit
+// mistake: the position of SGP4 taken for one in Gcrf: 44 km off in a low orbit in 2026
 // expect: Gcrf
 // expect: Teme
 auto on_the_earth(const Sgp4<Ship>& orbit, const Epoch& epoch,

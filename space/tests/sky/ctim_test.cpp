@@ -79,11 +79,7 @@ TEST(Ctim, SawTheGeometricSun) {
                                          (-0.0333569 - 37.0) * si::second,
                                          0.0 * (si::second / si::second),
                                          0.0 * si::radian,
-                                         0.0 * si::radian,
-                                         {},
-                                         {},
-                                         {},
-                                         {}};
+                                         0.0 * si::radian};
   ASSERT_EQ(table.rows(), 7U);
   for (std::size_t row = 0; row < table.rows(); ++row) {
     const auto microseconds = static_cast<std::int64_t>(table.number(row, "microsecondssincegpsepoch"));

@@ -350,11 +350,7 @@ TEST(Illumination, OfTheGroundInTheEclipseOf2017) {
                                          (0.3399683 - 37.0) * si::second,
                                          0.0 * (si::second / si::second),
                                          0.0 * si::radian,
-                                         0.0 * si::radian,
-                                         {},
-                                         {},
-                                         {},
-                                         {}};
+                                         0.0 * si::radian};
   const auto ground = displacement(of<Satellite>, relative_to<Itrf>, r_itrf);
   const auto graph = frame_graph(edge([&](const Epoch& t) { return coincident(earth_rotation(t, earth)); }),
                                  rigid_edge(Transform{aligned(to<Itrf>, from<Satellite>), ground}));

@@ -107,11 +107,10 @@ template <Frame A, Frame Q, Instant I = Quantity<si::time>> class InterpolatedPo
     }
     polynomial.divide();
     const auto now = polynomial.at(since);
-    return {{aligned<S>(to<A>, from<Q>), at_rest<Q, A, Q, S>(of<Q>, relative_to<A>, in<Q>),
-             unaccelerated<Q, A, Q, S>(of<Q>, relative_to<A>, in<Q>)},
-            Displacement<A, Q, In<A>, S>{detail::trusted, now.value},
-            Velocity<A, Q, ObservedFrom<A>, In<A>, S>{detail::trusted, now.first},
-            Acceleration<A, Q, ObservedFrom<A>, In<A>, S>{detail::trusted, now.second}};
+    return parallel(
+        PointMotion<A, Q, A, S>{Displacement<A, Q, In<A>, S>{detail::trusted, now.value},
+                                Velocity<A, Q, ObservedFrom<A>, In<A>, S>{detail::trusted, now.first}},
+        Acceleration<A, Q, ObservedFrom<A>, In<A>, S>{detail::trusted, now.second});
   }
 
  private:

@@ -41,11 +41,12 @@ struct EarthOrientationParameters {
   Quantity<si::time> ut1_minus_tai;      ///< UT1-UTC minus the leap seconds, so that it has no jumps
   Quantity<si::dimensionless> ut1_gain;  ///< d(UT1-TAI)/dTAI
   Quantity<si::angle> dX, dY;            ///< offsets of the celestial pole from IAU 2006/2000A
-  Quantity<si::angular_velocity> pole_x_rate, pole_y_rate, dX_rate, dY_rate;
+  Quantity<si::angular_velocity> pole_x_rate{}, pole_y_rate{}, dX_rate{}, dY_rate{};
 };
 
 /// The rotation of the Earth by IAU 2006/2000A, with the pole's observed offsets and polar motion:
 ///     R_itrf^gcrf = Q(X + dX, Y + dY, s) R3(-ERA(UT1)) W(x, y, s')
+///     R3(t) = [cos t, sin t, 0; -sin t, cos t, 0; 0, 0, 1], of the axes, as the IERS writes it
 ///     w_gi^i = dERA/dUT1 (1 + d(UT1-TAI)/dTAI) along the celestial intermediate pole, and the motion of that
 ///              pole in Gcrf (below 1e-11 rad/s) and in Itrf (1e-13 rad/s)
 /// It is gcrf_from_cirf(epoch, p) * cirf_from_tirf(epoch, p) * tirf_from_itrf(epoch, p). A call takes about

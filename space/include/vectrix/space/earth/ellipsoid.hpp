@@ -29,12 +29,14 @@ VECTRIX_EXPORT Geodetic geodetic(const Vector<earth::Itrf, si::length>& r_itrf);
 /// The inverse. Throws BadInput if a number is not finite or |latitude| exceeds pi/2.
 VECTRIX_EXPORT Vector<earth::Itrf, si::length> position(const Geodetic& geodetic);
 
-/// The unit normal of the ellipsoid at the latitude and longitude of r; it points up.
+/// The unit normal of the ellipsoid at the latitude and longitude of r; it points up. Throws BadInput for the
+/// centre of the Earth.
 VECTRIX_EXPORT Vector<earth::Itrf, si::dimensionless> up(const Vector<earth::Itrf, si::length>& r_itrf);
 
 /// The radii of curvature of the ellipsoid below a place, along the meridian and across it:
 ///     M = a (1 - e^2) / (1 - e^2 sin^2 phi)^(3/2)       N = a / (1 - e^2 sin^2 phi)^(1/2)
-/// with e^2 = f (2 - f). They do not depend on the height. Throws BadInput if |latitude| exceeds pi/2.
+/// with e^2 = f (2 - f). They do not depend on the height. Throws BadInput if a number is not finite or
+/// |latitude| exceeds pi/2.
 struct RadiiOfCurvature {
   Quantity<si::length> meridian, prime_vertical;
 };

@@ -15,13 +15,13 @@ namespace vectrix {
 VECTRIX_EXPORT MovingDcm<earth::Gcrf, earth::Cirf> gcrf_from_cirf(
     const Epoch& epoch, const EarthOrientationParameters& parameters);
 
-/// The turn of the day, by eraEra00:
+/// The turn of the day, by eraEra00, with R3 as in earth_rotation():
 ///     R_tirf^cirf = R3(-ERA(UT1)),    w_ct^t = dERA/dUT1 (1 + d(UT1-TAI)/dTAI) along z
 VECTRIX_EXPORT MovingDcm<earth::Cirf, earth::Tirf> cirf_from_tirf(
     const Epoch& epoch, const EarthOrientationParameters& parameters);
 
 /// Polar motion, by eraPom00 and eraSp00:
-///     R_itrf^tirf = W(x, y, s') = R3(-s') R2(x) R1(y)
+///     R_itrf^tirf = W(x, y, s') = R3(-s') R2(x) R1(y),    R3 as in earth_rotation(), R2 and R1 alike
 ///     w_ti^i = (-dy/dt, -dx/dt cos y, -dx/dt sin y)
 VECTRIX_EXPORT MovingDcm<earth::Tirf, earth::Itrf> tirf_from_itrf(
     const Epoch& epoch, const EarthOrientationParameters& parameters);

@@ -1,12 +1,12 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <string>
 #include <type_traits>
 #include <utility>
 
 #include <vectrix/frames/export.hpp>
 #include <vectrix/kinematics/points/point_motion.hpp>
+#include <vectrix/space/caller.hpp>
 #include <vectrix/space/earth/site.hpp>
 
 namespace vectrix {
@@ -26,23 +26,23 @@ struct MovingLookAngles : LookAngles {
 
 namespace detail {
 
-VECTRIX_EXPORT LookAngles look_angles_of(const std::string& name, const Eigen::Vector3d& r);
-VECTRIX_EXPORT MovingLookAngles look_angles_of(const std::string& name, const Eigen::Vector3d& r,
+VECTRIX_EXPORT LookAngles look_angles_of(const Caller& name, const Eigen::Vector3d& r);
+VECTRIX_EXPORT MovingLookAngles look_angles_of(const Caller& name, const Eigen::Vector3d& r,
                                                const Eigen::Vector3d& v);
-VECTRIX_EXPORT Eigen::Vector3d position_of(const std::string& name, const LookAngles& look);
+VECTRIX_EXPORT Eigen::Vector3d position_of(const Caller& name, const LookAngles& look);
 
-template <class S, class Q> std::string look_name(const char* action) {
-  return std::string{action} + "(" + frame_name<Q>() + " from " + frame_name<S>() + "): ";
+template <class S, class Q> Caller look_of(const char* action) {
+  return {action, [] { return frame_name<Q>() + " from " + frame_name<S>(); }};
 }
 
 template <class S, class Q>
 std::enable_if_t<EastNorthUpFrame<S>, LookAngles> look(const Displacement<S, Q, In<S>>& r_sq_s) {
-  return look_angles_of(look_name<S, Q>("look_angles"), r_sq_s.coordinates());
+  return look_angles_of(look_of<S, Q>("look_angles"), r_sq_s.coordinates());
 }
 template <class S, class Q>
 std::enable_if_t<EastNorthUpFrame<S>, MovingLookAngles> look(
     const Displacement<S, Q, In<S>>& r_sq_s, const Velocity<S, Q, ObservedFrom<S>, In<S>>& v_sq_s_s) {
-  return look_angles_of(look_name<S, Q>("look_angles"), r_sq_s.coordinates(), v_sq_s_s.coordinates());
+  return look_angles_of(look_of<S, Q>("look_angles"), r_sq_s.coordinates(), v_sq_s_s.coordinates());
 }
 template <class S, class Q>
 std::enable_if_t<EastNorthUpFrame<S>, MovingLookAngles> look(const PointMotion<S, Q, S>& motion) {
@@ -79,7 +79,7 @@ template <class Q, class S>
 std::enable_if_t<EastNorthUpFrame<S>, detail::OfTwo<S, Q, Displacement<S, Q, In<S>>>> displacement_at(
     Of<Q>, RelativeTo<S>, const LookAngles& look) {
   return Displacement<S, Q, In<S>>{detail::trusted,
-                                   detail::position_of(detail::look_name<S, Q>("displacement_at"), look)};
+                                   detail::position_of(detail::look_of<S, Q>("displacement_at"), look)};
 }
 template <class OfPoint, class RelativeToPoint, class Given>
 auto displacement_at(  // of<Q>, relative_to<S>, LookAngles: s the origin of an east_north_up_frame

@@ -7,6 +7,7 @@
 
 #include <vectrix/frames/export.hpp>
 #include <vectrix/frames/transform.hpp>
+#include <vectrix/space/caller.hpp>
 #include <vectrix/space/earth/ellipsoid.hpp>
 
 namespace vectrix {
@@ -34,13 +35,16 @@ concept NorthEastDownFrame = Frame<F> && detail::has_site_axes<F, north_east_dow
 
 namespace detail {
 
-/// The axes of a place, as columns, and the place, in ITRF. `name` starts the message of a BadInput.
+/// The axes of a place, as columns, and the place, in ITRF.
 struct SiteNumbers {
   Eigen::Matrix3d axes;
   Eigen::Vector3d position;
 };
-VECTRIX_EXPORT SiteNumbers east_north_up_site(const std::string& name, const Geodetic& place);
-VECTRIX_EXPORT SiteNumbers north_east_down_site(const std::string& name, const Geodetic& place);
+VECTRIX_EXPORT SiteNumbers east_north_up_site(const Caller& name, const Geodetic& place);
+VECTRIX_EXPORT SiteNumbers north_east_down_site(const Caller& name, const Geodetic& place);
+template <class S> Caller site_of(const char* action) {
+  return {action, [] { return "from<" + frame_name<S>() + ">"; }};
+}
 
 template <class F> Transform<earth::Itrf, F> site_transform(const SiteNumbers& site) {
   return {Dcm<earth::Itrf, F>{trusted, site.axes},
@@ -58,8 +62,7 @@ template <class F> Transform<earth::Itrf, F> site_transform(const SiteNumbers& s
 template <class S>
 std::enable_if_t<EastNorthUpFrame<S>, Transform<earth::Itrf, S>> east_north_up(From<S>,
                                                                                const Geodetic& place) {
-  return detail::site_transform<S>(
-      detail::east_north_up_site("east_north_up(from<" + frame_name<S>() + ">)", place));
+  return detail::site_transform<S>(detail::east_north_up_site(detail::site_of<S>("east_north_up"), place));
 }
 template <class FromFrame, class Place>
 auto east_north_up(  // from<S>, Geodetic: struct S : east_north_up_frame
@@ -70,7 +73,7 @@ template <class S>
 std::enable_if_t<NorthEastDownFrame<S>, Transform<earth::Itrf, S>> north_east_down(From<S>,
                                                                                    const Geodetic& place) {
   return detail::site_transform<S>(
-      detail::north_east_down_site("north_east_down(from<" + frame_name<S>() + ">)", place));
+      detail::north_east_down_site(detail::site_of<S>("north_east_down"), place));
 }
 template <class FromFrame, class Place>
 auto north_east_down(  // from<S>, Geodetic: struct S : north_east_down_frame

@@ -10,8 +10,8 @@ namespace earth {
 
 /// True equator, mean equinox of date: the frame of two-line element sets and SGP4. z is along the celestial
 /// intermediate pole; x differs from that of TrueOfDate by the equation of the equinoxes. SGP4 takes it for
-/// inertial: it turns by 7e-12 rad/s relative to Gcrf, 5e-5 m/s in a low orbit. A position in it taken for
-/// one in Gcrf is 43 km off there.
+/// inertial: it turns by 8e-12 rad/s relative to Gcrf, by precession, 5e-5 m/s in a low orbit. A position in
+/// it taken for one in Gcrf is off there by 1.7 km for each year since 2000: 44 km in 2026.
 struct Teme : inertial_frame {};
 
 }  // namespace earth
@@ -19,8 +19,9 @@ struct Teme : inertial_frame {};
 /// The rotation of the Earth in TEME, by the sidereal time of 1982, as SGP4 has it:
 ///     R_itrf^teme = R3(-GMST82(UT1)) W(x, y, s'),    W = R_itrf^tirf
 ///     w_ti^i = dGMST82/dUT1 (1 + d(UT1-TAI)/dTAI) along the celestial intermediate pole, and polar motion
-/// (Vallado, Crawford, Hujsak, Kelso: Revisiting Spacetrack Report #3, 2006, appendix C). An edge between
-/// Teme and Itrf by edge([&](const Epoch& t) { return teme_from_itrf(t, orientation.parameters(t)); }).
+/// with R3 as in earth_rotation() (Vallado, Crawford, Hujsak, Kelso: Revisiting Spacetrack Report #3, 2006,
+/// appendix C). An edge between Teme and Itrf:
+///     edge([&](const Epoch& t) { return coincident(teme_from_itrf(t, orientation.parameters(t))); })
 VECTRIX_EXPORT MovingDcm<earth::Teme, earth::Itrf> teme_from_itrf(
     const Epoch& epoch, const EarthOrientationParameters& parameters);
 

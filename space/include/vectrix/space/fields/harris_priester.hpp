@@ -22,8 +22,6 @@ class VECTRIX_EXPORT HarrisPriester {
   explicit HarrisPriester(double exponent);
   HarrisPriester() = delete;  // HarrisPriester(exponent): 2 for low inclinations to 6 for polar orbits
 
-  [[nodiscard]] double exponent() const { return exponent_; }
-
   /// At a position, with the direction to the Sun, or to its image, of any length; both along the axes of
   /// earth::Itrf. The Sun seen from the position serves as well as from the centre of the Earth. Throws
   /// BadInput if the height is outside 100 to 1000 km, or the direction is zero.

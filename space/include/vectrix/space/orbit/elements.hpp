@@ -10,9 +10,9 @@ namespace detail {
 struct KeplerianNumbers {
   double semi_latus_rectum, eccentricity, inclination, ascending_node, argument_of_periapsis, true_anomaly;
 };
-VECTRIX_EXPORT KeplerianNumbers checked_keplerian(const OrbitName& name, const KeplerianNumbers& elements);
-VECTRIX_EXPORT KeplerianNumbers keplerian_of(const OrbitName& name, double mu, const OrbitNumbers& orbit);
-VECTRIX_EXPORT OrbitNumbers orbit_of_keplerian(const OrbitName& name, double mu,
+VECTRIX_EXPORT KeplerianNumbers checked_keplerian(const Caller& name, const KeplerianNumbers& elements);
+VECTRIX_EXPORT KeplerianNumbers keplerian_of(const Caller& name, double mu, const OrbitNumbers& orbit);
+VECTRIX_EXPORT OrbitNumbers orbit_of_keplerian(const Caller& name, double mu,
                                                const KeplerianNumbers& elements);
 
 }  // namespace detail

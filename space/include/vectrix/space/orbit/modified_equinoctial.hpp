@@ -25,11 +25,10 @@ namespace detail {
 struct EquinoctialNumbers {
   double p, f, g, h, k, L;
 };
-VECTRIX_EXPORT EquinoctialNumbers checked_equinoctial(const OrbitName& name,
-                                                      const EquinoctialNumbers& elements);
-VECTRIX_EXPORT EquinoctialNumbers equinoctial_of(const OrbitName& name, int factor, double mu,
+VECTRIX_EXPORT EquinoctialNumbers checked_equinoctial(const Caller& name, const EquinoctialNumbers& elements);
+VECTRIX_EXPORT EquinoctialNumbers equinoctial_of(const Caller& name, int factor, double mu,
                                                  const OrbitNumbers& orbit);
-VECTRIX_EXPORT OrbitNumbers orbit_of_equinoctial(const OrbitName& name, int factor, double mu,
+VECTRIX_EXPORT OrbitNumbers orbit_of_equinoctial(const Caller& name, int factor, double mu,
                                                  const EquinoctialNumbers& elements);
 
 }  // namespace detail

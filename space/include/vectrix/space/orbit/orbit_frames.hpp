@@ -1,7 +1,7 @@
 #pragma once
 
 #include <array>
-#include <cmath>
+#include <string>
 #include <vectrix/kinematics/points/acceleration.hpp>
 #include <vectrix/kinematics/points/derivative.hpp>
 #include <vectrix/kinematics/points/point_motion.hpp>
@@ -20,11 +20,8 @@ inline constexpr double nearly_rectilinear = 1e-7;
 template <class P, class Q, class A, class C, class S>
 Quantity<si::dimensionless, S> distance_from_singularity(
     const Displacement<P, Q, In<C>, S>& r_pq_c, const Velocity<P, Q, ObservedFrom<A>, In<C>, S>& v_pq_a_c) {
-  const S product = norm(r_pq_c).value() * norm(v_pq_a_c).value();
-  const S across = norm(cross(r_pq_c.vector(), v_pq_a_c.vector())).value();
-  const auto none = product == S(0);
   return Quantity<si::dimensionless, S>::from_value(
-      detail::select(none, S(0), S(across / detail::select(none, S(1), product))));
+      detail::sine_between<S>(r_pq_c.coordinates(), v_pq_a_c.coordinates()));
 }
 template <class P, class Q, class A, class S>
 Quantity<si::dimensionless, S> distance_from_singularity(const PointMotion<P, Q, A, S>& motion) {
@@ -67,15 +64,13 @@ struct NtwAxes {
 
 template <class Axes, class B, class P, class Q, class S>
 void require_orbital_plane(const Column<S>& r, const Column<S>& v) {
-  const S r2 = r.squaredNorm(), v2 = v.squaredNorm(), n2 = r.cross(v).squaredNorm();
-  const double least = door_tolerance<S>(nearly_rectilinear);
-  if (!all(n2 > number<S>(least * least) * (r2 * v2))) [[unlikely]] {
-    using std::sqrt;
-    throw BadInput(std::string{Axes::name} + "(from<" + frame_name<B>() + ">, " + frame_name<Q>() +
-                   " relative to " + frame_name<P>() + "): |r| is " + text(S(sqrt(r2))) + " m, |v| " +
-                   text(S(sqrt(v2))) + " m/s, and the sine of the angle between them " +
-                   text(S(sqrt(n2) / (sqrt(r2) * sqrt(v2)))) + "; rectilinear motion has no orbital plane");
-  }
+  require_plane<S>(
+      nearly_rectilinear, r, v,
+      [](const std::string& r_norm, const std::string& v_norm) {
+        return std::string{Axes::name} + "(from<" + frame_name<B>() + ">, " + frame_name<Q>() +
+               " relative to " + frame_name<P>() + "): |r| is " + r_norm + " m, |v| " + v_norm + " m/s";
+      },
+      "rectilinear motion has no orbital plane");
 }
 
 /// The columns of axes, or the components of a vector, of the triad in the order and with the signs of Axes.

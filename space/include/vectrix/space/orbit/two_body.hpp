@@ -5,6 +5,7 @@
 #include <vectrix/kinematics/points/acceleration.hpp>
 #include <vectrix/kinematics/points/derivative.hpp>
 #include <vectrix/kinematics/points/point_motion.hpp>
+#include <vectrix/space/caller.hpp>
 
 namespace vectrix {
 
@@ -22,14 +23,7 @@ namespace detail {
 template <class A, class Result> using IfInertial = std::enable_if_t<InertialFrame<A>, Result>;
 
 using StateTransition = Eigen::Matrix<double, 6, 6>;
-/// How a message begins: written only for an error, because the text allocates.
-struct OrbitName {
-  const char* action;
-  std::string (*points)();
-
-  std::string operator()() const { return std::string{action} + "(" + points() + "): "; }
-};
-template <class P, class Q> OrbitName orbit_of(const char* action) {
+template <class P, class Q> Caller orbit_of(const char* action) {
   return {action, [] { return frame_name<Q>() + " relative to " + frame_name<P>(); }};
 }
 
@@ -37,7 +31,7 @@ struct OrbitNumbers {
   Eigen::Vector3d r, v;
 };
 /// The motion after dt, and if asked its derivatives.
-VECTRIX_EXPORT OrbitNumbers propagated(const OrbitName& name, double mu, const OrbitNumbers& start, double dt,
+VECTRIX_EXPORT OrbitNumbers propagated(const Caller& name, double mu, const OrbitNumbers& start, double dt,
                                        StateTransition* transition);
 
 template <class P, class Q, class A> PointMotion<P, Q, A> point_motion_of(const OrbitNumbers& orbit) {

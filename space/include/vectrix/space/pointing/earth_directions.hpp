@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <string>
 #include <utility>
 
 #include <vectrix/frames/export.hpp>
+#include <vectrix/space/caller.hpp>
 #include <vectrix/space/earth/earth_orientation.hpp>
 #include <vectrix/space/pointing/moving_direction.hpp>
 
@@ -14,8 +14,8 @@ namespace detail {
 
 /// Three columns in, three out; those of derivatives that are not known are not used.
 using PathInItrf = Jet<double, 3>;
-VECTRIX_EXPORT PathInItrf geodetic_up(const std::string& name, const PathInItrf& path);
-VECTRIX_EXPORT PathInItrf limb_of_ellipsoid(const std::string& name, double height, const PathInItrf& path,
+VECTRIX_EXPORT PathInItrf geodetic_up(const Caller& name, const PathInItrf& path);
+VECTRIX_EXPORT PathInItrf limb_of_ellipsoid(const Caller& name, double height, const PathInItrf& path,
                                             const PathInItrf& towards);
 
 template <std::size_t N> PathInItrf with_zeros(const Jet<double, N>& jet) {
@@ -44,7 +44,7 @@ auto limb_seen(const Quantity<si::length>& height, const MovingDirection<earth::
                const Motion&... motion)
     -> MovingDirection<earth::Itrf, std::min(level, InItrf<Motion...>::level)> {
   const auto limb =
-      limb_of_ellipsoid("wgs84::limb: ", height.value(), with_zeros(moving_direction(motion...).numbers()),
+      limb_of_ellipsoid({"wgs84::limb"}, height.value(), with_zeros(moving_direction(motion...).numbers()),
                         with_zeros(u_itrf.numbers()));
   return {trusted, leading<std::min(level, InItrf<Motion...>::level)>(limb)};
 }
@@ -66,7 +66,7 @@ namespace wgs84 {
 /// which is within 43 km of it.
 template <class... Motion> detail::InItrf<Motion...> moving_up(const Motion&... motion) {
   const auto path = moving_direction(motion...);
-  const auto up = detail::geodetic_up("wgs84::moving_up: ", detail::with_zeros(path.numbers()));
+  const auto up = detail::geodetic_up({"wgs84::moving_up"}, detail::with_zeros(path.numbers()));
   return {detail::trusted, detail::leading<decltype(path)::level>(up)};
 }
 template <class... Motion>
@@ -81,15 +81,13 @@ auto moving_up(  // r, v, a of a point relative to earth::Itrf, observed from it
 ///     n x r - sqrt((|r|^2 - 1) |n|^2) r,      n = r x u
 /// The lower level of the two decides what is known:
 ///     wgs84::limb(height, u_itrf, r)     (height, u_itrf, r, v)     (height, u_itrf, r, v, a)
-/// Throws BadInput if the height is not finite, q is not
-/// above it, or u is along r to nearly_one_direction.
+/// Throws BadInput if the height is not finite, q is not above it, or u is along r to nearly_one_direction.
 template <class... Given> detail::LimbOf<Given...> limb(const Given&... given) {
   return detail::limb_seen(given...);
 }
 template <class... Given>
   requires(!detail::HasLimb<Given...>)
-auto limb(  // the height, a MovingDirection in earth::Itrf, then r, v, a of a point relative to earth::Itrf,
-            // in it
+auto limb(  // the height, a MovingDirection in earth::Itrf; then r, v, a of a point relative to it, in it
     const Given&...) -> Refused = delete;
 
 }  // namespace wgs84

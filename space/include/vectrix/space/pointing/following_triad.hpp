@@ -3,8 +3,10 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <string>
 
 #include <vectrix/frames/dcm.hpp>
+#include <vectrix/frames/errors.hpp>
 
 namespace vectrix::detail {
 
@@ -38,6 +40,27 @@ template <class S, std::size_t N> struct FollowingTriad {
     }
   }
 };
+
+/// |u x v| / (|u| |v|), the sine of the angle between u and v; 0 if one of them is zero.
+template <class S> S sine_between(const Column<S>& u, const Column<S>& v) {
+  const S product = scaled_norm(u) * scaled_norm(v);
+  const auto none = product == S(0);
+  return select(none, S(0), S(scaled_norm(u.cross(v)) / select(none, S(1), product)));
+}
+
+/// Throws BadInput if the sine of the angle between u and v is not above `least`: what(|u|, |v|) begins the
+/// message, `reason` ends it.
+template <class S, class What>
+void require_plane(double least, const Column<S>& u, const Column<S>& v, const What& what,
+                   const char* reason) {
+  const S u2 = u.squaredNorm(), v2 = v.squaredNorm(), n2 = u.cross(v).squaredNorm();
+  const double sine = door_tolerance<S>(least);
+  if (!(all(n2 > number<S>(sine * sine) * (u2 * v2)) && all(n2 - n2 == S(0)))) [[unlikely]] {
+    using std::sqrt;
+    throw BadInput(what(text(S(sqrt(u2))), text(S(sqrt(v2)))) + ", and the sine of the angle between them " +
+                   text(S(sqrt(n2) / (sqrt(u2) * sqrt(v2)))) + "; " + reason);
+  }
+}
 
 /// p x s and its derivatives.
 template <class S, std::size_t N> Jet<S, N> cross_of(const Jet<S, N>& p, const Jet<S, N>& s) {

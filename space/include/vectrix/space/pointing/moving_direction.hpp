@@ -81,13 +81,10 @@ auto pointed(const Displacement<P, Q, In<A>, S>& r_pq_a,
              const Acceleration<P, Q, ObservedFrom<A>, In<A>, S>& a_pq_a_a) {
   return direction_of<A, S>(r_pq_a, v_pq_a_a, a_pq_a_a);
 }
-template <class P, class Q, class A, class S> auto pointed(const PointMotion<P, Q, A, S>& motion) {
-  return direction_of<A, S>(motion.position, motion.velocity);
-}
-template <class P, class Q, class A, class S>
-auto pointed(const PointMotion<P, Q, A, S>& motion,
-             const Acceleration<P, Q, ObservedFrom<A>, In<A>, S>& a_pq_a_a) {
-  return direction_of<A, S>(motion.position, motion.velocity, a_pq_a_a);
+template <class P, class Q, class A, class S, class... Accelerations>
+auto pointed(const PointMotion<P, Q, A, S>& motion, const Accelerations&... a_pq_a_a)
+    -> decltype(pointed(motion.position, motion.velocity, a_pq_a_a...)) {
+  return pointed(motion.position, motion.velocity, a_pq_a_a...);
 }
 // Along the velocity.
 template <class P, class Q, class A, class S>
@@ -189,13 +186,8 @@ MovingDirection<A, level, S> product(const AcceleratingDcm<A, B, S>& ab,
 template <class A, Level first, Level second, class S>
 Quantity<si::dimensionless, S> distance_from_singularity(const MovingDirection<A, first, S>& u_a,
                                                          const MovingDirection<A, second, S>& v_a) {
-  using std::sqrt;
-  const detail::Column<S>&u = u_a.numbers()[0], &v = v_a.numbers()[0];
-  const S product = sqrt(S(u.squaredNorm())) * sqrt(S(v.squaredNorm()));
-  const auto none = product == S(0);
-  const S across = sqrt(S(u.cross(v).squaredNorm()));
   return Quantity<si::dimensionless, S>::from_value(
-      detail::select(none, S(0), S(across / detail::select(none, S(1), product))));
+      detail::sine_between<S>(u_a.numbers()[0], v_a.numbers()[0]));
 }
 
 }  // namespace vectrix

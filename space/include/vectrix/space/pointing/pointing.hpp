@@ -1,12 +1,10 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 #include <string>
 #include <type_traits>
 #include <utility>
 
-#include <vectrix/frames/errors.hpp>
 #include <vectrix/space/pointing/moving_direction.hpp>
 
 namespace vectrix {
@@ -50,14 +48,12 @@ namespace detail {
 /// name() begins the message; `what` are the two vectors.
 template <class S, class Name>
 void require_two_directions(const Name& name, const char* what, const Column<S>& u, const Column<S>& v) {
-  const S u2 = u.squaredNorm(), v2 = v.squaredNorm(), n2 = u.cross(v).squaredNorm();
-  const double least = door_tolerance<S>(nearly_one_direction);
-  if (!(all(n2 > number<S>(least * least) * (u2 * v2)) && all(n2 - n2 == S(0)))) [[unlikely]] {
-    using std::sqrt;
-    throw BadInput(name() + "the lengths of the two " + what + " are " + text(S(sqrt(u2))) + " and " +
-                   text(S(sqrt(v2))) + ", and the sine of the angle between them " +
-                   text(S(sqrt(n2) / (sqrt(u2) * sqrt(v2)))) + "; one direction fixes no attitude");
-  }
+  require_plane<S>(
+      nearly_one_direction, u, v,
+      [&](const std::string& u_norm, const std::string& v_norm) {
+        return name() + "the lengths of the two " + what + " are " + u_norm + " and " + v_norm;
+      },
+      "one direction fixes no attitude");
 }
 
 /// What is known at a level of R_b^a = T_a T_b^T: the triads of two directions in a and of two axes of b.

@@ -55,7 +55,7 @@ inline constexpr Quantity<si::length> moon_radius = 1.7374e6 * si::metre;
 namespace detail {
 
 /// The bodies where they have no types.
-enum class Body { none, sun, moon, mercury, venus, mars, jupiter, saturn, uranus, neptune };
+enum class Body { sun, moon, mercury, venus, mars, jupiter, saturn, uranus, neptune, none };
 
 template <class P> inline constexpr Body body_of = Body::none;
 template <> inline constexpr Body body_of<sky::Sun> = Body::sun;

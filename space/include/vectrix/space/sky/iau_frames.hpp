@@ -82,6 +82,7 @@ concept IauFrame = requires {
 /// working group on cartographic coordinates: right ascension and declination of the pole, and the angle W of
 /// the prime meridian along the equator, with their trigonometric terms, at a date in TDB:
 ///     R_body^gcrf = R3(alpha + 90 deg) R1(90 deg - delta) R3(W)
+///     R3(t) = [cos t, -sin t, 0; sin t, cos t, 0; 0, 0, 1], R1 alike: the transpose of that of the IERS
 /// From the report of 2015 (Archinal and others 2018), the Moon from that of 2009 (Archinal and others 2011).
 /// An edge: edge([](const Epoch& t) { return iau_rotation(of<mars::Iau>, t); }). No year is refused, but the
 /// elements were found from observations of the last centuries. A call takes 10 microseconds, most of it for

@@ -34,8 +34,8 @@ Quantity<si::angle> angular_radius(const Displacement<P, B, In<C>>& r_pb_c,
 /// How far the direction n, a vector or a displacement from p, is beside the limb of the spherical body b:
 ///     angle_between(n, r_pb) - asin(R/|r_pb|)
 /// negative on the disc. Smooth across the limb, so events() finds when a boresight enters a keep-out zone:
-///     events(span, step, [&](const Epoch& t) { return angle_from_limb(n(t), to_sun(t), sky::sun_radius) -
-///     least; })
+///     const auto beside = [&](const Epoch& t) { return angle_from_limb(n(t), to_sun(t), sky::sun_radius); };
+///     events(span, step, [&](const Epoch& t) { return beside(t) - least; })
 /// Throws BadInput if p is inside b, the radius is not positive, or n is zero.
 template <class Direction, class P, class B, class C>
 std::enable_if_t<detail::HasAngle<Direction, Displacement<P, B, In<C>>>, Quantity<si::angle>> angle_from_limb(

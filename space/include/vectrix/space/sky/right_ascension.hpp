@@ -1,11 +1,11 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <string>
 #include <type_traits>
 
 #include <vectrix/frames/displacement.hpp>
 #include <vectrix/frames/export.hpp>
+#include <vectrix/space/caller.hpp>
 #include <vectrix/space/earth/earth_orientation.hpp>
 
 namespace vectrix {
@@ -18,9 +18,8 @@ struct RightAscensionDeclination {
 
 namespace detail {
 
-VECTRIX_EXPORT RightAscensionDeclination right_ascension_of(const std::string& name,
-                                                            const Eigen::Vector3d& r);
-VECTRIX_EXPORT Eigen::Vector3d direction_of(const std::string& name, const RightAscensionDeclination& place);
+VECTRIX_EXPORT RightAscensionDeclination right_ascension_of(const Caller& name, const Eigen::Vector3d& r);
+VECTRIX_EXPORT Eigen::Vector3d direction_of(const Caller& name, const RightAscensionDeclination& place);
 
 /// The frames that have right ascensions: the inertial ones, and that of the true equator and equinox of
 /// date.
@@ -35,7 +34,7 @@ template <> inline constexpr bool has_right_ascension<earth::TrueOfDate> = true;
 template <class A, class U>
 std::enable_if_t<detail::has_right_ascension<A>, RightAscensionDeclination> right_ascension_declination(
     const Vector<A, U>& r_a) {
-  return detail::right_ascension_of("right_ascension_declination(in " + frame_name<A>() + "): ",
+  return detail::right_ascension_of({"right_ascension_declination", [] { return "in " + frame_name<A>(); }},
                                     r_a.coordinates());
 }
 template <class P, class Q, class A>
@@ -51,7 +50,8 @@ auto right_ascension_declination(  // of a vector or a displacement in a frame t
 template <class A>
 std::enable_if_t<detail::has_right_ascension<A>, Vector<A, si::dimensionless>> direction_at(
     In<A>, const RightAscensionDeclination& place) {
-  return {detail::trusted, detail::direction_of("direction_at(in<" + frame_name<A>() + ">): ", place)};
+  return {detail::trusted,
+          detail::direction_of({"direction_at", [] { return "in<" + frame_name<A>() + ">"; }}, place)};
 }
 template <class InFrame, class Given>
 auto direction_at(  // in<A>, RightAscensionDeclination: a inertial, or of date

@@ -19,15 +19,17 @@ struct LeapSecond {
 /// given.
 VECTRIX_EXPORT std::vector<LeapSecond> leap_seconds();
 
-/// Gives the process another table, with a leap second that was announced after the installed ERFA. An Epoch
-/// is an instant of TAI, so those that exist do not change. Not for several threads: call it before the
-/// others use UTC. Throws BadInput if the table does not begin with 1972 January, 10 s; the months do not
-/// follow one another; a step is not one second; or it differs from ERFA's where both tell.
+/// Gives the process another table: that of the installed ERFA, and after it leap seconds that were announced
+/// later. An Epoch is an instant of TAI, so those that exist do not change. Not for several threads: call it
+/// before the others use UTC. Throws BadInput if the table does not begin with all rows of the installed
+/// ERFA's; a row has no month from 1 to 12, a year after 9999, or is not later than the one before; or a step
+/// is not one second.
 VECTRIX_EXPORT void use_leap_seconds(const std::vector<LeapSecond>& table);
 
 /// Reads the file Leap_Second.dat of the IERS:
 ///     41317.0    1  1 1972       10          modified Julian day, day, month, year, TAI-UTC in s
-/// Lines that begin with '#' are comments. Throws BadInput with file, line, column and what was found there.
+/// Lines that begin with '#' are comments. Throws BadInput with file, line, column and what was found there;
+/// also if the file cannot be read, or its last line has no line end. use_leap_seconds() checks the order.
 VECTRIX_EXPORT std::vector<LeapSecond> read_leap_seconds(const std::filesystem::path& file);
 
 }  // namespace vectrix

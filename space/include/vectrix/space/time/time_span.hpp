@@ -1,6 +1,7 @@
 #pragma once
 
 #include <iterator>
+#include <string>
 
 #include <vectrix/frames/export.hpp>
 #include <vectrix/space/time/epoch.hpp>
@@ -21,6 +22,14 @@ class TimeSpan {
 
   Epoch start_, end_;
 };
+
+namespace detail {
+
+/// Throws BadInput: name, ": the epoch ... is outside ", what, " start to end".
+[[noreturn]] VECTRIX_EXPORT void refuse_outside(const std::string& name, const Epoch& epoch, const char* what,
+                                                const TimeSpan& span);
+
+}  // namespace detail
 
 /// Throws BadInput if the end is before the start, or the duration is negative or not finite.
 VECTRIX_EXPORT TimeSpan from_until(const Epoch& start, const Epoch& end);

@@ -1,0 +1,100 @@
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <new>
+
+#include <vectrix/space.hpp>
+
+namespace {
+
+thread_local int allocations = 0;
+
+}  // namespace
+
+// Not inlined: g++ would see the pairs of new and free.
+[[gnu::noinline]] void* operator new(std::size_t size) {
+  ++allocations;
+  if (void* const memory = std::malloc(size)) return memory;
+  throw std::bad_alloc{};
+}
+[[gnu::noinline]] void operator delete(void* memory) noexcept {
+  std::free(memory);
+}
+[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept {
+  std::free(memory);
+}
+
+namespace vectrix::allocations_test {
+namespace {
+
+using earth::Gcrf, earth::Itrf;
+
+struct Body : moving_frame {};
+struct Satellite : moving_frame {};
+struct Station : east_north_up_frame {};
+
+// The second time: the first may make what is kept.
+template <class Call> int allocations_of(const Call& call) {
+  static_cast<void>(call());
+  const int before = allocations;
+  static_cast<void>(call());
+  return allocations - before;
+}
+
+template <class U, Frame F> Vector<F, U> vector_in(double x, double y, double z) {
+  return vector<U>(in<F>, Eigen::Vector3d(x, y, z));
+}
+template <Frame F>
+const auto motion = point_motion(of<Satellite>, relative_to<F>, observed_from<F>,
+                                 vector_in<si::length, F>(7e6, 1e5, 2e6),
+                                 vector_in<si::velocity, F>(-2e3, 7e3, 5e2));
+const Geodetic place{0.5 * si::radian, 0.2 * si::radian, 100.0 * si::metre};
+
+// The name for an error is a text: it is written only for one.
+TEST(Allocations, PlacesOnTheEarthNeedNone) {
+  const auto azimuth = 0.3 * si::radian;
+  const auto side = fixed_direction(vector_in<si::dimensionless, Itrf>(0.0, 1.0, 0.0));
+  const auto seen =
+      displacement(of<Satellite>, relative_to<Station>, vector_in<si::length, Station>(7e5, 1e5, 2e5));
+  const auto look = look_angles(seen);
+  EXPECT_EQ(allocations_of([&] { return wgs84::radii_of_curvature(place); }), 0);
+  EXPECT_EQ(allocations_of([&] { return wgs84::horizon_dip(place, azimuth); }), 0);
+  EXPECT_EQ(allocations_of([&] { return wgs84::position(place); }), 0);
+  EXPECT_EQ(allocations_of([&] { return wgs84::moving_up(motion<Itrf>); }), 0);
+  EXPECT_EQ(allocations_of([&] { return wgs84::limb(0.0 * si::metre, side, motion<Itrf>); }), 0);
+  EXPECT_EQ(allocations_of([&] { return east_north_up(from<Station>, place); }), 0);
+  EXPECT_EQ(allocations_of([&] { return look_angles(seen); }), 0);
+  EXPECT_EQ(allocations_of([&] { return displacement_at(of<Satellite>, relative_to<Station>, look); }), 0);
+}
+
+TEST(Allocations, DirectionsAndOrbitsNeedNone) {
+  constexpr auto mu = Quantity<si::gravitational_parameter>::from_value(3.986e14);
+  const auto& state = motion<Gcrf>;
+  const auto on_sky = right_ascension_declination(state.position);
+  EXPECT_EQ(allocations_of([&] { return right_ascension_declination(state.position); }), 0);
+  EXPECT_EQ(allocations_of([&] { return direction_at(in<Gcrf>, on_sky); }), 0);
+  EXPECT_EQ(allocations_of([&] { return two_body(mu, state, 100.0 * si::second); }), 0);
+  EXPECT_EQ(allocations_of([&] { return keplerian_elements(mu, state); }), 0);
+  EXPECT_EQ(allocations_of([&] { return lvlh(from<Body>, state); }), 0);
+  EXPECT_EQ(allocations_of([&] {
+              return pointing(align(unit_z(in<Body>), moving_direction(state)),
+                              constrain(unit_x(in<Body>), moving_direction(state.velocity)));
+            }),
+            0);
+}
+
+TEST(Allocations, InstantsNeedNone) {
+  const auto now = Epoch::from_tt("2024-01-01T12:00:00");
+  const auto day = from_until(now, convert<si::time>(24.0 * si::hour));
+  const auto orientation = EarthOrientation::unobserved(day, 0.0 * si::second);
+  const EarthMotion earth(orientation, day);
+  const Ephemeris<sky::Moon> moon(day);
+  EXPECT_EQ(allocations_of([&] { return orientation.at(now); }), 0);
+  EXPECT_EQ(allocations_of([&] { return earth.at(now); }), 0);
+  EXPECT_EQ(allocations_of([&] { return now.julian_date(scale::utc); }), 0);
+  EXPECT_EQ(allocations_of([&] { return geocentric(of<sky::Moon>, now); }), 0);
+  EXPECT_EQ(allocations_of([&] { return moon.direction(now, motion<Gcrf>, apparent); }), 0);
+}
+
+}  // namespace
+}  // namespace vectrix::allocations_test
