@@ -7,6 +7,7 @@
 #include <vectrix/frames/errors.hpp>
 
 #include "problems.hpp"
+#include "testing/free_body.hpp"
 #include "testing/trials.hpp"
 
 // The inlined integrators, alone and in solve<N>().
@@ -296,14 +297,7 @@ TEST(InlinedRungeKuttaDoors, refuse_tolerances_that_are_none) {
 TYPED_TEST(InlinedRungeKutta, rounded_coefficients_do_not_drift) {
   struct FreeBody {
     void operator()(double, std::span<const double, 7> y, std::span<double, 7> ydot) const {
-      const double p = y[4], q = y[5], r = y[6];
-      ydot[0] = 0.5 * (-y[1] * p - y[2] * q - y[3] * r);
-      ydot[1] = 0.5 * (y[0] * p + y[2] * r - y[3] * q);
-      ydot[2] = 0.5 * (y[0] * q + y[3] * p - y[1] * r);
-      ydot[3] = 0.5 * (y[0] * r + y[1] * q - y[2] * p);
-      ydot[4] = -q * r;
-      ydot[5] = r * p;
-      ydot[6] = -p * q / 3.0;
+      vectrix_test::free_body({1.0, 2.0, 3.0}, y, ydot);
     }
   };
   std::array<double, 7> absolute;
