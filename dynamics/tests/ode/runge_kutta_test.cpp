@@ -433,7 +433,8 @@ TEST_P(InlinedSolve, a_short_segment_is_one_step) {
   for (double t = 0.0; t <= 20.0; t += 0.03) EXPECT_LT(distance(solution.at(t), oscillator_state(t)), 1e-9);
 }
 
-TEST_P(InlinedSolve, a_stiff_problem_ends_with_the_component_and_a_way_out) {
+/// At the pole of tan t. The step is too short long before the state overflows.
+TEST_P(InlinedSolve, at_a_pole_names_the_component_and_the_method_for_stiff_problems) {
   Problem problem = oscillator(GetParam(), 2.0, 1e-9);
   problem.rhs = [](double, double, State y, std::span<double> ydot) {
     ydot[0] = 0.0;
@@ -448,7 +449,8 @@ TEST_P(InlinedSolve, a_stiff_problem_ends_with_the_component_and_a_way_out) {
     EXPECT_NE(said.find("the error of component 1 is still too large; a stiff problem needs radau_iia_7"),
               std::string::npos)
         << said;
-    EXPECT_NEAR(failure.time(), 0.5 * std::numbers::pi, 1e-6);
+    // An error e of tan t moves the pole by e / (1 + tan^2 t): at 1e-9 a step, 1e-7 in a hundred steps.
+    EXPECT_NEAR(failure.time(), 0.5 * std::numbers::pi, 1e-7);
     EXPECT_EQ(failure.flag(), flag::step_too_short);
   }
 }
