@@ -27,11 +27,12 @@ class Interpolant {
 
   const Record& record_;
   std::size_t left_;
-  std::array<std::size_t, max_nodes> nodes_{};
+  std::array<std::size_t, max_nodes> nodes_;
   std::size_t node_count_ = 0;
-  std::array<double, max_abscissas> abscissas_{};
+  std::array<double, max_abscissas> abscissas_;
+  // Not set if the method's interpolant was kept, and only for node_count_ nodes.
   /// inverse_spans_[k][i] = 1 / (z_{i+k} - z_i); the spans between a node and itself are not used.
-  std::array<std::array<double, max_abscissas>, max_abscissas> inverse_spans_{};
+  std::array<std::array<double, max_abscissas>, max_abscissas> inverse_spans_;
 };
 
 /// State at t in [times.front(), times.back()].

@@ -3,7 +3,6 @@
 #include <array>
 #include <complex>
 #include <cstddef>
-#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -66,7 +65,7 @@ class RadauStepper final : public Stepper {
   [[noreturn]] void throw_failed(double h) const;
 
   const Problem& problem_;
-  detail::RatesOfSegment<std::dynamic_extent, std::reference_wrapper<const RightHandSide>> rates_;
+  detail::RatesByFunction rates_;
   Vector absolute_, y_, rate_, trial_, trial_rate_, new_y_, unit_, error_;
   ByStage z_, f_;  ///< Y_i - y and f(Y_i)
   ByStage residual_, change_;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
+#include <functional>
 #include <limits>
 
 #include "sundials.hpp"
@@ -13,8 +15,40 @@ constexpr int stop_reached = 1;  // CV_TSTOP_RETURN and ARK_TSTOP_RETURN
 
 }  // namespace
 
+SundialsStepper::SundialsStepper(const Problem& problem)
+    : rates_{std::cref(problem.rhs), &problem},
+      last_state_(problem.initial_state.size()),
+      last_rate_(problem.initial_state.size()) {}
+
+void SundialsStepper::enter_segment(double start, double end) {
+  rates_.start = start;
+  rates_.end = end;
+  remembers_ = false;
+}
+
 void SundialsStepper::evaluate(double elapsed, std::span<const double> y, std::span<double> ydot) {
-  require(rate_(elapsed, y, ydot) ? 0 : flag::rhs_failed);
+  require(find_rate(elapsed, y, ydot) ? 0 : flag::rhs_failed);
+}
+
+bool SundialsStepper::find_rate(double elapsed, std::span<const double> y, std::span<double> ydot) noexcept {
+  if (rates_.trouble) return false;
+  if (remembers_ && elapsed == last_elapsed_ &&
+      std::memcmp(y.data(), last_state_.data(), y.size_bytes()) == 0) {
+    std::ranges::copy(last_rate_, ydot.begin());
+    return true;
+  }
+  remembers_ = false;
+  try {
+    rates_(elapsed, y, ydot);
+  } catch (const Trouble& trouble) {
+    rates_.trouble = trouble;
+  }
+  if (rates_.trouble) return false;
+  last_elapsed_ = elapsed;
+  std::ranges::copy(y, last_state_.begin());
+  std::ranges::copy(ydot, last_rate_.begin());
+  remembers_ = true;
+  return true;
 }
 
 void SundialsStepper::restart(double t, std::span<const double> y, double stop, double longest) {
@@ -50,16 +84,13 @@ void SundialsStepper::rate(std::span<double> ydot) {
 
 int SundialsStepper::call_rate(double clock, N_Vector y, N_Vector ydot, void* stepper) {
   SundialsStepper& self = *static_cast<SundialsStepper*>(stepper);
-  return self.rate_(self.time(clock), span_of(y), span_of(ydot)) ? 0 : -1;
+  return self.find_rate(self.time(clock), span_of(y), span_of(ydot)) ? 0 : -1;
 }
 
 void SundialsStepper::require(int flag) const {
   if (flag >= 0) return;
-  if (rate_.cause())
-    throw Trouble{flag::rhs_failed, rate_.trouble_time(), "the right-hand side threw", rate_.cause()};
-  if (!rate_.trouble().empty())
-    throw Trouble{flag::rhs_failed, rate_.trouble_time(), rate_.trouble(), nullptr};
-  throw Trouble{flag, rate_.time(reached_), message_, nullptr};
+  rates_.require_none();
+  throw Trouble{flag, rates_.time(reached_), message_, nullptr};
 }
 
 }  // namespace vectrix::ode

@@ -4,13 +4,13 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <vector>
 
 #include <sundials/sundials_nvector.h>
 #include <vectrix/dynamics/ode/elapsed_time.hpp>
+#include <vectrix/dynamics/ode/inlined.hpp>
 #include <vectrix/dynamics/ode/solve.hpp>
 #include <vectrix/dynamics/ode/stepper.hpp>
-
-#include "rate.hpp"
 
 namespace vectrix::ode {
 
@@ -22,7 +22,7 @@ namespace vectrix::ode {
 /// SUNDIALS.
 class SundialsStepper : public Stepper {
  public:
-  void enter_segment(double start, double end) override { rate_.enter_segment(start, end); }
+  void enter_segment(double start, double end) override;
   void evaluate(double elapsed, std::span<const double> y, std::span<double> ydot) override;
   void restart(double elapsed, std::span<const double> y, double stop, double longest) override;
   void rate_at_restart(std::span<double> ydot) override { evaluate(reached_, state(), ydot); }
@@ -30,13 +30,13 @@ class SundialsStepper : public Stepper {
   void rate(std::span<double> ydot) override;
   [[nodiscard]] std::size_t degree() const override { return 0; }
   void terms(std::span<double>) override {}
-  [[nodiscard]] std::size_t evaluations() const override { return rate_.evaluations(); }
+  [[nodiscard]] std::size_t evaluations() const override { return rates_.evaluations; }
   [[nodiscard]] std::size_t error_test_failures() const override {
     return failures_before_ + failures_since_restart();
   }
 
  protected:
-  explicit SundialsStepper(const Problem& problem) : rate_(problem) {}
+  explicit SundialsStepper(const Problem& problem);
 
   virtual int reinitialize(std::span<const double> y, double longest) = 0;
   virtual int set_stop(double clock) = 0;
@@ -51,13 +51,20 @@ class SundialsStepper : public Stepper {
   /// it.
   void require(int flag) const;
 
-  Rate rate_;
   double clock_ = 0.0;   ///< SUNDIALS' time, 0 at the last restart
   std::string message_;  ///< the last error text of SUNDIALS
 
  private:
+  /// The rate, which is remembered, because integrators ask again for that at the end of an accepted step.
+  /// False after an error of the right-hand side, which is kept; the function is not called again.
+  bool find_rate(double elapsed, std::span<const double> y, std::span<double> ydot) noexcept;
   [[nodiscard]] double time(double clock) const { return origin_ + (clock + clock_error_); }
 
+  detail::RatesByFunction rates_;
+  bool remembers_ = false;
+  double last_elapsed_ = 0.0;
+  std::vector<double> last_state_;
+  std::vector<double> last_rate_;
   double origin_ = 0.0;
   double stop_ = 0.0;
   double reached_ = 0.0;      ///< time of the last step

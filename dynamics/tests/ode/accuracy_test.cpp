@@ -2,6 +2,7 @@
 #include <complex>
 
 #include "problems.hpp"
+#include "testing/free_body.hpp"
 
 namespace vectrix::ode::test::accuracy_test {
 namespace {
@@ -44,14 +45,7 @@ TEST_P(OdeAccuracy, torque_free_axisymmetric_body) {
   constexpr double a = 2.0, c = 3.0, n = 1.0, transverse = 0.4;
   Problem problem;
   problem.rhs = [](double, double, State y, std::span<double> ydot) {
-    const double wx = y[4], wy = y[5], wz = y[6];
-    ydot[0] = 0.5 * (-y[1] * wx - y[2] * wy - y[3] * wz);
-    ydot[1] = 0.5 * (y[0] * wx + y[2] * wz - y[3] * wy);
-    ydot[2] = 0.5 * (y[0] * wy + y[3] * wx - y[1] * wz);
-    ydot[3] = 0.5 * (y[0] * wz + y[1] * wy - y[2] * wx);
-    ydot[4] = (a - c) / a * wy * wz;
-    ydot[5] = (c - a) / a * wz * wx;
-    ydot[6] = 0.0;
+    vectrix_test::free_body({a, a, c}, y.first<7>(), ydot.first<7>());
   };
   problem.initial_state = {1.0, 0.0, 0.0, 0.0, transverse, 0.0, n};
   problem.start = 0.0;

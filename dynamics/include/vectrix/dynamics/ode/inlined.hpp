@@ -5,6 +5,7 @@
 #include <concepts>
 #include <cstddef>
 #include <exception>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -82,6 +83,8 @@ template <std::size_t N, SegmentRates<N> F> struct RatesOfSegment {
                 component_name(*problem, i) + what + text(numbers[i]) + " at t = " + text(latest), nullptr};
   }
 };
+
+using RatesByFunction = RatesOfSegment<std::dynamic_extent, std::reference_wrapper<const RightHandSide>>;
 
 /// An integrator with an inlined right-hand side, as a stepper of the loop. The length of its steps is
 /// carried from segment to segment.
