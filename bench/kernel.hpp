@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "timing.hpp"
+
 namespace bench {
 
 using Numbers = std::vector<double>;
@@ -21,11 +23,6 @@ template <class Result> Numbers numbers(const Result& result) {
   } else {
     return list(result);
   }
-}
-
-// Makes the compiler assume that `value` is read and all memory is written.
-template <class T> void keep(const T& value) {
-  asm volatile("" : : "r"(&value) : "memory");
 }
 
 /// One form of a kernel.

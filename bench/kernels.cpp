@@ -8,27 +8,12 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
-#include <new>
 #include <random>
 #include <string>
+#include <vectrix/frames/scalar/larger.hpp>
 
+#include "allocations.hpp"
 #include "kernel.hpp"
-
-namespace {
-std::size_t allocations = 0;
-}
-
-void* operator new(std::size_t size) {
-  ++allocations;
-  if (void* memory = std::malloc(size)) return memory;
-  throw std::bad_alloc();
-}
-void operator delete(void* memory) noexcept {
-  std::free(memory);
-}
-void operator delete(void* memory, std::size_t) noexcept {
-  std::free(memory);
-}
 
 namespace bench {
 namespace {
@@ -44,12 +29,6 @@ double seconds(const Form& form, long calls) {
   const auto start = Clock::now();
   form.repeat(calls);
   return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 void count(const Kernel& kernel) {
@@ -68,14 +47,14 @@ bool time(const Kernel& kernel) {
   const Numbers raw = kernel.raw.result();
   double difference = 0.0;
   for (std::size_t i = 0; i < raw.size(); ++i)
-    difference = std::max(difference, std::abs(typed.at(i) - raw[i]));
+    difference = vectrix::detail::larger(difference, std::abs(typed.at(i) - raw[i]));
 
   constexpr long probe = 1000;
   seconds(kernel.raw, probe);
   const long calls = 1 + static_cast<long>(round_ns / (1e9 * seconds(kernel.raw, probe) / probe));
   std::mt19937 generator(20240229);
   std::vector<double> ratios(rounds), raw_ns(rounds);
-  const std::size_t before = allocations;
+  const std::size_t before = allocations();
   for (std::size_t i = 0; i < rounds; ++i) {
     const bool typed_first = generator() % 2 == 0;
     const double first = seconds(typed_first ? kernel.typed : kernel.raw, calls);
@@ -83,7 +62,7 @@ bool time(const Kernel& kernel) {
     ratios[i] = typed_first ? first / second : second / first;
     raw_ns[i] = 1e9 * (typed_first ? second : first) / static_cast<double>(calls);
   }
-  const std::size_t allocated = allocations - before;
+  const std::size_t allocated = allocations() - before;
   std::printf("%s\t%.2f\t%.3f\t%zu\n", kernel.name.c_str(), median(raw_ns), median(ratios), allocated);
   if (difference <= same) return true;
   std::fprintf(stderr, "kernels: %s: typed and raw differ by %g\n", kernel.name.c_str(), difference);

@@ -11,6 +11,7 @@
 #include <tuple>
 #include <vectrix/dynamics/rigid/euler.hpp>
 #include <vectrix/frames/scalar/lanes.hpp>
+#include <vectrix/frames/scalar/larger.hpp>
 #include <vectrix/kinematics.hpp>
 
 #include "kernel.hpp"
@@ -139,10 +140,10 @@ double off(const bench::Numbers& found, const bench::Numbers& expected) {
   for (std::size_t item = 0; item < items; ++item) {
     double same_sign = 0.0, other_sign = entries == 4 ? 0.0 : std::numeric_limits<double>::infinity();
     for (std::size_t k = item * entries; k < (item + 1) * entries; ++k) {
-      same_sign = std::max(same_sign, std::abs(found.at(k) - expected[k]));
-      other_sign = std::max(other_sign, std::abs(found.at(k) + expected[k]));
+      same_sign = vectrix::detail::larger(same_sign, std::abs(found.at(k) - expected[k]));
+      other_sign = vectrix::detail::larger(other_sign, std::abs(found.at(k) + expected[k]));
     }
-    largest = std::max(largest, std::min(same_sign, other_sign));
+    largest = vectrix::detail::larger(largest, std::min(same_sign, other_sign));
   }
   return largest;
 }
@@ -151,12 +152,6 @@ double seconds(auto& sweep, long calls) {
   const auto start = Clock::now();
   for (long i = 0; i < calls; ++i) sweep.run();
   return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 /// The law on the same items in Eigen, in doubles and in lanes. Rounds of one batch of each, in random order,
@@ -189,7 +184,8 @@ bool time(const char* name, const Make& make, const Law& law, const EigenLaw& ei
               median(ns[2]), median(ratios));
 
   const auto expected = raw.numbers();
-  const double difference = std::max(off(one.numbers(), expected), off(many.numbers(), expected));
+  const double difference =
+      vectrix::detail::larger(off(one.numbers(), expected), off(many.numbers(), expected));
   if (difference <= same) return true;
   std::fprintf(stderr, "lanes: %s: off by %g\n", name, difference);
   return false;

@@ -5,9 +5,11 @@
 #include <cstdio>
 #include <functional>
 #include <random>
+#include <vectrix/frames/scalar/larger.hpp>
 #include <vectrix/kinematics/named/graph.hpp>
 
 #include "tf2_reference.hpp"
+#include "timing.hpp"
 
 namespace bench {
 namespace {
@@ -23,10 +25,6 @@ constexpr double turn = 0.2;  // rad, from one sample to the next
 // Both compute rotations of order 1; tf2 uses quaternions throughout. The time of tf2 is in whole
 // nanoseconds, during which the edges turn by less than 1e-8 rad.
 constexpr double same = 1e-7;
-
-template <class T> void keep(const T& value) {
-  asm volatile("" : : "r"(&value) : "memory");
-}
 
 std::string name(std::size_t i) {
   return i == 0 ? "base_link" : "frame_" + std::to_string(i);
@@ -115,8 +113,8 @@ bool agree(const NamedGraph& graph, const Tf2Reference& buffer) {
   for (double t = start; t < start + (samples - 1) * step; t += 0.037) {
     const auto R = graph.at(t * si::second).rotation(To(name(0)), From(name(depth))).matrix();
     const auto [w, x, y, z] = buffer.look_up(name(0), name(depth), t);
-    largest =
-        std::max(largest, (R - Eigen::Quaterniond(w, x, y, z).toRotationMatrix()).cwiseAbs().maxCoeff());
+    const Eigen::Matrix3d error = R - Eigen::Quaterniond(w, x, y, z).toRotationMatrix();
+    largest = vectrix::detail::larger(largest, error.cwiseAbs().maxCoeff<Eigen::PropagateNaN>());
   }
   if (largest <= same) return true;
   std::fprintf(stderr, "named_graph: Vectrix and tf2 differ by %g\n", largest);

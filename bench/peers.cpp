@@ -104,12 +104,6 @@ double difference(const Numbers& one, const Numbers& other) {
   return std::chrono::duration<double, std::nano>(Clock::now() - start).count() / static_cast<double>(calls);
 }
 
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 /// Rounds of one batch of each library in random order, so that a slow machine slows all.
 std::vector<std::vector<double>> measure(const std::vector<const Way*>& ways) {
   std::mt19937 generator(20240229);

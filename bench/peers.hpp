@@ -6,6 +6,8 @@
 #include <map>
 #include <vector>
 
+#include "timing.hpp"
+
 /// The same tasks on the same numbers in five libraries. Plain C++17, because one of the libraries needs it.
 namespace bench {
 
@@ -63,11 +65,6 @@ Peer eigen_peer(const Given& given);
 Peer simbody_peer(const Given& given);
 Peer kdl_peer(const Given& given);
 Peer tf2_peer(const Given& given);
-
-// Makes the compiler assume that `value` is read and all memory is written.
-template <class T> void keep(const T& value) {
-  asm volatile("" : : "r"(&value) : "memory");
-}
 
 /// `kernel` of operands that must outlive the returned object; `list` gives the numbers of the result.
 template <auto kernel, class List, class... Operands> Way way(const List& list, const Operands&... operands) {

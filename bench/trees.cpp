@@ -5,30 +5,15 @@
 #include <cstdio>
 #include <cstdlib>
 #include <functional>
-#include <new>
 #include <random>
 #include <vectrix/dynamics.hpp>
 #include <vectrix/dynamics/craft/named_spacecraft.hpp>
 #include <vectrix/dynamics/multibody/hinge.hpp>
+#include <vectrix/frames/scalar/larger.hpp>
 
+#include "allocations.hpp"
 #include "simbody_reference_tree.hpp"
 #include "typed_kernels.hpp"
-
-namespace {
-std::size_t allocations = 0;
-}
-
-void* operator new(std::size_t size) {
-  ++allocations;
-  if (void* memory = std::malloc(size)) return memory;
-  throw std::bad_alloc();
-}
-void operator delete(void* memory) noexcept {
-  std::free(memory);
-}
-void operator delete(void* memory, std::size_t) noexcept {
-  std::free(memory);
-}
 
 namespace bench {
 namespace {
@@ -182,7 +167,7 @@ bool measure(const Craft& craft) {
   double largest = 1.0, difference = 0.0;
   for (std::size_t i = 0; i < rates.size(); ++i) {
     largest = std::max(largest, std::abs(rates[i]));
-    difference = std::max(difference, std::abs(rates[i] - ours[i]));
+    difference = vectrix::detail::larger(difference, std::abs(rates[i] - ours[i]));
   }
   if (!(difference <= same * largest)) {
     std::fprintf(stderr, "trees: %s differs from Simbody by %g\n", craft.name, difference / largest);
@@ -218,10 +203,10 @@ bool measure(const Craft& craft) {
                    y[4] += 1e-12;
                  },
                  std::max(3, calls / 40)};
-  const std::size_t before = allocations;
+  const std::size_t before = allocations();
   by_engine.call();
   by_name.call();
-  if (allocations != before) {
+  if (allocations() != before) {
     std::fprintf(stderr, "trees: %s allocates memory in a call\n", craft.name);
     return false;
   }

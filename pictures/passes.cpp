@@ -9,7 +9,7 @@ namespace pictures {
 namespace {
 
 using namespace vectrix;
-using earth::Gcrf, earth::Itrf, earth::Teme;
+using earth::Itrf;
 
 struct Place : east_north_up_frame {};
 struct Station : moving_frame {};
