@@ -87,23 +87,24 @@ Quantity<si::moment_of_inertia> rigid_inertia() {
 constexpr auto T = 120.0 * s;
 const auto slew_angle = convert<si::angle>(30.0 * si::degree);
 
-/// Of the hub's angular acceleration, by which a rigid craft would turn.
-using Profile = Quantity<si::angular_acceleration> (*)(const Quantity<si::time>& t,
-                                                       const Quantity<si::time>& segment);
-
-Quantity<si::angular_acceleration> switched(const Quantity<si::time>&, const Quantity<si::time>& segment) {
-  const auto a = 4.0 * slew_angle / (T * T);
-  if (segment >= T) return 0.0 * a;
-  return segment < 0.5 * T ? a : -a;
-}
-Quantity<si::angular_acceleration> smooth(const Quantity<si::time>& t, const Quantity<si::time>& segment) {
-  const auto a = 8.0 * std::numbers::pi / 3.0 * slew_angle / (T * T);
-  if (segment >= T) return 0.0 * a;
+/// The angular acceleration of the hub, if the craft were rigid, that the wheel is to give in a part of the
+/// slew: held from one change to the next.
+using Acceleration = Quantity<si::angular_acceleration>;
+struct Phase {
+  Acceleration (*demand)(const Quantity<si::time>& t);
+};
+const Phase speed_up{[](const Quantity<si::time>&) -> Acceleration { return 4.0 * slew_angle / (T * T); }};
+const Phase slow_down{[](const Quantity<si::time>&) -> Acceleration { return -4.0 * slew_angle / (T * T); }};
+const Phase smooth{[](const Quantity<si::time>& t) -> Acceleration {
   const double phase = 2.0 * std::numbers::pi * (t / T);
-  return (std::sin(phase) - 0.5 * std::sin(2.0 * phase)) * a;
-}
+  return (std::sin(phase) - 0.5 * std::sin(2.0 * phase)) *
+         (8.0 * std::numbers::pi / 3.0 * slew_angle / (T * T));
+}};
+const Phase coast{[](const Quantity<si::time>&) -> Acceleration { return 0.0 * slew_angle / (T * T); }};
 
-CraftTrajectory<Sat> slew(const Sat& sat, Profile profile) {
+using Flight = CraftTrajectory<Sat, Phase>;
+
+template <class... Changes> Flight slew(const Sat& sat, const Phase& first, const Changes&... changes) {
   const auto at_rest_in_gcrf =
       moving_dcm(aligned(to<Gcrf>, from<Hub>), at_rest(of<Hub>, relative_to<Gcrf>, in<Hub>));
   const auto start = state(sat, 0.0 * s, at_rest_in_gcrf, starts(of<Panel<1>>, 0.0 * rad, 0.0 * rad_s),
@@ -112,20 +113,21 @@ CraftTrajectory<Sat> slew(const Sat& sat, Profile profile) {
                            spins(of<Wheel<2>>, 0.0 * rad_s), spins(of<Wheel<3>>, 0.0 * rad_s));
   const auto k = 350.0 * si::newton_metre / rad;
   const auto c = 2.0 * si::newton_metre / rad_s;
-  const auto J = rigid_inertia();
-  auto run = problem(sat, start, 180.0 * s, 1e-10,
-                     {.angle = 1e-12 * rad,
-                      .rate = 1e-12 * rad_s,
-                      .length = 1e-12 * m,
-                      .velocity = 1e-12 * (m / s),
-                      .mode = 1e-10},
-                     spring(sat, of<Panel<1>>, k, 0.0 * rad), damper(sat, of<Panel<1>>, c),
-                     spring(sat, of<Panel<2>>, k, 0.0 * rad), damper(sat, of<Panel<2>>, c),
-                     [=](const Now<Sat>& now, Forces<Sat>& forces) {
-                       forces.motor(of<Wheel<1>>, -(J * profile(now.time(), now.segment_start())));
-                     });
-  run.ode.breakpoints = {0.5 * T.in(s), T.in(s)};
-  return solve(run);
+  const auto turn_wheel = [J = rigid_inertia()](const Now<Sat>& now, Forces<Sat>& forces,
+                                                const Phase& phase) {
+    forces.motor(of<Wheel<1>>, -(J * phase.demand(now.time())));
+  };
+  const auto flight = scenario(sat, spring(sat, of<Panel<1>>, k, 0.0 * rad), damper(sat, of<Panel<1>>, c),
+                               spring(sat, of<Panel<2>>, k, 0.0 * rad), damper(sat, of<Panel<2>>, c),
+                               turn_wheel, held(first), changes...);
+  return propagate(flight, start,
+                   {.end = 180.0 * s,
+                    .relative_tolerance = 1e-10,
+                    .absolute_tolerances = {.angle = 1e-12 * rad,
+                                            .rate = 1e-12 * rad_s,
+                                            .length = 1e-12 * m,
+                                            .velocity = 1e-12 * (m / s),
+                                            .mode = 1e-10}});
 }
 
 double degrees_about_x(const CraftState<Sat>& state) {
@@ -137,7 +139,7 @@ double rounded(double x) {
   return std::round(1e3 * x) / 1e3 + 0.0;
 }
 
-void print(const std::string& name, const CraftTrajectory<Sat>& flight) {
+void print(const std::string& name, const Flight& flight) {
   std::printf("\n%s\n   t [s]   turned [deg]   rate [mrad/s]   panel 1 [urad]   wheel 1 [rad/s]\n",
               name.c_str());
   for (const double t : {0.0, 30.0, 60.0, 90.0, 120.0, 150.0, 180.0}) {
@@ -162,8 +164,9 @@ int main() try {
   const Sat sat;
   std::printf("A slew of %.0f degrees in %.0f s, inertia %.1f kg m^2\n", slew_angle.in(si::degree), T.in(s),
               rigid_inertia().in(kg_m2));
-  print("Switched torque", slew(sat, switched));
-  print("Smooth torque", slew(sat, smooth));
+  print("Switched torque",
+        slew(sat, speed_up, at_times({0.5 * T}, becomes(slow_down)), at_times({T}, becomes(coast))));
+  print("Smooth torque", slew(sat, smooth, at_times({T}, becomes(coast))));
 } catch (const std::exception& error) {
   std::cerr << error.what() << '\n';
   return 1;

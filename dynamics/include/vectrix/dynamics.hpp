@@ -1,14 +1,17 @@
 #pragma once
 
+#include <vectrix/dynamics/craft/changes.hpp>
+#include <vectrix/dynamics/craft/craft_scenario.hpp>
 #include <vectrix/dynamics/craft/forces.hpp>
 #include <vectrix/dynamics/craft/graph.hpp>
 #include <vectrix/dynamics/craft/motion.hpp>
 #include <vectrix/dynamics/craft/now.hpp>
-#include <vectrix/dynamics/craft/solve.hpp>
+#include <vectrix/dynamics/craft/propagate.hpp>
 #include <vectrix/dynamics/craft/spacecraft.hpp>
 #include <vectrix/dynamics/craft/springs.hpp>
 #include <vectrix/dynamics/craft/start.hpp>
 #include <vectrix/dynamics/craft/state.hpp>
+#include <vectrix/dynamics/craft/trajectory.hpp>
 #include <vectrix/dynamics/force/about.hpp>
 #include <vectrix/dynamics/force/gravity.hpp>
 #include <vectrix/dynamics/force/moment.hpp>

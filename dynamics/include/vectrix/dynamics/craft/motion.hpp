@@ -24,13 +24,13 @@ using CheckedLoads = std::tuple<std::type_identity<decltype(std::declval<const L
 /// ydot = f(t, y) of a craft with its loads, in the order given. One for each thread.
 template <class C, class... Loads> class CraftRates {
  public:
-  CraftRates(std::shared_ptr<const CraftCore> core, const Loads&... loads)
-      : core_(std::move(core)), work_(core_->tree.work()), loads_(loads...) {}
+  explicit CraftRates(const C& craft, const Loads&... loads)
+      : core_(craft.core()), work_(core_->tree.work()), loads_(loads...) {}
 
-  void operator()(double segment_start, double t, const double* y, double* ydot) {
+  void operator()(double t, const double* y, double* ydot) {
     core_->tree.place(y, work_);
     if constexpr (sizeof...(Loads) > 0) {
-      const Now<C> now{trusted, *core_, segment_start, t, y, work_};
+      const Now<C> now{trusted, *core_, t, y, work_};
       Forces<C> forces{trusted, now, work_};
       add(now, forces, std::index_sequence_for<Loads...>{});
     }
@@ -67,7 +67,7 @@ template <CraftType C> class CraftMotion {
   /// Places and velocities. It must not outlive the motion.
   Now<C> now() const& {
     const double t = state_.time().value();
-    return {detail::trusted, *core_, t, t, state_.data(), work_};
+    return {detail::trusted, *core_, t, state_.data(), work_};
   }
   Now<C> now() && = delete;  // the view refers to the motion: give the motion a name first
 
@@ -136,10 +136,10 @@ template <CraftType C, class... Loads>
   requires(!detail::any_refused<Loads...>)
 CraftMotion<C> motion(const C& craft, const CraftState<C>& state, const Loads&... loads) {
   static_cast<void>(sizeof(detail::CheckedLoads<C, Loads...>));
-  detail::CraftRates<C, Loads...> rates(craft.core(), loads...);
+  detail::CraftRates<C, Loads...> rates(craft, loads...);
   typename CraftState<C>::Numbers ydot{};
   const double t = state.time().value();
-  rates(t, t, state.data(), ydot.data());
+  rates(t, state.data(), ydot.data());
   detail::require_finite_rates(*craft.core(), t, ydot);
   return {detail::trusted, craft.core(), state, ydot, std::move(rates.work())};
 }

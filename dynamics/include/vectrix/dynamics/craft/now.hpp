@@ -20,14 +20,11 @@ template <CraftType C> class Now : public detail::CraftNumbers<Now<C>, C> {
   static constexpr bool placed = Shape::template has_place<F> || (Shape::free && std::is_same_v<F, I>);
 
  public:
-  Now(detail::Trusted, const detail::CraftCore& core, double segment_start, double t, const double* y,
+  Now(detail::Trusted, const detail::CraftCore& core, double t, const double* y,
       const multibody::Work<double>& work)
-      : at_(core, y, work), segment_start_(segment_start), t_(t) {}
+      : at_(core, y, work), t_(t) {}
 
   Quantity<si::time> time() const { return Quantity<si::time>::from_value(t_); }
-  /// The start of the smooth segment. A load that jumps at a breakpoint decides by this, not by the time: the
-  /// time of the breakpoint is the end of one segment and the start of the next.
-  Quantity<si::time> segment_start() const { return Quantity<si::time>::from_value(segment_start_); }
 
   /// R_a^b
   template <class B, class A>
@@ -97,7 +94,7 @@ template <CraftType C> class Now : public detail::CraftNumbers<Now<C>, C> {
   }
 
   detail::CraftInstant<Shape> at_;
-  double segment_start_, t_;
+  double t_;
 };
 
 }  // namespace vectrix

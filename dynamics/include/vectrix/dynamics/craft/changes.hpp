@@ -1,0 +1,132 @@
+#pragma once
+
+#include <cmath>
+#include <concepts>
+#include <cstddef>
+#include <string>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+#include <vector>
+#include <vectrix/dynamics/craft/now.hpp>
+#include <vectrix/dynamics/ode/solution.hpp>
+#include <vectrix/frames/errors.hpp>
+#include <vectrix/frames/graph/edge.hpp>
+
+namespace vectrix {
+
+/// A value that loads and changes may take: constant in each smooth segment of a run.
+template <class X> struct Held { X initial; };
+/// The command of a controller, the mode of operation, whether a thruster is on: a value with a type of its
+/// own, which names it, and what it is until its first change.
+template <class X> Held<X> held(X initial) {
+  return {std::move(initial)};
+}
+
+/// The result of a change that does not depend on the state.
+template <class X> struct Becomes { X value; };
+template <class X> Becomes<X> becomes(X value) {
+  return {std::move(value)};
+}
+
+/// What a zero does: it is recorded, or it also ends the run.
+struct Recorded {};
+struct Stop {};
+inline constexpr Stop stop{};
+
+namespace detail {
+
+/// The type of the value that a change returns, and those of its arguments; none if its call operator is a
+/// template.
+template <class F> struct UpdateOf {
+  using result = Result<F>;
+  using arguments = Arguments<F>;
+};
+template <class X> struct UpdateOf<Becomes<X>> {
+  using result = X;
+  using arguments = std::tuple<>;
+};
+template <class F> inline constexpr bool is_becomes = false;
+template <class X> inline constexpr bool is_becomes<Becomes<X>> = true;
+template <class F> inline constexpr bool is_effect = std::is_same_v<F, Recorded> || std::is_same_v<F, Stop>;
+
+/// Ticks at start + k period, k = 0, 1, ...; what one finds takes effect `latency` later.
+struct Clock {
+  double period, latency;
+};
+struct TimeList {
+  std::vector<double> times;
+};
+/// The zeros of a function of the state.
+template <class G> struct Zero {
+  std::string name;
+  G function;
+  ode::Direction direction;
+};
+template <class Trigger, class F> struct Change {
+  Trigger trigger;
+  F update;
+};
+
+template <class F>
+concept UpdateFunction = is_becomes<F> || !std::is_same_v<Arguments<F>, std::tuple<>>;
+
+VECTRIX_EXPORT double checked_period(double period);
+VECTRIX_EXPORT double checked_latency(double latency);
+VECTRIX_EXPORT std::vector<double> checked_times(const std::vector<Quantity<si::time>>& times);
+
+}  // namespace detail
+
+/// A sampled controller: at start + k period, k = 0, 1, ..., the function (const Now<C>&, const X&...) -> X,
+/// of the state and of held values, changes the held X. The run does not tick at its end. With a latency the
+/// function sees the state at the tick, and its result takes effect so much later. Throws BadInput for a
+/// period that is not positive, a latency that is negative, or one that is not finite.
+template <detail::UpdateFunction F>
+detail::Change<detail::Clock, F> every(const Quantity<si::time>& period, F update) {
+  return {{detail::checked_period(period.value()), 0.0}, std::move(update)};
+}
+template <detail::UpdateFunction F>
+detail::Change<detail::Clock, F> every(const Quantity<si::time>& period, const Quantity<si::time>& latency,
+                                       F update) {
+  return {{detail::checked_period(period.value()), detail::checked_latency(latency.value())},
+          std::move(update)};
+}
+
+template <class Period, class F>
+  requires(detail::UpdateFunction<F> && !std::convertible_to<const Period&, Quantity<si::time>>)
+auto every(  // every(period, f): a time, 0.1 * si::second
+    const Period&, const F&) -> Refused = delete;
+template <class F>
+  requires(!detail::UpdateFunction<F>)
+auto every(  // every(period, f): f is becomes(x), or a function from const Now<C>&, const X&... to X
+    const Quantity<si::time>&, const F&) -> Refused = delete;
+
+/// A change of a held value at the given times: becomes(x), or a function as every() takes it. TimeList
+/// before the start of a run, or not before its end, have no effect. Throws BadInput unless they are finite
+/// and increase.
+template <detail::UpdateFunction F>
+detail::Change<detail::TimeList, F> at_times(const std::vector<Quantity<si::time>>& times, F update) {
+  return {{detail::checked_times(times)}, std::move(update)};
+}
+
+template <class Times, class F>
+auto at_times(  // at_times({t, ...}, f): times; f is becomes(x), or a function of const Now<C>&, const X&...
+    const Times&, const F&) -> Refused = delete;
+
+/// The zeros of a function (const Now<C>&, const X&...) of the state and of held values, a number or a
+/// quantity, are events of the run, found as ode::Root says. They change a held value, as at_times() does; or
+/// they stop the run; or they are recorded only.
+template <class G>
+detail::Change<detail::Zero<G>, Recorded> when(std::string name, G function, ode::Direction direction) {
+  return {{std::move(name), std::move(function), direction}, {}};
+}
+template <class G>
+detail::Change<detail::Zero<G>, Stop> when(std::string name, G function, ode::Direction direction, Stop) {
+  return {{std::move(name), std::move(function), direction}, {}};
+}
+template <class G, detail::UpdateFunction F>
+detail::Change<detail::Zero<G>, F> when(std::string name, G function, ode::Direction direction, F update) {
+  return {{std::move(name), std::move(function), direction}, std::move(update)};
+}
+
+}  // namespace vectrix

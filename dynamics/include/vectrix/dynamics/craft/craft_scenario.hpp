@@ -1,0 +1,194 @@
+#pragma once
+
+#include <concepts>
+#include <cstddef>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+#include <vectrix/dynamics/craft/changes.hpp>
+#include <vectrix/dynamics/craft/motion.hpp>
+
+namespace vectrix {
+
+// The mistakes in a scenario, for messages.
+template <class X> struct NothingHolds {};
+template <class X> struct IsHeldTwice {};
+template <class Function> struct IsNoLoad {};
+template <class Function> struct IsNoChange {};
+template <class Function> struct IsNoFunctionOfTheState {};
+
+namespace detail {
+
+template <class Part> struct PartOf { static constexpr bool load = true, held = false, change = false; };
+template <class X> struct PartOf<Held<X>> {
+  static constexpr bool load = false, held = true, change = false;
+};
+template <class Trigger, class F> struct PartOf<Change<Trigger, F>> {
+  static constexpr bool load = false, held = false, change = true;
+};
+
+template <class... Types> using Joined = decltype(std::tuple_cat(std::declval<Types>()...));
+template <class Part> struct HeldType { using type = std::tuple<>; };
+template <class X> struct HeldType<Held<X>> { using type = std::tuple<X>; };
+/// The types of the values that the parts hold, in their order.
+template <class... Parts> using HeldTypes = Joined<std::tuple<>, typename HeldType<Parts>::type...>;
+
+template <class X, class Tuple> inline constexpr std::size_t count_in = 0;
+template <class X, class... Types>
+inline constexpr std::size_t count_in<X, std::tuple<Types...>> = (std::size_t{0} + ... +
+                                                                  std::is_same_v<X, Types>);
+
+/// The arguments of a function after the first `count`, or none.
+template <std::size_t count, class Arguments> struct RestOf { using type = std::tuple<>; };
+template <class First, class... Rest> struct RestOf<1, std::tuple<First, Rest...>> {
+  using type = std::tuple<Rest...>;
+};
+template <class First, class Second, class... Rest> struct RestOf<2, std::tuple<First, Second, Rest...>> {
+  using type = std::tuple<Rest...>;
+};
+template <std::size_t count, class Function>
+using Taken = typename RestOf<count, typename UpdateOf<Function>::arguments>::type;
+
+/// The first value that is taken and not held; Nothing if there is none.
+template <class HeldTuple, class Tuple> struct FirstNotHeld : std::type_identity<Nothing> {};
+template <class HeldTuple, class X, class... Rest>
+struct FirstNotHeld<HeldTuple, std::tuple<X, Rest...>>
+    : std::conditional_t<count_in<X, HeldTuple> == 0, std::type_identity<NothingHolds<X>>,
+                         FirstNotHeld<HeldTuple, std::tuple<Rest...>>> {};
+
+template <class Function, class Before, class Tuple> struct CallableWith;
+template <class Function, class... Before, class... X>
+struct CallableWith<Function, std::tuple<Before...>, std::tuple<X...>>
+    : std::bool_constant<std::invocable<const Function&, Before..., const X&...>> {};
+
+/// Whether a function of the state and of held values gives a number or a quantity.
+template <class Value> inline constexpr bool is_size = std::is_convertible_v<Value, double>;
+template <class U> inline constexpr bool is_size<Quantity<U>> = true;
+template <class C, class G, class Tuple> struct GivesSize;
+template <class C, class G, class... X> struct GivesSize<C, G, std::tuple<X...>> {
+  static constexpr bool test() {
+    if constexpr (std::invocable<const G&, const Now<C>&, const X&...>)
+      return is_size<std::remove_cvref_t<std::invoke_result_t<const G&, const Now<C>&, const X&...>>>;
+    else
+      return false;
+  }
+};
+
+/// The mistake of one part.
+template <class C, class HeldTuple, class Part> struct FaultOfPart {
+  static constexpr auto fault() {
+    using Lack = typename FirstNotHeld<HeldTuple, Taken<2, Part>>::type;
+    if constexpr (std::is_same_v<Part, Refused>) {
+      return std::type_identity<Refused>{};
+    } else if constexpr (!std::is_same_v<Lack, Nothing>) {
+      return std::type_identity<Lack>{};
+    } else if constexpr (!CallableWith<Part, std::tuple<const Now<C>&, Forces<C>&>, Taken<2, Part>>::value) {
+      return std::type_identity<IsNoLoad<Part>>{};
+    } else {
+      return std::type_identity<Nothing>{};
+    }
+  }
+  using type = typename decltype(fault())::type;
+};
+template <class C, class HeldTuple, class X> struct FaultOfPart<C, HeldTuple, Held<X>> {
+  using type = std::conditional_t<count_in<X, HeldTuple> == 1, Nothing, IsHeldTwice<X>>;
+};
+template <class C, class HeldTuple, class F> struct FaultOfUpdate {
+  static constexpr auto fault() {
+    using X = typename UpdateOf<F>::result;
+    using Lack = typename FirstNotHeld<HeldTuple, Joined<Taken<1, F>, std::tuple<X>>>::type;
+    if constexpr (!is_becomes<F> && !CallableWith<F, std::tuple<const Now<C>&>, Taken<1, F>>::value) {
+      return std::type_identity<IsNoChange<F>>{};
+    } else {
+      return std::type_identity<Lack>{};
+    }
+  }
+  using type = typename decltype(fault())::type;
+};
+template <class C, class HeldTuple, class F>
+  requires is_effect<F>
+struct FaultOfUpdate<C, HeldTuple, F> {
+  using type = Nothing;
+};
+template <class C, class HeldTuple, class Trigger, class F>
+struct FaultOfPart<C, HeldTuple, Change<Trigger, F>> : FaultOfUpdate<C, HeldTuple, F> {};
+template <class C, class HeldTuple, class G, class F> struct FaultOfPart<C, HeldTuple, Change<Zero<G>, F>> {
+  static constexpr auto fault() {
+    using Lack = typename FirstNotHeld<HeldTuple, Taken<1, G>>::type;
+    if constexpr (!std::is_same_v<Lack, Nothing>) {
+      return std::type_identity<Lack>{};
+    } else if constexpr (!GivesSize<C, G, Taken<1, G>>::test()) {
+      return std::type_identity<IsNoFunctionOfTheState<G>>{};
+    } else {
+      return FaultOfUpdate<C, HeldTuple, F>{};
+    }
+  }
+  using type = typename decltype(fault())::type;
+};
+
+/// The first mistake of all parts; Nothing if there is none.
+template <class C, class HeldTuple, class... Parts> struct FirstFault : std::type_identity<Nothing> {};
+template <class C, class HeldTuple, class Part, class... Parts>
+struct FirstFault<C, HeldTuple, Part, Parts...>
+    : std::conditional_t<std::is_same_v<typename FaultOfPart<C, HeldTuple, Part>::type, Nothing>,
+                         FirstFault<C, HeldTuple, Parts...>, FaultOfPart<C, HeldTuple, Part>> {};
+template <class C, class... Parts>
+using ScenarioFault = typename FirstFault<C, HeldTypes<Parts...>, Parts...>::type;
+
+/// Calls a function with what stands before, and the held values of its further arguments.
+template <class... X, class Function, class HeldTuple, class... Before>
+[[gnu::always_inline]] inline decltype(auto) with_held(std::type_identity<std::tuple<X...>>,
+                                                       const Function& function, const HeldTuple& values,
+                                                       Before&&... before) {
+  return function(before..., std::get<X>(values)...);
+}
+
+/// A load with the held values that it takes, which outlive it.
+template <class Load, class HeldTuple> struct HeldLoad {
+  Load load;
+  const HeldTuple* values;
+  template <class C> [[gnu::always_inline]] void operator()(const Now<C>& now, Forces<C>& forces) const {
+    with_held(std::type_identity<Taken<2, Load>>{}, load, *values, now, forces);
+  }
+};
+
+}  // namespace detail
+
+/// What happens to a spacecraft: loads, held values, and what changes them. Made by scenario().
+template <CraftType C, class... Parts> class CraftScenario {
+ public:
+  using craft_type = C;
+  using held_types = detail::HeldTypes<Parts...>;
+
+  CraftScenario() = delete;  // scenario(craft, parts...)
+  CraftScenario(detail::Trusted, const C& craft, const Parts&... parts) : craft_(craft), parts_(parts...) {}
+
+  const C& craft() const& { return craft_; }
+  C craft() && { return craft_; }
+  const std::tuple<Parts...>& parts() const& { return parts_; }
+
+ private:
+  C craft_;
+  std::tuple<Parts...> parts_;
+};
+
+/// A craft and what happens to it, in any order:
+///   - loads: (const Now<C>&, Forces<C>&, const X&...), with any held values; spring(), damper()
+///   - held(x): a value that only changes change, at the ends of smooth segments
+///   - changes of held values: every(), at_times(), when()
+/// Changes at one instant all see the values from before it; if two change one value, the later in the list
+/// counts.
+template <CraftType C, class... Parts>
+  requires std::is_same_v<detail::ScenarioFault<C, Parts...>, Nothing> CraftScenario<C, Parts...> scenario(
+      const C& craft, const Parts&... parts) {
+    return {detail::trusted, craft, parts...};
+  }
+template <CraftType C, class... Parts>
+  requires std::is_same_v<detail::ScenarioFault<C, Parts...>, Refused> Refused scenario(const C&,
+                                                                                        const Parts&...);
+template <CraftType C, class... Parts, class Fault = detail::ScenarioFault<C, Parts...>>
+  requires(!std::is_same_v<Fault, Nothing> && !std::is_same_v<Fault, Refused>)
+auto scenario(  // the craft, then loads, held values, and changes of what is held: see Fault
+    const C&, const Parts&...) -> Refused = delete;
+
+}  // namespace vectrix

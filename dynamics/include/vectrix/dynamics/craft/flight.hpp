@@ -1,0 +1,202 @@
+#pragma once
+
+#include <cstddef>
+#include <deque>
+#include <memory>
+#include <span>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+#include <vector>
+#include <vectrix/dynamics/craft/craft_scenario.hpp>
+#include <vectrix/dynamics/craft/instants.hpp>
+#include <vectrix/dynamics/craft/trajectory.hpp>
+
+namespace vectrix::detail {
+
+/// What a run needs of a part besides its values: nothing of a load or a held value.
+template <class Part> struct Running {
+  static constexpr bool is_zero = false;
+  Running(const Part&, double, double) {}
+  static TickList ticks() { return {}; }
+};
+template <class F> using WaitingOf = std::deque<typename UpdateOf<F>::result>;
+template <class Trigger, class F> struct Running<Change<Trigger, F>> {
+  static constexpr bool is_zero = false;
+  Running(const Change<Trigger, F>& change, double start, double end)
+      : list(detail::ticks(change.trigger, start, end)) {}
+  TickList ticks() const { return list; }
+
+  TickList list;
+  std::size_t sampled = 0, applied = 0;
+  WaitingOf<F> waiting;  ///< what was found and is not yet in effect
+};
+template <class G, class F> struct Running<Change<Zero<G>, F>> {
+  static constexpr bool is_zero = true;
+  Running(const Change<Zero<G>, F>&, double, double) {}
+  static TickList ticks() { return {}; }
+};
+
+template <class HeldTuple> struct HistoryOf;
+template <class... X> struct HistoryOf<std::tuple<X...>> { using type = std::tuple<HeldHistory<X>...>; };
+template <class C, class HeldTuple> struct TrajectoryOf;
+template <class C, class... X> struct TrajectoryOf<C, std::tuple<X...>> {
+  using type = CraftTrajectory<C, X...>;
+  using failure = CraftFailure<C, X...>;
+};
+
+/// The loads of a scenario, each with the held values, which outlive it.
+template <class... Parts, class HeldTuple>
+auto held_loads(const std::tuple<Parts...>& parts, const HeldTuple& values) {
+  const auto one = [&]<class Part>(const Part& part) {
+    if constexpr (PartOf<Part>::load)
+      return std::tuple<HeldLoad<Part, HeldTuple>>{{part, &values}};
+    else
+      return std::tuple<>{};
+  };
+  return std::apply([&](const auto&... part) { return std::tuple_cat(one(part)...); }, parts);
+}
+
+/// The values that a run holds, and their changes. Its loads, roots and changes refer to it.
+template <CraftType C, class... Parts> class Flight {
+  using HeldTuple = HeldTypes<Parts...>;
+  template <std::size_t i> using Part = std::tuple_element_t<i, std::tuple<Parts...>>;
+
+ public:
+  Flight(const CraftScenario<C, Parts...>& scenario, double start, double end)
+      : core_(scenario.craft().core()),
+        parts_(scenario.parts()),
+        apart_(same_instant(start, end)),
+        work_(core_->tree.work()),
+        values_(initial(parts_)),
+        running_(make_running(start, end, std::index_sequence_for<Parts...>{})) {
+    std::apply([&](const auto&... value) { (record(start, value), ...); }, values_);
+  }
+  Flight(const Flight&) = delete;
+  Flight& operator=(const Flight&) = delete;
+
+  auto loads() const { return held_loads(parts_, values_); }
+
+  std::vector<double> breakpoints(double start, double end) const {
+    const auto lists = std::apply(
+        [](const auto&... running) { return std::vector<TickList>{running.ticks()...}; }, running_);
+    return instants_of(lists, start, end);
+  }
+  std::vector<ode::Root> roots() {
+    std::vector<ode::Root> roots;
+    for_each_part([&]<std::size_t i>() {
+      if constexpr (std::tuple_element_t<i, Runnings>::is_zero) roots.push_back(root(std::get<i>(parts_)));
+    });
+    return roots;
+  }
+  /// All changes that are due see the values from before.
+  void change(double t, std::span<const double> y, std::span<const ode::Event> ended_by) {
+    if constexpr (std::tuple_size_v < HeldTuple >> 0) {
+      const Now<C> now = now_at(t, y);
+      HeldTuple next = values_;
+      std::size_t root = 0;
+      for_each_part([&]<std::size_t i>() {
+        if constexpr (PartOf<Part<i>>::change) {
+          auto& running = std::get<i>(running_);
+          if constexpr (std::tuple_element_t<i, Runnings>::is_zero)
+            cross(std::get<i>(parts_), root++, now, ended_by, next);
+          else
+            tick(std::get<i>(parts_), running, now, next);
+        }
+      });
+      values_ = std::move(next);
+    }
+  }
+  typename HistoryOf<HeldTuple>::type history() const { return history_; }
+
+ private:
+  using Runnings = std::tuple<Running<Parts>...>;
+
+  static HeldTuple initial(const std::tuple<Parts...>& parts) {
+    const auto one = []<class P>(const P& part) {
+      if constexpr (PartOf<P>::held)
+        return std::make_tuple(part.initial);
+      else
+        return std::tuple<>{};
+    };
+    return std::apply([&](const auto&... part) { return std::tuple_cat(one(part)...); }, parts);
+  }
+  template <std::size_t... i>
+  Runnings make_running([[maybe_unused]] double start, [[maybe_unused]] double end,
+                        std::index_sequence<i...>) const {
+    return {Running<Part<i>>(std::get<i>(parts_), start, end)...};
+  }
+  template <class Function> static void for_each_part(const Function& function) {
+    [&]<std::size_t... i>(std::index_sequence<i...>) {
+      (function.template operator()<i>(), ...);
+    }
+    (std::index_sequence_for<Parts...>{});
+  }
+
+  Now<C> now_at(double t, std::span<const double> y) {
+    core_->tree.place(y.data(), work_);
+    return {trusted, *core_, t, y.data(), work_};
+  }
+  template <class F> typename UpdateOf<F>::result found(const F& update, const Now<C>& now) const {
+    if constexpr (is_becomes<F>)
+      return update.value;
+    else
+      return with_held(std::type_identity<Taken<1, F>>{}, update, values_, now);
+  }
+  template <class X> void put(HeldTuple& next, double t, X value) {
+    record(t, value);
+    std::get<X>(next) = std::move(value);
+  }
+  template <class X> void record(double t, const X& value) {
+    auto& history = std::get<HeldHistory<X>>(history_);
+    if (!history.empty() && history.back().time == t)
+      history.back().value = value;
+    else
+      history.push_back({t, value});
+  }
+  template <class Trigger, class F>
+  void tick(const Change<Trigger, F>& change, Running<Change<Trigger, F>>& running, const Now<C>& now,
+            HeldTuple& next) {
+    const double t = now.time().value();
+    const auto due = [&](const std::vector<double>& times, std::size_t at) {
+      return at < times.size() && times[at] <= t + apart_;
+    };
+    if (due(running.list.sampled, running.sampled)) {
+      ++running.sampled;
+      running.waiting.push_back(found(change.update, now));
+    }
+    if (due(running.list.applied, running.applied)) {
+      ++running.applied;
+      put(next, t, std::move(running.waiting.front()));
+      running.waiting.pop_front();
+    }
+  }
+  template <class G, class F>
+  void cross(const Change<Zero<G>, F>& change, std::size_t root, const Now<C>& now,
+             std::span<const ode::Event> ended_by, HeldTuple& next) {
+    if constexpr (!is_effect<F>) {
+      const auto is_this = [&](const ode::Event& event) { return event.root == root; };
+      if (std::ranges::any_of(ended_by, is_this)) put(next, now.time().value(), found(change.update, now));
+    }
+  }
+  template <class G, class F> ode::Root root(const Change<Zero<G>, F>& change) {
+    const auto value = [this, &g = change.trigger.function](double t, std::span<const double> y) -> double {
+      const auto found = with_held(std::type_identity<Taken<1, G>>{}, g, values_, now_at(t, y));
+      if constexpr (std::is_convertible_v<decltype(found), double>)
+        return found;
+      else
+        return found.value();
+    };
+    return {change.trigger.name, value, change.trigger.direction, std::is_same_v<F, Stop>, !is_effect<F>};
+  }
+
+  std::shared_ptr<const CraftCore> core_;
+  std::tuple<Parts...> parts_;
+  double apart_;
+  multibody::Work<double> work_;
+  HeldTuple values_;
+  Runnings running_;
+  typename HistoryOf<HeldTuple>::type history_;
+};
+
+}  // namespace vectrix::detail

@@ -1,0 +1,85 @@
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <exception>
+#include <limits>
+#include <span>
+#include <tuple>
+#include <utility>
+#include <vectrix/dynamics/craft/flight.hpp>
+#include <vectrix/dynamics/craft/tolerances.hpp>
+#include <vectrix/dynamics/ode/inlined.hpp>
+
+namespace vectrix {
+
+/// How a craft is propagated, until `end`: the error of a step is bounded by relative |y| + absolute, for
+/// each number by its unit; there is no default. See ode::Method for what each method is for. A load that is
+/// a function of time with a short burst needs a `maximum_step` below it, or a held value.
+struct CraftPropagation {
+  Quantity<si::time> end;
+  double relative_tolerance;
+  CraftTolerances absolute_tolerances;
+  ode::Method method = ode::Method::verner_9;
+  Quantity<si::time> maximum_step = std::numeric_limits<double>::infinity() * si::second;
+  std::size_t max_steps = 10'000'000;
+};
+
+/// The motion of the craft of a scenario from a state on. No step crosses a change, so that the order of the
+/// method is kept. Throws BadInput if a number is not what it must be, and CraftFailure, with the trajectory
+/// until then, if the run cannot be finished.
+template <CraftType C, class... Parts>
+typename detail::TrajectoryOf<C, detail::HeldTypes<Parts...>>::type propagate(
+    const CraftScenario<C, Parts...>& scenario, const CraftState<C>& start, const CraftPropagation& how) {
+  using Trajectory = detail::TrajectoryOf<C, detail::HeldTypes<Parts...>>;
+  constexpr std::size_t N = C::state_size;
+  const C& craft = scenario.craft();
+  ode::Problem problem;
+  problem.initial_state.assign(start.numbers().begin(), start.numbers().end());
+  problem.start = start.time().value();
+  problem.end = how.end.value();
+  problem.relative_tolerance = how.relative_tolerance;
+  problem.absolute_tolerances = absolute_tolerances(plain(craft), how.absolute_tolerances);
+  problem.method = how.method;
+  problem.max_steps = how.max_steps;
+  problem.maximum_step = how.maximum_step.value();
+  problem.caller = "propagate " + plain(craft).hub;
+  problem.component_names = craft.core()->component_names;
+  if (!(problem.end > problem.start && std::isfinite(problem.end))) {
+    throw BadInput(problem.caller + ": the end is " + detail::text(problem.end) + " s, the start " +
+                   detail::text(problem.start) + " s");
+  }
+  detail::Flight<C, Parts...> flight(scenario, problem.start, problem.end);
+  problem.breakpoints = flight.breakpoints(problem.start, problem.end);
+  problem.roots = flight.roots();
+  problem.at_segment_start = [&](double t, std::span<const double> y, std::span<const ode::Event> ended_by) {
+    flight.change(t, y, ended_by);
+  };
+  auto rates =
+      std::apply([&](const auto&... load) { return detail::CraftRates(craft, load...); }, flight.loads());
+  auto rhs = [&rates](double, double t, auto y, auto ydot) { rates(t, y.data(), ydot.data()); };
+  try {
+    if (how.method == ode::Method::verner_9 || how.method == ode::Method::verner_7)
+      return {detail::trusted, ode::solve<N>(problem, rhs), flight.history()};
+    problem.rhs = rhs;
+    return {detail::trusted, ode::solve(problem), flight.history()};
+  } catch (const ode::Failure& failure) {
+    std::throw_with_nested(
+        typename Trajectory::failure{failure, {detail::trusted, failure.solution(), flight.history()}});
+  }
+}
+
+/// The accelerations at a time of a trajectory, and what the joints transmit, under the loads of its scenario
+/// with the values held then. Throws BadInput outside [start, end].
+template <CraftType C, class... Parts, class... X>
+CraftMotion<C> motion(const CraftScenario<C, Parts...>& scenario, const CraftTrajectory<C, X...>& trajectory,
+                      const Quantity<si::time>& time) {
+  static_assert(std::is_same_v<detail::HeldTypes<Parts...>, std::tuple<X...>>,
+                "the trajectory of another scenario: they hold other values");
+  const std::tuple<X...> values{trajectory.template held<X>(time)...};
+  const CraftState<C> state = trajectory.at(time);
+  return std::apply([&](const auto&... load) { return motion(scenario.craft(), state, load...); },
+                    detail::held_loads(scenario.parts(), values));
+}
+
+}  // namespace vectrix

@@ -1,0 +1,146 @@
+// Scenarios of a craft
+#include <vectrix/dynamics.hpp>
+
+using namespace vectrix;
+
+struct Gcrf : inertial_frame {};
+struct Hub : moving_frame {};
+
+auto make_sat() {
+  return spacecraft(
+      body(mass_properties(1.0 * si::kilogram, coincident(of<CentreOfMassOf<Hub>>, relative_to<Hub>, in<Hub>),
+                           trust_inertia(in<Hub>, Eigen::Matrix3d::Identity())),
+           turning_in<Gcrf>));
+}
+struct Sat : decltype(make_sat()) {
+  Sat() : decltype(make_sat())(make_sat()) {}
+};
+struct Probe : decltype(make_sat()) {
+  Probe() : decltype(make_sat())(make_sat()) {}
+};
+
+struct Command {
+  Quantity<si::torque> torque;
+};
+struct Mode {
+  int number;
+};
+const Command none{0.0 * si::newton_metre};
+const auto by_command = [](const Now<Sat>&, Forces<Sat>& forces, const Command& command) {
+  forces.torque(of<Hub>, command.torque * unit_z(in<Hub>));
+};
+
+namespace a_load_takes_what_nothing_holds {
+// mistake: a load takes a command, and the scenario holds none
+// expect: NothingHolds<Command>
+auto flight(const Sat& sat) {
+#ifdef REPAIRED
+  return scenario(sat, by_command, held(none));
+#else
+  return scenario(sat, by_command);
+#endif
+}
+}  // namespace a_load_takes_what_nothing_holds
+
+namespace a_result_of_another_type {
+// mistake: a controller returns a torque; what is held is a command
+// expect: NothingHolds<(vectrix::)?Quantity<(vectrix::)?si::torque
+const auto feedback = [](const Now<Sat>&) {
+#ifdef REPAIRED
+  return Command{1.0 * si::newton_metre};
+#else
+  return 1.0 * si::newton_metre;
+#endif
+};
+auto flight(const Sat& sat) {
+  return scenario(sat, by_command, held(none), every(0.1 * si::second, feedback));
+}
+}  // namespace a_result_of_another_type
+
+namespace held_twice {
+// mistake: a type is held twice
+// expect: IsHeldTwice<Mode>
+auto flight(const Sat& sat) {
+#ifdef REPAIRED
+  return scenario(sat, held(Mode{1}), held(none));
+#else
+  return scenario(sat, held(Mode{1}), held(Mode{2}));
+#endif
+}
+}  // namespace held_twice
+
+namespace a_load_of_another_craft {
+// mistake: a load on a probe in the scenario of a satellite
+// expect: IsNoLoad<.*Probe
+auto flight(const Sat& sat) {
+#ifdef REPAIRED
+  return scenario(sat, [](const Now<Sat>&, Forces<Sat>&) {});
+#else
+  return scenario(sat, [](const Now<Probe>&, Forces<Probe>&) {});
+#endif
+}
+}  // namespace a_load_of_another_craft
+
+namespace a_zero_of_a_vector {
+// mistake: the zeros of a vector
+// expect: IsNoFunctionOfTheState<
+const auto rate = [](const Now<Sat>& now) {
+  const auto w = now.angular_velocity(of<Hub>, relative_to<Gcrf>, in<Hub>);
+#ifdef REPAIRED
+  return w.z();
+#else
+  return w;
+#endif
+};
+auto flight(const Sat& sat) {
+  return scenario(sat, when("at rest", rate, ode::Direction::any));
+}
+}  // namespace a_zero_of_a_vector
+
+namespace a_held_value_of_another_scenario {
+// mistake: a trajectory is asked for a value that its scenario does not hold
+// expect: CraftTrajectory<Sat, Command>
+auto value(const CraftTrajectory<Sat, Command>& flight) {
+#ifdef REPAIRED
+  return flight.held<Command>(1.0 * si::second);
+#else
+  return flight.held<Mode>(1.0 * si::second);
+#endif
+}
+}  // namespace a_held_value_of_another_scenario
+
+namespace a_period_without_unit {
+// mistake: a period without its unit
+// expect: every\(period, f\): a time
+auto change() {
+#ifdef REPAIRED
+  return every(0.1 * si::second, becomes(none));
+#else
+  return every(0.1, becomes(none));
+#endif
+}
+}  // namespace a_period_without_unit
+
+namespace a_generic_controller {
+// mistake: a controller whose argument has no type: what it takes cannot be known
+// expect: f is becomes\(x\), or a function
+auto change() {
+#ifdef REPAIRED
+  return every(0.1 * si::second, [](const Now<Sat>&) { return none; });
+#else
+  return every(0.1 * si::second, [](const auto&) { return none; });
+#endif
+}
+}  // namespace a_generic_controller
+
+namespace one_time_without_braces {
+// mistake: one time where a list of times is due
+// expect: at_times\(\{t, \.\.\.\}, f\)
+auto change() {
+#ifdef REPAIRED
+  return at_times({1.0 * si::second}, becomes(none));
+#else
+  return at_times(1.0 * si::second, becomes(none));
+#endif
+}
+}  // namespace one_time_without_braces
