@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <deque>
 #include <memory>
@@ -176,7 +177,8 @@ template <CraftType C, class... Parts> class Flight {
              std::span<const ode::Event> ended_by, HeldTuple& next) {
     if constexpr (!is_effect<F>) {
       const auto is_this = [&](const ode::Event& event) { return event.root == root; };
-      if (std::ranges::any_of(ended_by, is_this)) put(next, now.time().value(), found(change.update, now));
+      if (std::any_of(ended_by.begin(), ended_by.end(), is_this))
+        put(next, now.time().value(), found(change.update, now));
     }
   }
   template <class G, class F> ode::Root root(const Change<Zero<G>, F>& change) {

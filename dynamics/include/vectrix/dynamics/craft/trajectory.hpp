@@ -54,7 +54,8 @@ template <CraftType C, class... X> class CraftTrajectory {
                      detail::text(solution_.start()) + ", " + detail::text(solution_.end()) + "] s");
     }
     const auto& history = std::get<detail::HeldHistory<Y>>(history_);
-    return std::prev(std::ranges::upper_bound(history, time.value(), {}, &detail::HeldFrom<Y>::time))->value;
+    const auto later = [](double t, const detail::HeldFrom<Y>& from) { return t < from.time; };
+    return std::prev(std::upper_bound(history.begin(), history.end(), time.value(), later))->value;
   }
   template <class Y>
     requires(std::is_same_v<Y, X> || ...)
@@ -67,7 +68,7 @@ template <CraftType C, class... X> class CraftTrajectory {
     std::vector<CraftEvent<C>> events;
     for (const ode::Event& event : solution_.events()) {
       typename CraftState<C>::Numbers y;
-      std::ranges::copy(event.state, y.begin());
+      std::copy(event.state.begin(), event.state.end(), y.begin());
       events.push_back(
           {event.name, {detail::trusted, Quantity<si::time>::from_value(event.time), y}, event.direction});
     }

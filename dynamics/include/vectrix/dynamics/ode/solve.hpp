@@ -79,7 +79,7 @@ struct Problem {
   std::vector<double> absolute_tolerances;  ///< one for each component
   std::vector<Root> roots;
   SegmentStart at_segment_start;  ///< may be empty
-  Method method = Method::cvode_adams;
+  Method method = Method::verner_9;
   std::size_t max_steps = 10'000'000;
   double maximum_step = std::numeric_limits<double>::infinity();
   /// False: our methods make their dense output, which costs evaluations and memory, only where it is
