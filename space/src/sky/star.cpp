@@ -40,7 +40,7 @@ ProperMotion proper_motion_without_cos_declination(const Quantity<si::angular_ve
 Star::Star(In<earth::Gcrf>, const RightAscensionDeclination& place, const ProperMotion& motion,
            const Quantity<si::angle>& parallax, const Quantity<si::velocity>& radial_velocity,
            const Epoch& epoch)
-    : place_(detail::direction_of("Star: ", place)),
+    : place_(detail::direction_of({"Star"}, place)),
       parallax_(parallax.value() / astronomical_unit),
       epoch_(epoch) {
   constexpr double largest_parallax = std::numbers::pi / 180.0 / 3600.0;
