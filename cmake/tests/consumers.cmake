@@ -9,14 +9,23 @@ foreach(layer space dynamics)
   endif()
 endforeach()
 
+# BUILD <layer>: build and run only the program of that layer, where the configuration of the others is what is tested.
 function(consumer name way components)
+  cmake_parse_arguments(PARSE_ARGV 3 only "" BUILD "")
   list(JOIN components "," components)
+  set(target)
+  set(chosen)
+  if(only_BUILD)
+    set(target --build-target uses_${only_BUILD})
+    set(chosen -R ^uses_${only_BUILD}$)
+  endif()
   add_test(NAME package.${name}
            COMMAND ${CMAKE_CTEST_COMMAND} --build-and-test ${CMAKE_CURRENT_SOURCE_DIR}/consumer ${work}/${name}
-                   --build-generator ${CMAKE_GENERATOR} --build-options
+                   --build-generator ${CMAKE_GENERATOR} ${target} --build-options
                    -D CMAKE_CXX_COMPILER=${CMAKE_CXX_COMPILER} -D CMAKE_BUILD_TYPE=None -D WAY=${way}
-                   -D COMPONENTS=${components} -D SOURCE=${PROJECT_SOURCE_DIR} -D CMAKE_PREFIX_PATH=${work}/prefix ${ARGN}
-                   --test-command ${CMAKE_CTEST_COMMAND} --output-on-failure --no-tests=error)
+                   -D COMPONENTS=${components} -D SOURCE=${PROJECT_SOURCE_DIR} -D CMAKE_PREFIX_PATH=${work}/prefix
+                   ${only_UNPARSED_ARGUMENTS}
+                   --test-command ${CMAKE_CTEST_COMMAND} --output-on-failure --no-tests=error ${chosen})
   set_tests_properties(package.${name} PROPERTIES PROCESSORS 2 COST 100)
   if(way STREQUAL "package")
     set_tests_properties(package.${name} PROPERTIES FIXTURES_REQUIRED installed)
@@ -32,9 +41,9 @@ consumer(subdirectory subdirectory "frames;kinematics;${libraries}")
 consumer(installed_headers package "frames;kinematics" ${hidden})
 consumer(subdirectory_headers subdirectory "frames;kinematics" ${hidden})
 
-# If dynamics is requested explicitly and its solvers are missing, the error is clear; an unknown component is not
-# found.
-consumer(space_without_solvers subdirectory "frames;space" -D CMAKE_DISABLE_FIND_PACKAGE_SUNDIALS=ON)
+# Without the solvers space is there, which is decided before anything is compiled. If dynamics is requested explicitly
+# and its solvers are missing, the error is clear; an unknown component is not found.
+consumer(space_without_solvers subdirectory "frames;space" BUILD frames -D CMAKE_DISABLE_FIND_PACKAGE_SUNDIALS=ON)
 consumer(dynamics_without_solvers subdirectory "dynamics" -D CMAKE_DISABLE_FIND_PACKAGE_SUNDIALS=ON -D VECTRIX_DYNAMICS=ON)
 consumer(space_without_erfa subdirectory "space" ${hidden} -D VECTRIX_SPACE=ON)
 set_tests_properties(package.dynamics_without_solvers PROPERTIES PASS_REGULAR_EXPRESSION "needs vectrix::space and SUNDIALS 6.4")
