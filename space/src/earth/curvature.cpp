@@ -7,7 +7,8 @@
 namespace vectrix::wgs84 {
 namespace {
 
-constexpr double a = semi_major_axis.value(), e2 = flattening * (2.0 - flattening);
+constexpr double equatorial_axis = semi_major_axis.value(),
+                 eccentricity_squared = flattening * (2.0 - flattening);
 
 using detail::Caller;
 
@@ -21,8 +22,8 @@ double checked_azimuth(const Caller& name, const Quantity<si::angle>& azimuth) {
 RadiiOfCurvature radii(const Caller& name, const Geodetic& place) {
   detail::require_geodetic(name, place);
   const double sine = std::sin(place.latitude.value());
-  const double w2 = 1.0 - e2 * sine * sine, across = a / std::sqrt(w2);
-  return {(1.0 - e2) / w2 * across * si::metre, across * si::metre};
+  const double w2 = 1.0 - eccentricity_squared * sine * sine, across = equatorial_axis / std::sqrt(w2);
+  return {(1.0 - eccentricity_squared) / w2 * across * si::metre, across * si::metre};
 }
 
 }  // namespace
@@ -53,13 +54,14 @@ Quantity<si::angle> horizon_dip(const Geodetic& place, const Quantity<si::angle>
     throw BadInput(name() + "the height is " + detail::text(h) + " m; there is no horizon");
   }
   const double sine = std::sin(latitude), cosine = std::cos(latitude);
-  constexpr double equator = 1.0 / (a * a), pole = equator / (1.0 - e2);  // the squares of S, 1/m^2
+  constexpr double equator = 1.0 / (equatorial_axis * equatorial_axis),
+                   pole = equator / (1.0 - eccentricity_squared);  // the squares of S, 1/m^2
   const double across = std::sin(A), along = std::cos(A);
   const double qq = cosine * cosine * equator + sine * sine * pole;
   const double pp =
       along * along * (sine * sine * equator + cosine * cosine * pole) + across * across * equator;
   const double pq = along * sine * cosine * (pole - equator);
-  const double c = 1.0 / (a * std::sqrt(1.0 - e2 * sine * sine));
+  const double c = 1.0 / (equatorial_axis * std::sqrt(1.0 - eccentricity_squared * sine * sine));
   return std::atan((std::sqrt(h * (2.0 * c + h * qq) * pp) - h * pq) / c) * si::radian;
 }
 

@@ -14,10 +14,10 @@
 namespace vectrix {
 namespace {
 
-constexpr int degree = 5, columns = 6, cell_size = (degree + 1) * columns;
-using Numbers = Eigen::Array<double, columns, 1>;        // X, Y, angle, x, y, and zero for pairs
-using Cell = Eigen::Array<double, columns, degree + 1>;  // their coefficients
-using Node = Eigen::Array<double, columns, 3>;           // their values and derivatives at an end, unit: cell
+constexpr int quintic_degree = 5, curve_count = 6, cell_size = (quintic_degree + 1) * curve_count;
+using Numbers = Eigen::Array<double, curve_count, 1>;                // X, Y, angle, x, y, and zero for pairs
+using Cell = Eigen::Array<double, curve_count, quintic_degree + 1>;  // their coefficients
+using Node = Eigen::Array<double, curve_count, 3>;  // their values and derivatives at an end, unit: cell
 
 // The quintic with the values, slopes and second derivatives of both ends; the value at the end is `moved`
 // more than at the start.
@@ -36,11 +36,11 @@ struct Motion {
   Numbers value, slope, half_bend;
 };
 Eigen::Map<const Numbers> coefficients(const double* cell, int power) {
-  return Eigen::Map<const Numbers>(cell + power * columns);
+  return Eigen::Map<const Numbers>(cell + power * curve_count);
 }
 Motion motion(const double* cell, double time) {
-  Motion p{coefficients(cell, degree), Numbers::Zero(), Numbers::Zero()};
-  for (int power = degree - 1; power >= 0; --power) {
+  Motion p{coefficients(cell, quintic_degree), Numbers::Zero(), Numbers::Zero()};
+  for (int power = quintic_degree - 1; power >= 0; --power) {
     p.half_bend = p.half_bend * time + p.slope;
     p.slope = p.slope * time + p.value;
     p.value = p.value * time + coefficients(cell, power);

@@ -18,7 +18,7 @@ struct Field {
   std::size_t first, last;  // columns, from 1
 };
 constexpr Field mjd{"MJD", 8, 15};
-constexpr std::array<Field, 5> values{
+constexpr std::array<Field, 5> parameter_fields{
     {{"x", 19, 27}, {"y", 38, 46}, {"UT1-UTC", 59, 68}, {"dX", 98, 106}, {"dY", 117, 125}}};
 
 // The length of the day varies by a few milliseconds. UT1-TAI changes by more only at a leap second that the
@@ -44,9 +44,9 @@ Offsets offsets_from_iau_1980(int day) {
           (y - pole_1980[2][1]) * milliarcseconds};
 }
 
-class Reader {
+class Finals2000AReader {
  public:
-  explicit Reader(const std::filesystem::path& file) : file_(file) {}
+  explicit Finals2000AReader(const std::filesystem::path& file) : file_(file) {}
 
   [[noreturn]] void fail(const std::string& reason) const {
     throw BadInput("Earth orientation " + file_.string() + (line_ > 0 ? ", line " + text(line_) : "") + ": " +
@@ -84,11 +84,11 @@ class Reader {
     }
     last_day_ = day;
 
-    std::array<double, values.size()> found{};
+    std::array<double, parameter_fields.size()> found{};
     const Field* blank = nullptr;
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      const auto value = number(line, values[i]);
-      if (!value && blank == nullptr) blank = &values[i];
+    for (std::size_t i = 0; i < parameter_fields.size(); ++i) {
+      const auto value = number(line, parameter_fields[i]);
+      if (!value && blank == nullptr) blank = &parameter_fields[i];
       if (value) found[i] = *value;
     }
     if (blank != nullptr) {
@@ -104,15 +104,15 @@ class Reader {
     }
   }
 
-  void add(int day, const std::array<double, values.size()>& found) {
+  void add(int day, const std::array<double, parameter_fields.size()>& found) {
     const Epoch epoch = Epoch::from_utc_mjd(day);
     const auto arcseconds = [](double angle) { return convert<si::angle>(angle * si::arcsecond); };
     const auto ut1_minus_tai = found[2] * si::second - epoch.tai_minus_utc();
     if (!rows_.empty()) {
       const auto change = ut1_minus_tai - rows_.back().ut1_minus_tai;
       if (std::abs(change.value()) > largest_change_in_a_day.value()) {
-        fail(values[2], std::string{"UT1-TAI changes by "} + text(change.value()) +
-                            " s in a day; is there a leap second missing?");
+        fail(parameter_fields[2], std::string{"UT1-TAI changes by "} + text(change.value()) +
+                                      " s in a day; is there a leap second missing?");
       }
     }
     days_.push_back({day, line_, {found[3], found[4]}});
@@ -156,9 +156,10 @@ class Reader {
     }
     if (from_2006 <= from_1980) return;
     line_ = largest->line;
-    fail(values[3], text(largest->offsets.first) + " and " + text(largest->offsets.second) +
-                        " milliarcseconds are offsets of the pole from IAU 1980, as finals.all has them in "
-                        "these columns, not from IAU 2006/2000A; read finals2000A");
+    fail(parameter_fields[3],
+         text(largest->offsets.first) + " and " + text(largest->offsets.second) +
+             " milliarcseconds are offsets of the pole from IAU 1980, as finals.all has them in "
+             "these columns, not from IAU 2006/2000A; read finals2000A");
   }
 
   const std::filesystem::path& file_;
@@ -175,7 +176,7 @@ class Reader {
 
 std::pair<std::vector<Epoch>, std::vector<EarthOrientationParameters>> read_finals2000A(
     const std::filesystem::path& file) {
-  Reader reader{file};
+  Finals2000AReader reader{file};
   const auto content = read_lines(file);
   if (!content) reader.fail("cannot be read");
   for (const std::string& line : content->lines) reader.row(line);

@@ -3,14 +3,14 @@
 namespace vectrix::detail {
 namespace {
 
-struct Row {
+struct GravityTerm {
   int n, m;
   double C, S;
 };
 
 // EGM2008 (N. K. Pavlis, S. A. Holmes, S. C. Kenyon, J. K. Factor; US National Geospatial-Intelligence
 // Agency, public domain), tide-free, fully normalized, the first degrees of the published file.
-constexpr Row rows[] = {
+constexpr GravityTerm gravity_terms[] = {
     {0, 0, 1.0e0, 0.0e0},
     {2, 0, -0.484165143790815e-03, 0.000000000000000e+00},
     {2, 1, -0.206615509074176e-09, 0.138441389137979e-08},
@@ -246,8 +246,8 @@ constexpr Row rows[] = {
 
 GravityModel egm2008_model(int degree) {
   GravityModel model{3.986004415e14, 6378136.3, Harmonics(degree)};
-  for (const Row& row : rows) {
-    if (row.n <= degree) model.coefficients.add(row.n, row.m, {row.C, row.S});
+  for (const GravityTerm& term : gravity_terms) {
+    if (term.n <= degree) model.coefficients.add(term.n, term.m, {term.C, term.S});
   }
   return model;
 }

@@ -10,12 +10,12 @@
 namespace vectrix {
 namespace {
 
-struct Row {
+struct ValladoLayer {
   double base, density, scale_height;  // km, kg/m^3, km
 };
 
 // Vallado, Fundamentals of Astrodynamics and Applications, table 8-4.
-constexpr Row vallado_table[] = {
+constexpr ValladoLayer vallado_layers[] = {
     {0, 1.225, 7.249},        {25, 3.899e-2, 6.349},    {30, 1.774e-2, 6.682},    {40, 3.972e-3, 7.554},
     {50, 1.057e-3, 8.382},    {60, 3.206e-4, 7.714},    {70, 8.770e-5, 6.549},    {80, 1.905e-5, 5.799},
     {90, 3.396e-6, 5.382},    {100, 5.297e-7, 5.877},   {110, 9.661e-8, 7.263},   {120, 2.438e-8, 9.473},
@@ -28,9 +28,9 @@ constexpr Row vallado_table[] = {
 
 ExponentialAtmosphere ExponentialAtmosphere::vallado() {
   std::vector<Layer> layers;
-  for (const Row& row : vallado_table) {
-    layers.push_back({Quantity<si::density>::from_value(row.density), 1e3 * row.base * si::metre,
-                      1e3 * row.scale_height * si::metre});
+  for (const ValladoLayer& layer : vallado_layers) {
+    layers.push_back({Quantity<si::density>::from_value(layer.density), 1e3 * layer.base * si::metre,
+                      1e3 * layer.scale_height * si::metre});
   }
   return ExponentialAtmosphere(std::move(layers));
 }

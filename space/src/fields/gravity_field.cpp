@@ -10,7 +10,7 @@ namespace {
 
 using detail::text;
 
-constexpr double smallest_distance = 0.98;  // of the radius; the poles are at 0.9966
+constexpr double smallest_distance_in_radii = 0.98;  // of the radius; the poles are at 0.9966
 
 std::array<detail::Harmonics, 3> gradient_of(const detail::Harmonics& potential) {
   return {derivative(potential, 0), derivative(potential, 1), derivative(potential, 2)};
@@ -39,9 +39,9 @@ struct GravityField::Series {
 
   [[nodiscard]] double distance(const Eigen::Vector3d& r) const {
     const double found = r.norm();
-    if (!(found >= smallest_distance * radius)) {
+    if (!(found >= smallest_distance_in_radii * radius)) {
       throw BadInput("GravityField: the point is " + text(found) + " m from the centre, inside " +
-                     text(smallest_distance) + " of the radius " + text(radius) + " m");
+                     text(smallest_distance_in_radii) + " of the radius " + text(radius) + " m");
     }
     return found;
   }

@@ -11,12 +11,12 @@
 namespace vectrix {
 namespace {
 
-struct Row {
+struct Shell {
   double height, least, most;  // km, g/km^3
 };
 
 // Montenbruck and Gill, Satellite Orbits, table 3.8.
-constexpr Row table[] = {
+constexpr Shell shells[] = {
     {100, 497400, 497400},    {120, 24900, 24900},      {130, 8377, 8710},        {140, 3899, 4059},
     {150, 2122, 2215},        {160, 1263, 1344},        {170, 800.8, 875.8},      {180, 528.3, 601.0},
     {190, 361.7, 429.7},      {200, 255.7, 316.2},      {210, 183.9, 239.6},      {220, 134.1, 185.3},
@@ -45,8 +45,8 @@ HarrisPriester::HarrisPriester(double exponent) : exponent_(exponent) {
 Quantity<si::density> HarrisPriester::under_the_sun(const Vector<earth::Itrf, si::length>& r_itrf,
                                                     const Eigen::Vector3d& to_the_sun) const {
   const double height = wgs84::geodetic(r_itrf).height.value() / 1e3;
-  const Row* const last = std::prev(std::end(table));
-  if (!(height >= std::begin(table)->height && height <= last->height)) {
+  const Shell* const last = std::prev(std::end(shells));
+  if (!(height >= std::begin(shells)->height && height <= last->height)) {
     throw BadInput("HarrisPriester: the height " + detail::text(1e3 * height) +
                    " m is outside the table, 100 to 1000 km");
   }
@@ -56,9 +56,9 @@ Quantity<si::density> HarrisPriester::under_the_sun(const Vector<earth::Itrf, si
   const double cosine_squared = 0.25 * (direction(r_itrf).coordinates() + apex).squaredNorm();
   const double bulge = std::pow(cosine_squared, 0.5 * exponent_);
 
-  const Row* const upper = std::upper_bound(std::next(std::begin(table)), last, height,
-                                            [](double h, const Row& row) { return h < row.height; });
-  const Row& lower = *std::prev(upper);
+  const Shell* const upper = std::upper_bound(std::next(std::begin(shells)), last, height,
+                                              [](double h, const Shell& shell) { return h < shell.height; });
+  const Shell& lower = *std::prev(upper);
   const double part = (height - lower.height) / (upper->height - lower.height);
   const double least = lower.least * std::pow(upper->least / lower.least, part);
   const double most = lower.most * std::pow(upper->most / lower.most, part);

@@ -22,9 +22,9 @@ std::vector<std::string> words_of(const std::string& line) {
   return words;
 }
 
-class Reader {
+class IcgemReader {
  public:
-  Reader(const std::filesystem::path& file, int degree) : file_(file), degree_(degree) {}
+  IcgemReader(const std::filesystem::path& file, int degree) : file_(file), degree_(degree) {}
 
   GravityModel read() {
     if (degree_ < 0) fail("the degree asked for is " + text(degree_));
@@ -138,7 +138,7 @@ class Reader {
 }  // namespace
 
 GravityModel read_icgem(const std::filesystem::path& file, int degree) {
-  return Reader(file, degree).read();
+  return IcgemReader(file, degree).read();
 }
 
 }  // namespace vectrix::detail

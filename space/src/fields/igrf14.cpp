@@ -3,15 +3,15 @@
 namespace vectrix::detail {
 namespace {
 
-constexpr int first_year = 1900, years_apart = 5, epochs = 27;
+constexpr int first_epoch_year = 1900, years_apart = 5, epoch_count = 27;
 
 // IGRF-14 (IAGA Division V-MOD, doi 10.5281/zenodo.14012302): degree, order (negative: h), nT at each epoch,
 // the last by the secular variation of 2025 to 2030.
-struct Row {
+struct TermByEpoch {
   int n, m;
-  double nanotesla[epochs];
+  double nanotesla[epoch_count];
 };
-constexpr Row rows[] = {
+constexpr TermByEpoch terms_by_epoch[] = {
     {1, 0, {-31543, -31464, -31354,   -31212,    -31060,    -30926,    -30805,    -30715,   -30654,
             -30594, -30554, -30500,   -30421,    -30334,    -30220,    -30100,    -29992,   -29873,
             -29775, -29692, -29619.4, -29554.63, -29496.57, -29441.46, -29403.41, -29350.0, -29287.0}},
@@ -427,14 +427,14 @@ constexpr Row rows[] = {
 
 MagneticModel igrf14_model() {
   MagneticModel model{"IGRF-14", {}};
-  for (int i = 0; i < epochs; ++i) {
+  for (int i = 0; i < epoch_count; ++i) {
     Harmonics potential(13);
-    for (const Row& row : rows) {
-      const double value = row.nanotesla[i];
-      potential.add(row.n, row.m < 0 ? -row.m : row.m,
-                    row.m < 0 ? Harmonics::Pair{0.0, value} : Harmonics::Pair{value, 0.0});
+    for (const TermByEpoch& term : terms_by_epoch) {
+      const double value = term.nanotesla[i];
+      potential.add(term.n, term.m < 0 ? -term.m : term.m,
+                    term.m < 0 ? Harmonics::Pair{0.0, value} : Harmonics::Pair{value, 0.0});
     }
-    model.epochs.push_back({first_year + years_apart * i, potential});
+    model.epochs.push_back({first_epoch_year + years_apart * i, potential});
   }
   return model;
 }

@@ -14,8 +14,8 @@ namespace {
 using detail::Harmonics;
 using detail::text;
 
-constexpr double radius = 6371.2e3;           // m, of both models
-constexpr double smallest_distance = 6200e3;  // m
+constexpr double reference_radius = 6371.2e3;  // m, of both models
+constexpr double smallest_distance = 6200e3;   // m
 constexpr double tesla_in_nanotesla = 1e-9;
 
 Epoch start_of(int year) {
@@ -33,7 +33,7 @@ detail::HarmonicSeries<6> series_of(const Harmonics& start, const Harmonics& end
   const Harmonics rate = harmonics_of(change, Harmonics::Normalization::schmidt);
   return {{derivative(field, 0), derivative(field, 1), derivative(field, 2), derivative(rate, 0),
            derivative(rate, 1), derivative(rate, 2)},
-          radius};
+          reference_radius};
 }
 
 }  // namespace

@@ -3,15 +3,15 @@
 namespace vectrix::detail {
 namespace {
 
-constexpr int first_year = 2025, last_year = 2030;
+constexpr int epoch_year = 2025, last_year = 2030;
 
 // WMM2025 (US National Centers for Environmental Information and British Geological Survey, public domain):
 // degree, order, g and h in nT at 2025.0, and their change in nT a year.
-struct Row {
+struct TermWithRate {
   int n, m;
   double g, h, g_rate, h_rate;
 };
-constexpr Row rows[] = {
+constexpr TermWithRate terms_with_rate[] = {
     {1, 0, -29351.8, 0.0, 12.0, 0.0},    {1, 1, -1410.8, 4545.4, 9.7, -21.5},
     {2, 0, -2556.6, 0.0, -11.6, 0.0},    {2, 1, 2951.1, -3133.6, -5.2, -27.7},
     {2, 2, 1649.3, -815.1, -8.0, -12.1}, {3, 0, 1361.0, 0.0, -1.3, 0.0},
@@ -63,12 +63,12 @@ constexpr Row rows[] = {
 
 MagneticModel wmm2025_model() {
   Harmonics start(12), end(12);
-  for (const Row& row : rows) {
-    start.add(row.n, row.m, {row.g, row.h});
-    const double years = last_year - first_year;
-    end.add(row.n, row.m, {row.g + years * row.g_rate, row.h + years * row.h_rate});
+  for (const TermWithRate& term : terms_with_rate) {
+    start.add(term.n, term.m, {term.g, term.h});
+    const double years = last_year - epoch_year;
+    end.add(term.n, term.m, {term.g + years * term.g_rate, term.h + years * term.h_rate});
   }
-  return {"WMM2025", {{first_year, start}, {last_year, end}}};
+  return {"WMM2025", {{epoch_year, start}, {last_year, end}}};
 }
 
 }  // namespace vectrix::detail

@@ -10,7 +10,7 @@
 namespace vectrix::detail {
 namespace {
 
-constexpr std::size_t length = 69;
+constexpr std::size_t line_length = 69;
 // The columns between the fields.
 constexpr std::size_t line1_blanks[] = {2, 9, 18, 33, 44, 53, 62, 64},
                       line2_blanks[] = {2, 8, 17, 26, 34, 43, 52};
@@ -41,21 +41,21 @@ int check_sum(std::string_view text) {
 }  // namespace
 
 ElementLine::ElementLine(std::string place, std::string_view text, char number)
-    : place_(std::move(place)), text_(text.substr(0, length)) {
+    : place_(std::move(place)), text_(text.substr(0, line_length)) {
   const std::string which{number};
-  if (text_.size() < length)
+  if (text_.size() < line_length)
     throw BadInput(place_ + ": there are " + detail::text(text_.size()) + " columns; line " + which +
                    " of two-line elements has 69");
-  for (std::size_t i = 0; i < length; ++i) {
+  for (std::size_t i = 0; i < line_length; ++i) {
     if (text_[i] < ' ' || text_[i] > '~') fail({i + 1, i + 1, "any"}, "no printable character of ASCII");
   }
   if (text_[0] != number) fail({1, 1, "line number"}, "expected " + which);
   for (const std::size_t column : number == '1' ? blanks_of_line1 : blanks_of_line2) {
     if (text_[column - 1] != ' ') fail({column, column, "between two fields"}, "expected a blank");
   }
-  const int sum = check_sum(text_.substr(0, length - 1));
-  if (text_[length - 1] != '0' + sum)
-    fail({length, length, "check sum"}, "the digits before it give " + detail::text(sum));
+  const int sum = check_sum(text_.substr(0, line_length - 1));
+  if (text_[line_length - 1] != '0' + sum)
+    fail({line_length, line_length, "check sum"}, "the digits before it give " + detail::text(sum));
 }
 
 std::string_view ElementLine::text(const Columns& columns) const {

@@ -11,7 +11,7 @@ namespace {
 
 using detail::UniversalOrbit, detail::text, detail::universal_anomaly, detail::universal_functions;
 
-constexpr double turn = 2.0 * std::numbers::pi;
+constexpr double full_turn = 2.0 * std::numbers::pi;
 
 // Kepler's equation from periapsis in the units mu = q = 1.
 UniversalOrbit from_periapsis(double e) {
@@ -43,7 +43,7 @@ struct Turns {
 };
 Turns turns(double x, double e) {
   if (e >= 1.0) return {x, 0.0};
-  const double within = std::remainder(x, turn);
+  const double within = std::remainder(x, full_turn);
   return {within, x - within};
 }
 
@@ -115,9 +115,9 @@ TrueAnomaly true_anomaly(const Quantity<si::time>& since_periapsis,
   const double rate = periapsis_rate(mu.value(), periapsis_distance.value(), "true_anomaly");
   double t = rate * since_periapsis.value(), whole = 0.0;
   if (e < 1.0) {
-    const double period = turn / ((1.0 - e) * std::sqrt(1.0 - e));
+    const double period = full_turn / ((1.0 - e) * std::sqrt(1.0 - e));
     const double within = std::remainder(t, period);
-    whole = turn * std::round((t - within) / period);
+    whole = full_turn * std::round((t - within) / period);
     t = within;
   }
   return {(whole + true_from_universal(universal_anomaly(from_periapsis(e), t), e)) * si::radian};

@@ -22,6 +22,10 @@ constexpr double negative_eccentricity = -1e-3;  // what drag may make of a circ
 constexpr double largest_orbit = 1.5e6;          // km; the radius of the Hill sphere of the Earth
 constexpr double rounding_of_the_clock = 1e-9;   // s
 
+}  // namespace
+
+namespace sgp4 {
+
 /// The functions of the inclination in the periodic terms of J2 and J3.
 struct Inclination {
   double sin_i, cos_i, three_cos2_less_1, sin2, seven_cos2_less_1, aycof, xlcof;
@@ -38,28 +42,6 @@ struct Inclination {
   }
 };
 
-/// The motion of Brouwer: the mean motion without the secular term of J2 that Kozai's contains.
-double brouwer_mean_motion(double kozai, double e, double i) {
-  const double a1 = sgp4::semi_major_axis(kozai), one_less_e2 = 1.0 - e * e, c = std::cos(i);
-  const double d = 0.75 * J2 * (3.0 * c * c - 1.0) / (std::sqrt(one_less_e2) * one_less_e2);
-  const double first = d / (a1 * a1);
-  const double a0 = a1 * (1.0 - first * (1.0 / 3.0 + first * (1.0 + first * 134.0 / 81.0)));
-  return kozai / (1.0 + d / (a0 * a0));
-}
-
-sgp4::ZonalRates zonal_rates(const Elements& x, double p) {
-  const double c2 = std::cos(x.i) * std::cos(x.i), c4 = c2 * c2, root = std::sqrt(1.0 - x.e * x.e);
-  const double first = 1.5 * J2 / (p * p) * x.n, second = 0.5 * first * J2 / (p * p),
-               fourth = -0.46875 * J4 / (p * p * p * p) * x.n;
-  sgp4::ZonalRates rates;
-  rates.M =
-      x.n + 0.5 * first * root * (3.0 * c2 - 1.0) + 0.0625 * second * root * (13.0 - 78.0 * c2 + 137.0 * c4);
-  rates.perigee = -0.5 * first * (1.0 - 5.0 * c2) + 0.0625 * second * (7.0 - 114.0 * c2 + 395.0 * c4) +
-                  fourth * (3.0 - 36.0 * c2 + 49.0 * c4);
-  rates.node = (-first + 0.5 * second * (4.0 - 19.0 * c2) + 2.0 * fourth * (3.0 - 7.0 * c2)) * std::cos(x.i);
-  return rates;
-}
-
 /// What drag changes, in powers of the time: of the semi-major axis, the eccentricity and the mean longitude;
 /// unless `simple`, also with the mean anomaly.
 struct Drag {
@@ -70,7 +52,7 @@ struct Drag {
   bool simple = true;
 
   Drag(const Elements& x, double bstar_, double node_rate_of_J2, bool deep) : bstar(bstar_) {
-    const double a = sgp4::semi_major_axis(x.n), e = x.e, perigee_radius = a * (1.0 - e);
+    const double a = semi_major_axis(x.n), e = x.e, perigee_radius = a * (1.0 - e);
     const double one_less_e2 = 1.0 - e * e, sin_i = std::sin(x.i), cos2_i = 1.0 - sin_i * sin_i;
     // The density falls as ((q0 - s)/(r - s))^4, with s lowered for low perigees.
     const double perigee_height = (perigee_radius - 1.0) * earth_radius;
@@ -120,24 +102,46 @@ struct Drag {
   }
 };
 
-}  // namespace
+}  // namespace sgp4
 
 /// The theory of one set of elements, in minutes since its epoch.
 struct Sgp4Theory {
   Elements epoch;
-  Inclination inclination;
+  sgp4::Inclination inclination;
   sgp4::ZonalRates rates;
-  Drag drag;
+  sgp4::Drag drag;
   std::optional<sgp4::DeepSpace> deep;
 };
 
 namespace {
 
+/// The motion of Brouwer: the mean motion without the secular term of J2 that Kozai's contains.
+double brouwer_mean_motion(double kozai, double e, double i) {
+  const double a1 = sgp4::semi_major_axis(kozai), one_less_e2 = 1.0 - e * e, c = std::cos(i);
+  const double d = 0.75 * J2 * (3.0 * c * c - 1.0) / (std::sqrt(one_less_e2) * one_less_e2);
+  const double first = d / (a1 * a1);
+  const double a0 = a1 * (1.0 - first * (1.0 / 3.0 + first * (1.0 + first * 134.0 / 81.0)));
+  return kozai / (1.0 + d / (a0 * a0));
+}
+
+sgp4::ZonalRates zonal_rates(const Elements& x, double p) {
+  const double c2 = std::cos(x.i) * std::cos(x.i), c4 = c2 * c2, root = std::sqrt(1.0 - x.e * x.e);
+  const double first = 1.5 * J2 / (p * p) * x.n, second = 0.5 * first * J2 / (p * p),
+               fourth = -0.46875 * J4 / (p * p * p * p) * x.n;
+  sgp4::ZonalRates rates;
+  rates.M =
+      x.n + 0.5 * first * root * (3.0 * c2 - 1.0) + 0.0625 * second * root * (13.0 - 78.0 * c2 + 137.0 * c4);
+  rates.perigee = -0.5 * first * (1.0 - 5.0 * c2) + 0.0625 * second * (7.0 - 114.0 * c2 + 395.0 * c4) +
+                  fourth * (3.0 - 36.0 * c2 + 49.0 * c4);
+  rates.node = (-first + 0.5 * second * (4.0 - 19.0 * c2) + 2.0 * fourth * (3.0 - 7.0 * c2)) * std::cos(x.i);
+  return rates;
+}
+
 /// The mean elements at t, of which a is what drag leaves, and the functions of their inclination.
 struct Mean {
   Elements x;
   double a;
-  Inclination inclination;
+  sgp4::Inclination inclination;
 };
 
 // For messages: a millionth is more than the clock's rounding.
@@ -151,7 +155,7 @@ double rounded(double time) {
 
 // Drag, the zonal harmonics, the Sun and the Moon.
 Mean mean_at(const Sgp4Theory& theory, const std::string& name, double t) {
-  const Drag& drag = theory.drag;
+  const sgp4::Drag& drag = theory.drag;
   Elements x = theory.epoch;
   x.M += theory.rates.M * t;
   x.perigee += theory.rates.perigee * t;
@@ -181,7 +185,7 @@ Mean mean_at(const Sgp4Theory& theory, const std::string& name, double t) {
   theory.deep->add_periodic(t, x);
   if (!(x.e >= 0.0 && x.e < 1.0))
     fail(name, t, "the eccentricity with the terms of the Sun and the Moon is " + text(x.e));
-  return {x, a, Inclination(x.i)};
+  return {x, a, sgp4::Inclination(x.i)};
 }
 
 // u - e sin(u - perigee) for the eccentric longitude u from the node, with e cos(perigee) and e sin(perigee).
@@ -202,7 +206,7 @@ double eccentric_longitude(double mean, double e_cos, double e_sin) {
 // The periodic terms of J3 and J2, and the motion.
 OrbitNumbers motion_of(const Mean& mean, const std::string& name, double t) {
   const Elements& x = mean.x;
-  const Inclination& i = mean.inclination;
+  const sgp4::Inclination& i = mean.inclination;
   const double e_cos = x.e * std::cos(x.perigee), per_p = 1.0 / (mean.a * (1.0 - x.e * x.e));
   const double e_sin = x.e * std::sin(x.perigee) + per_p * i.aycof;
   const double longitude = std::fmod(x.M + x.perigee + per_p * i.xlcof * e_cos, two_pi);
@@ -270,7 +274,8 @@ Sgp4Theory theory_of(const Elements& x, const MeanElements& elements) {
   const auto rates = zonal_rates(x, p);
   const double node_rate_of_J2 = -1.5 * J2 / (p * p) * x.n * std::cos(x.i);
   const double bstar = elements.bstar.value() * 1000.0 * earth_radius;
-  Sgp4Theory theory{x, Inclination(x.i), rates, Drag(x, bstar, node_rate_of_J2, is_deep), std::nullopt};
+  Sgp4Theory theory{x, sgp4::Inclination(x.i), rates, sgp4::Drag(x, bstar, node_rate_of_J2, is_deep),
+                    std::nullopt};
   if (is_deep) {
     // UTC stands for UT1, here and in the fits that made the elements. Their sidereal time is of an older
     // form, which until 2050 is within 3e-10 rad of this.

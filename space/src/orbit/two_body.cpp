@@ -11,10 +11,10 @@ namespace {
 using Gradient = Eigen::Matrix<double, 1, 6>;  // by (r, v) at the start
 
 // The end of the orbit, r_end = f r + g v, v_end = fdot r + gdot v.
-struct Lagrange {
+struct LagrangeCoefficients {
   double f, g, fdot, gdot, r;
 
-  Lagrange(const UniversalOrbit& o, const UniversalFunctions& G)
+  LagrangeCoefficients(const UniversalOrbit& o, const UniversalFunctions& G)
       : f(1.0 - o.mu * G.G2 / o.r),
         g(o.r * G.G1 + o.eta * G.G2),
         fdot(0.0),
@@ -28,7 +28,7 @@ struct Lagrange {
 // The chain rule from (r, v) over |r|, eta and beta, s by the implicit function theorem, to f, g, fdot, gdot.
 // drift is d(dt)/d(beta) of whole periods left out.
 StateTransition transition_of(const OrbitNumbers& start, const UniversalOrbit& o, double s,
-                              const UniversalFunctions& G, const Lagrange& end, double drift) {
+                              const UniversalFunctions& G, const LagrangeCoefficients& end, double drift) {
   Gradient radius, eta, beta;
   radius << start.r.transpose() / o.r, 0.0, 0.0, 0.0;
   eta << start.v.transpose(), start.r.transpose();
@@ -71,7 +71,7 @@ OrbitNumbers moved(const OrbitNumbers& start, const UniversalOrbit& orbit, doubl
   }
   const double s = universal_anomaly(orbit, within);
   const UniversalFunctions G = universal_functions(orbit.beta, s);
-  const Lagrange end(orbit, G);
+  const LagrangeCoefficients end(orbit, G);
   if (transition) *transition = transition_of(start, orbit, s, G, end, drift);
   return {end.f * start.r + end.g * start.v, end.fdot * start.r + end.gdot * start.v};
 }

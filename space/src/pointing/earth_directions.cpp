@@ -13,8 +13,8 @@ namespace {
 
 using Eigen::Matrix3d, Eigen::Vector3d;
 
-constexpr double equatorial = wgs84::semi_major_axis.value();
-constexpr double polar = equatorial * (1.0 - wgs84::flattening);
+constexpr double equatorial_axis = wgs84::semi_major_axis.value();
+constexpr double polar_axis = equatorial_axis * (1.0 - wgs84::flattening);
 constexpr double nearly_on_evolute = 1.0;  // m; the normal turns by v over the distance from it
 
 Varying operator*(const Varying& f, const Varying& g) {
@@ -37,10 +37,11 @@ PathInItrf operator*(const Varying& f, const PathInItrf& u) {
 
 PathInItrf geodetic_up(const Caller& name, const PathInItrf& path) {
   const auto [n, h] = normal_at(name, path[0]);
-  const Vector3d D(equatorial * equatorial, equatorial * equatorial, polar * polar);
+  const Vector3d D(equatorial_axis * equatorial_axis, equatorial_axis * equatorial_axis,
+                   polar_axis * polar_axis);
   const Vector3d Dn = D.cwiseProduct(n);
   const double s = std::sqrt(n.dot(Dn));
-  const double from_evolute = equatorial * equatorial * polar * polar / (s * s * s) + h;
+  const double from_evolute = equatorial_axis * equatorial_axis * polar_axis * polar_axis / (s * s * s) + h;
   if (!(from_evolute > nearly_on_evolute)) {
     throw BadInput(name() + "the point is at the height " + text(h) + " m, " + text(from_evolute) +
                    " m from the centre of curvature of the meridian, where the normal has no rate");
@@ -48,7 +49,8 @@ PathInItrf geodetic_up(const Caller& name, const PathInItrf& path) {
   Matrix3d G = -Dn * Dn.transpose() / (s * s * s);
   G.diagonal() += D / s;
   // G n = 0, and what it is applied to is normal to n: the term along n makes the matrix regular.
-  const Matrix3d inverse = (G + h * Matrix3d::Identity() + (equatorial + h) * n * n.transpose()).inverse();
+  const Matrix3d inverse =
+      (G + h * Matrix3d::Identity() + (equatorial_axis + h) * n * n.transpose()).inverse();
   const auto across = [&n = n](const Vector3d& x) { return Vector3d(x - n.dot(x) * n); };
 
   const Vector3d ndot = inverse * across(path[1]);
@@ -64,7 +66,7 @@ PathInItrf geodetic_up(const Caller& name, const PathInItrf& path) {
 
 PathInItrf limb_of_ellipsoid(const Caller& name, double height, const PathInItrf& path,
                              const PathInItrf& towards) {
-  const Vector3d axes(equatorial + height, equatorial + height, polar + height);
+  const Vector3d axes(equatorial_axis + height, equatorial_axis + height, polar_axis + height);
   PathInItrf r, u;
   for (std::size_t i = 0; i < 3; ++i) {
     r[i] = path[i].cwiseQuotient(axes);

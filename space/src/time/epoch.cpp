@@ -22,12 +22,12 @@ constexpr double days_of_week = 7.0;
 JulianDate<scale::Tai> as_tai(const Date& date) {
   return {date.day, date.fraction};
 }
-Date plain(const JulianDate<scale::Tai>& tai) {
+Date as_date(const JulianDate<scale::Tai>& tai) {
   return {tai.day, tai.fraction};
 }
 
 std::string text_of(const JulianDate<scale::Tai>& tai, const TimeScale& scale, DayStyle style, int decimals) {
-  const Date date = detail::date_of(scale, plain(tai));
+  const Date date = detail::date_of(scale, as_date(tai));
   const double length = scale.kind() == TimeScale::Kind::utc ? detail::length_of_utc_day(date) : ERFA_DAYSEC;
   return detail::calendar_text(date, length, style, decimals);
 }
@@ -98,7 +98,7 @@ std::string Epoch::day_of_year_text(const TimeScale& scale, int decimals) const 
 }
 
 JulianDate<TimeScale> Epoch::date_in(const TimeScale& scale) const {
-  return detail::date_of(scale, plain(tai_));
+  return detail::date_of(scale, as_date(tai_));
 }
 
 GpsTime Epoch::gps_time() const {
@@ -138,7 +138,7 @@ Epoch operator-(const Epoch& epoch, const Quantity<si::time>& duration) {
 }
 
 std::string detail::shown(const Epoch& epoch) {
-  return before_utc(plain(epoch.tai())) ? epoch.tt() + " TT" : epoch.utc() + " UTC";
+  return before_utc(as_date(epoch.tai())) ? epoch.tt() + " TT" : epoch.utc() + " UTC";
 }
 
 std::ostream& operator<<(std::ostream& out, const Epoch& epoch) {

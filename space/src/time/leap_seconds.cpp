@@ -16,7 +16,7 @@ namespace {
 
 using detail::text;
 
-constexpr LeapSecond first{1972, 1, 10};
+constexpr LeapSecond first_leap_second{1972, 1, 10};
 
 std::string shown(const LeapSecond& leap) {
   return text(leap.year) + "-" + (leap.month < 10 ? "0" : "") + text(leap.month) + ", " +
@@ -36,7 +36,7 @@ const std::vector<eraLEAPSECOND>& installed() {
 }
 
 bool since_1972(const eraLEAPSECOND& row) {
-  return row.iyear >= first.year;
+  return row.iyear >= first_leap_second.year;
 }
 LeapSecond leap_second(const eraLEAPSECOND& row) {
   return {row.iyear, row.month, static_cast<int>(std::lround(row.delat))};
@@ -62,7 +62,8 @@ std::vector<LeapSecond> leap_seconds() {
 
 void use_leap_seconds(const std::vector<LeapSecond>& table) {
   const auto fail = [](const std::string& reason) { throw BadInput("use_leap_seconds: " + reason); };
-  if (table.empty() || table.front() != first) fail("the table does not begin with " + shown(first));
+  if (table.empty() || table.front() != first_leap_second)
+    fail("the table does not begin with " + shown(first_leap_second));
   for (std::size_t i = 1; i < table.size(); ++i) {
     const LeapSecond &before = table[i - 1], &row = table[i];
     if (row.month < 1 || row.month > 12 || months(row) <= months(before) || row.year > 9999) {
