@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -13,8 +14,9 @@ constexpr int one_in = 10;
 constexpr int one_in = 1;
 #endif
 
+/// At least one.
 constexpr int trials(int wanted) {
-  return wanted / one_in;
+  return std::max(1, wanted / one_in);
 }
 
 template <class T> std::vector<T> tried(const std::vector<T>& all) {

@@ -5,6 +5,7 @@
 #include <vectrix/kinematics/samples/rotation_spline.hpp>
 
 #include "testing/motions.hpp"
+#include "testing/trials.hpp"
 
 using namespace vectrix;
 using namespace vectrix_test;
@@ -267,8 +268,9 @@ TEST(RotationSpline, BadSamplesAreRefused) {
 TEST(RotationSpline, RatesThatDoNotSettleAreRefused) {
   std::mt19937_64 random(20240605);
   std::uniform_real_distribution<double> number(-1.0, 1.0);
+  constexpr int lists = vectrix_test::trials(100);
   std::vector<std::string> refusals;
-  for (int trial = 0; trial < 100; ++trial) {
+  for (int trial = 0; trial < lists; ++trial) {
     Samples list;
     double t = 0.0;
     Quaterniond q = Quaterniond::Identity();
@@ -294,7 +296,7 @@ TEST(RotationSpline, RatesThatDoNotSettleAreRefused) {
     }
   }
   EXPECT_GT(refusals.size(), 0U);
-  EXPECT_LT(refusals.size(), 100U);
+  EXPECT_LT(refusals.size(), std::size_t{lists});
   for (const auto& said : refusals)
     EXPECT_TRUE(contains(said, "the rates at the samples do not settle, they still change by ")) << said;
 }
