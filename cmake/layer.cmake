@@ -25,6 +25,16 @@ function(vectrix_headers target layer scope)
   endif()
 endfunction()
 
+# Compiles the files of a program or a library by eights, which saves common instantiations and asks a compiler for two
+# gigabytes of memory. The files of tests have namespaces with their own names; in src, what the anonymous namespaces
+# of a layer contain has different names. A file with options of its own is compiled alone. One file at a time:
+# -DVECTRIX_FILES_TOGETHER=1.
+set(VECTRIX_FILES_TOGETHER 8 CACHE STRING "How many files of a program or a library are compiled together")
+mark_as_advanced(VECTRIX_FILES_TOGETHER)
+function(vectrix_compile_together target)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${VECTRIX_FILES_TOGETHER})
+endfunction()
+
 # The shared library vectrix_<layer> from src/**.cpp. Only names marked VECTRIX_EXPORT are visible outside.
 function(vectrix_library layer)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS src/*.cpp)
@@ -33,6 +43,7 @@ function(vectrix_library layer)
   set_target_properties(vectrix_${layer} PROPERTIES VERSION ${PROJECT_VERSION} SOVERSION 0.1
                                                     CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
   vectrix_warnings(vectrix_${layer})
+  vectrix_compile_together(vectrix_${layer})
 endfunction()
 
 # A layer that cannot be built because <what> is missing: an error if the layer was requested, else it is left out.
@@ -42,14 +53,6 @@ function(vectrix_missing layer what wanted)
     message(FATAL_ERROR "vectrix::${layer} needs ${what}, or -DVECTRIX_${option}=OFF")
   endif()
   message(STATUS "vectrix::${layer} needs ${what}: left out")
-endfunction()
-
-# Compiles the files of a program by eights, which saves common instantiations and asks a compiler for two gigabytes of
-# memory. Each file has a namespace with its own name. One file at a time: -DVECTRIX_FILES_TOGETHER=1.
-set(VECTRIX_FILES_TOGETHER 8 CACHE STRING "How many files of a test program are compiled together")
-mark_as_advanced(VECTRIX_FILES_TOGETHER)
-function(vectrix_compile_together target)
-  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${VECTRIX_FILES_TOGETHER})
 endfunction()
 
 # tests/**_test.cpp of the current folder: one program vectrix_<layer>_tests; files of refused programs: one test each.
