@@ -93,9 +93,9 @@ Rows sgp4_rows() {
   constexpr const char* reason =
       "8 and 9 printed decimals; their epoch is one double, good to 2e-5 s, which sets a deep orbit's "
       "resonance off";
-  return {{"Orbits", "SGP4, ten sets of AIAA 2006-6753, 246 states", "position", 1e-6, "km", reason,
+  return {{"Orbits", "SGP4, eleven sets of AIAA 2006-6753, 266 states", "position", 1e-6, "km", reason,
            place.value()},
-          {"Orbits", "SGP4, ten sets of AIAA 2006-6753, 246 states", "velocity", 1e-9, "km/s", reason,
+          {"Orbits", "SGP4, eleven sets of AIAA 2006-6753, 266 states", "velocity", 1e-9, "km/s", reason,
            speed.value()}};
 }
 

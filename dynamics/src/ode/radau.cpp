@@ -355,11 +355,12 @@ void RadauStepper::throw_failed(double h) const {
   rates_.require_none();
   const double t = rates_.time(time());
   if (overflowed_)
-    throw Trouble{flag::rhs_failed, t, "a step from t = " + detail::text(t) + " overflows", nullptr};
+    throw Trouble{flag::rhs_failed, t, "a step from t = " + vectrix::detail::text(t) + " overflows", nullptr};
   const std::string why =
       converged_ ? "the error of " + detail::component_name(problem_, worst_) + " is still too large"
                  : "Newton's iteration still does not converge";
-  throw Trouble{flag::step_too_short, t, "the step fell below " + detail::text(h) + ", and " + why, nullptr};
+  throw Trouble{flag::step_too_short, t, "the step fell below " + vectrix::detail::text(h) + ", and " + why,
+                nullptr};
 }
 
 std::unique_ptr<Stepper> make_radau_stepper(const Problem& problem) {

@@ -12,8 +12,8 @@ namespace {
 
 void check_index(const char* what, std::size_t index, std::size_t count) {
   if (index < count) return;
-  throw BadInput(std::string("ode::Solution: no ") + what + " with index " + detail::text(index) +
-                 ", there are " + detail::text(count));
+  throw BadInput(std::string("ode::Solution: no ") + what + " with index " + vectrix::detail::text(index) +
+                 ", there are " + vectrix::detail::text(count));
 }
 
 }  // namespace
@@ -81,12 +81,12 @@ std::vector<double> Solution::at(double t) const {
 void Solution::at(double t, std::span<double> state) const {
   if (node_count() == 0) throw BadInput("ode::Solution::at: the run failed before its first node");
   if (!(t >= start() && t <= end())) {
-    throw BadInput("ode::Solution::at: time " + detail::text(t) + " is outside [" + detail::text(start()) +
-                   ", " + detail::text(end()) + "]");
+    throw BadInput("ode::Solution::at: time " + vectrix::detail::text(t) + " is outside [" +
+                   vectrix::detail::text(start()) + ", " + vectrix::detail::text(end()) + "]");
   }
   if (state.size() != dimension()) {
-    throw BadInput("ode::Solution::at: the state has " + detail::text(dimension()) +
-                   " components, the span " + detail::text(state.size()));
+    throw BadInput("ode::Solution::at: the state has " + vectrix::detail::text(dimension()) +
+                   " components, the span " + vectrix::detail::text(state.size()));
   }
   interpolate(*record_, t, state);
 }

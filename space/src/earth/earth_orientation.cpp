@@ -34,6 +34,7 @@ Dcm<earth::TrueOfDate, earth::Gcrf> true_of_date_from_gcrf(const Epoch& epoch) {
 
 Dcm<earth::Itrf, earth::TrueOfDate> itrf_from_true_of_date(const Epoch& epoch,
                                                            const EarthOrientationParameters& parameters) {
+  detail::require_observed(epoch, parameters);
   const JulianDate tt = epoch.tt_date();
   const JulianDate ut1 = ut1_date(epoch, parameters.ut1_minus_tai);
   Rows true_of_date;

@@ -32,6 +32,31 @@ inline JulianDate<scale::Ut1> ut1_date(const Epoch& epoch, const Quantity<si::ti
   return epoch.julian_date(scale::Ut1::minus_tai(ut1_minus_tai));
 }
 
+/// Throws BadInput if a parameter is not finite, or the pole farther from where it is expected than a
+/// hundred times what has been observed, 0.6 arcsec: in other units it would be.
+inline void require_observed(const Epoch& epoch, const EarthOrientationParameters& p) {
+  const auto fail = [&](const char* name, double value, const char* unit) {
+    throw BadInput("Earth orientation at " + epoch.utc() + " UTC: " + name + " is " + text(value) + unit);
+  };
+  constexpr double largest = 3e-4;
+  const auto angle = [&](const char* name, const Quantity<si::angle>& value) {
+    if (!(std::abs(value.value()) <= largest)) fail(name, value.value(), " rad; it must be within 3e-4 rad");
+  };
+  const auto rate = [&](const char* name, const Quantity<si::angular_velocity>& value) {
+    if (!std::isfinite(value.value())) fail(name, value.value(), " rad/s");
+  };
+  angle("pole_x", p.pole_x);
+  angle("pole_y", p.pole_y);
+  angle("dX", p.dX);
+  angle("dY", p.dY);
+  rate("pole_x_rate", p.pole_x_rate);
+  rate("pole_y_rate", p.pole_y_rate);
+  rate("dX_rate", p.dX_rate);
+  rate("dY_rate", p.dY_rate);
+  if (!std::isfinite(p.ut1_minus_tai.value())) fail("UT1-TAI", p.ut1_minus_tai.value(), " s");
+  if (!std::isfinite(p.ut1_gain.value())) fail("d(UT1-TAI)/dTAI", p.ut1_gain.value(), "");
+}
+
 /// dERA/dUT1, rad/s (IERS Conventions 2010, equation 5.15).
 constexpr double earth_rotation_rate = ERFA_D2PI * 1.00273781191135448 / ERFA_DAYSEC;
 

@@ -100,7 +100,20 @@ class Finals2000AReader {
       line_ = incomplete_line_;
       fail(*incomplete_field_, "the field is blank, but a complete row follows");
     } else {
+      require_observed(found);
       add(static_cast<int>(*day), found);
+    }
+  }
+
+  // 999.99 stands for a missing value in many a series.
+  void require_observed(const std::array<double, parameter_fields.size()>& found) const {
+    constexpr std::array largest{60.0, 60.0, 1.0, 60e3, 60e3};
+    constexpr std::array units{"arcsec", "arcsec", "s", "milliarcsec", "milliarcsec"};
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      if (std::abs(found[i]) > largest[i]) {
+        fail(parameter_fields[i],
+             text(found[i]) + " " + units[i] + " is more than " + text(largest[i]) + " " + units[i]);
+      }
     }
   }
 

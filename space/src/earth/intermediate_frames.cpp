@@ -22,6 +22,7 @@ template <Frame A, Frame B> MovingDcm<A, B> moving(const detail::Rows& R_b_from_
 
 MovingDcm<earth::Gcrf, earth::Cirf> gcrf_from_cirf(const Epoch& epoch,
                                                    const EarthOrientationParameters& parameters) {
+  detail::require_observed(epoch, parameters);
   auto [X, Y, s] = detail::celestial_pole(epoch.tt_date());
   X.value += parameters.dX.value();
   X.rate += parameters.dX_rate.value();
@@ -37,6 +38,7 @@ MovingDcm<earth::Gcrf, earth::Cirf> gcrf_from_cirf(const Epoch& epoch,
 
 MovingDcm<earth::Cirf, earth::Tirf> cirf_from_tirf(const Epoch& epoch,
                                                    const EarthOrientationParameters& parameters) {
+  detail::require_observed(epoch, parameters);
   const auto ut1 = detail::ut1_date(epoch, parameters.ut1_minus_tai);
   detail::Rows tirf_from_cirf;
   eraIr(tirf_from_cirf);
@@ -47,6 +49,7 @@ MovingDcm<earth::Cirf, earth::Tirf> cirf_from_tirf(const Epoch& epoch,
 
 MovingDcm<earth::Tirf, earth::Itrf> tirf_from_itrf(const Epoch& epoch,
                                                    const EarthOrientationParameters& parameters) {
+  detail::require_observed(epoch, parameters);
   const JulianDate tt = epoch.tt_date();
   const double y = parameters.pole_y.value();
   const double x_rate = parameters.pole_x_rate.value(), y_rate = parameters.pole_y_rate.value();

@@ -21,6 +21,7 @@ double sidereal_rate(const JulianDate<scale::Ut1>& ut1) {
 
 MovingDcm<earth::Teme, earth::Itrf> teme_from_itrf(const Epoch& epoch,
                                                    const EarthOrientationParameters& parameters) {
+  detail::require_observed(epoch, parameters);
   const auto ut1 = detail::ut1_date(epoch, parameters.ut1_minus_tai);
   const double rate = sidereal_rate(ut1) * (1.0 + parameters.ut1_gain.value());
   const auto R_tirf_from_teme =

@@ -72,23 +72,43 @@ class IcgemReader {
   // The head is free text in which some lines begin with a keyword.
   void keyword(const std::vector<std::string>& words) {
     const std::string &name = words[0], &value = words[1];
-    if (name == "product_type" && value != "gravity_field") fail("the product is a " + value);
+    if (name == "product_type") {
+      once(name, has_product_);
+      has_product_ = true;
+      if (value != "gravity_field") fail("the product is a " + value);
+    }
     if (name == "norm" && value != "fully_normalized") fail("the coefficients are " + value);
-    if (name == "earth_gravity_constant" || name == "gravity_constant") mu_ = positive(value);
-    if (name == "radius") radius_ = positive(value);
+    if (name == "earth_gravity_constant" || name == "gravity_constant") {
+      once(name, mu_.has_value());
+      mu_ = of_the_earth(name, value, 3.98e14, 3.99e14, " m^3/s^2");
+    }
+    if (name == "radius") {
+      once(name, radius_.has_value());
+      radius_ = of_the_earth(name, value, 6.35e6, 6.39e6, " m");
+    }
     if (name == "max_degree") {
+      once(name, max_degree_.has_value());
       max_degree_ = whole(value);
       if (*max_degree_ < degree_) {
         fail("the model ends at degree " + text(*max_degree_) + ", " + text(degree_) + " is asked for");
       }
     }
   }
-  [[nodiscard]] double positive(const std::string& word) const {
+  void once(const std::string& name, bool before) const {
+    if (before) fail(name + " stands twice");
+  }
+  // In other units, or of another body, it is far from these values.
+  [[nodiscard]] double of_the_earth(const std::string& name, const std::string& word, double least,
+                                    double most, const char* unit) const {
     const double value = number(word);
-    if (!(value > 0.0)) fail(text(value) + " is not positive");
+    if (!(value >= least && value <= most)) {
+      fail("the " + name + " is " + text(value) + ", that of the Earth is from " + text(least) + " to " +
+           text(most) + unit);
+    }
     return value;
   }
   void require_complete_head() const {
+    if (!has_product_) fail("the head has no product_type");
     if (!mu_) fail("the head has no earth_gravity_constant");
     if (!radius_) fail("the head has no radius");
     if (!max_degree_) fail("the head has no max_degree");
@@ -105,6 +125,9 @@ class IcgemReader {
     const double C = number(words[3]), S = number(words[4]);
     if (m == 0 && S != 0.0) fail("S of order 0 is " + text(S));
     if (n == 0 && !(C > 0.999 && C < 1.001)) fail("C of degree 0 is " + text(C) + ", not 1");
+    if (n > 0 && !(std::abs(C) < 1.0 && std::abs(S) < 1.0)) {
+      fail("the coefficients " + text(C) + " and " + text(S) + " of degree " + text(n) + " are not below 1");
+    }
     if (n > degree_) return;
     if (!found_.insert({{n, m}, {C, S}}).second) {
       fail("degree " + text(n) + " and order " + text(m) + " stand twice");
@@ -132,6 +155,7 @@ class IcgemReader {
   std::size_t line_ = 0;
   std::optional<double> mu_, radius_;
   std::optional<int> max_degree_;
+  bool has_product_ = false;
   std::map<std::pair<int, int>, Harmonics::Pair> found_;  // by degree and order
 };
 

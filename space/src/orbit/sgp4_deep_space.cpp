@@ -9,11 +9,6 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-double to_two_pi(double angle) {
-  const double rest = std::fmod(angle, 2.0 * pi);
-  return rest < 0.0 ? rest + 2.0 * pi : rest;
-}
-
 }  // namespace
 
 DeepSpace::DeepSpace(const Elements& epoch, const ZonalRates& zonal, double day, double theta) {
@@ -142,8 +137,8 @@ void DeepSpace::add_periodic(double t, Elements& x) const {
     x.M += l;
   } else {
     // Near the equator the changes go to sin i sin(node), sin i cos(node) and the longitude (Lyddane). The
-    // node counts from 0 to 2 pi, as in the fits that made the elements: i node sin i is not periodic.
-    const double node = to_two_pi(x.node), sin_node = std::sin(node), cos_node = std::cos(node);
+    // term i node sin i is not periodic: the node counts on from its value at the epoch, in [0, 2 pi).
+    const double node = std::fmod(x.node, 2.0 * pi), sin_node = std::sin(node), cos_node = std::cos(node);
     const double a = sin_i * sin_node + h * cos_node + i * cos_i * sin_node;
     const double b = sin_i * cos_node - h * sin_node + i * cos_i * cos_node;
     const double longitude = x.M + x.perigee + cos_i * node + l + gh - i * node * sin_i;

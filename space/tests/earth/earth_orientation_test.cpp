@@ -1,8 +1,10 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <iomanip>
+#include <limits>
 #include <sstream>
 
 #include <vectrix/frames/dcm_doors.hpp>
@@ -10,6 +12,7 @@
 #include <vectrix/frames/scalar/larger.hpp>
 #include <vectrix/kinematics/attitude/log.hpp>
 #include <vectrix/space/earth/earth_orientation.hpp>
+#include <vectrix/space/earth/teme.hpp>
 #include <vectrix/space/files/csv_table.hpp>
 
 #include "temporary_file.hpp"
@@ -277,6 +280,35 @@ TEST(EarthRotation, RefusesUt1MinusUtcForUt1MinusTai) {
   EXPECT_THROW((void)itrf_from_true_of_date(epoch, parameters), BadInput);
 }
 
+TEST(EarthRotation, RefusesParametersThatNobodyObserves) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const auto epoch = Epoch::from_utc("2022-04-14T00:00:00");
+  const auto good = EarthOrientation::read(april_2022).parameters(epoch);
+  const auto refusal = [&](const EarthOrientationParameters& parameters) {
+    const std::string place = "Earth orientation at 2022-04-14T00:00:00.000000 UTC: ";
+    const auto by_rotation = complaint([&] { (void)earth_rotation(epoch, parameters); });
+    EXPECT_EQ(complaint([&] { (void)teme_from_itrf(epoch, parameters); }), by_rotation);
+    EXPECT_EQ(complaint([&] { (void)itrf_from_true_of_date(epoch, parameters); }), by_rotation);
+    EXPECT_TRUE(by_rotation.starts_with(place)) << by_rotation;
+    return by_rotation.substr(std::min(place.size(), by_rotation.size()));
+  };
+  auto bad = good;
+  bad.pole_x = nan * si::radian;
+  EXPECT_EQ(refusal(bad), "pole_x is nan rad; it must be within 3e-4 rad");
+  bad = good;
+  bad.pole_y = 0.3 * si::radian;  // arcsec
+  EXPECT_EQ(refusal(bad), "pole_y is 0.3 rad; it must be within 3e-4 rad");
+  bad = good;
+  bad.dX_rate = nan * (si::radian / si::second);
+  EXPECT_EQ(refusal(bad), "dX_rate is nan rad/s");
+  bad = good;
+  bad.ut1_gain = Quantity<si::dimensionless>{nan};
+  EXPECT_EQ(refusal(bad), "d(UT1-TAI)/dTAI is nan");
+  bad = good;
+  bad.ut1_minus_tai = nan * si::second;
+  EXPECT_EQ(refusal(bad), "UT1-TAI is nan s");
+}
+
 TEST(EarthOrientation, RefusesEpochsOutsideTheData) {
   const auto orientation = EarthOrientation::read(april_2022);
   EXPECT_NO_THROW((void)orientation.at(orientation.first()));
@@ -332,6 +364,12 @@ class Finals2000A : public ::testing::Test {
 
   std::vector<std::string> lines;
 };
+
+TEST_F(Finals2000A, ANumberThatStandsForNoneIsRefused) {
+  write(3, 19, "999.99000");
+  EXPECT_EQ(refusal(),
+            "Earth orientation FILE, line 3: columns 19-27 (x): 999.99 arcsec is more than 60 arcsec");
+}
 
 // Rows on a cubic, to the microarcsecond of the file, give the cubic, also in the first day and the last.
 TEST_F(Finals2000A, RowsOnACubicGiveTheCubic) {

@@ -220,7 +220,14 @@ TEST(GravityField, RefusesWrongFilesWithTheLine) {
             ", line 3: the product is a magnetic_field");
   EXPECT_EQ(refusal(with(good, "radius", "rarius"), 3), ", line 9: the head has no radius");
   EXPECT_EQ(refusal(with(good, "earth_gravity_constant 398", "earth_gravity_constant -398"), 3),
-            ", line 5: -398600441500000 is not positive");
+            ", line 5: the earth_gravity_constant is -398600441500000, that of the Earth is from "
+            "3.98e+14 to 3.99e+14 m^3/s^2");
+  EXPECT_EQ(refusal(with(good, "radius ", "radius 6378.1363 or "), 3),
+            ", line 6: the radius is 6378.1363, that of the Earth is from 6350000 to 6390000 m");
+  EXPECT_EQ(refusal(with(good, "radius ", "radius 6378136.3\nradius "), 3), ", line 7: radius stands twice");
+  EXPECT_EQ(refusal(with(good, "product_type", "a product"), 3), ", line 9: the head has no product_type");
+  EXPECT_EQ(refusal(with(good, "gfc 2 0 ", "gfc 2 0 9e305 0 "), 3),
+            ", line 13: the coefficients 9e+305 and 0 of degree 2 are not below 1");
   EXPECT_EQ(refusal(with(good, "end_of_head", "end"), 3), ", line 19: there is no end_of_head");
   EXPECT_EQ(refusal(with(good, "gfc 2 1", "gfct 2 1"), 3),
             ", line 14: 'gfct' is not supported, only gfc: coefficients that do not depend on time");

@@ -91,7 +91,7 @@ TEST(OrbitMeanElementsMessage, IsTheMotionOfTheTwoLines) {
   constexpr double written = 1e-9;
   const auto file = std::filesystem::path{VECTRIX_SOURCE_DIR} / "space/tests/data/sgp4_sets.tle";
   const auto sets = TwoLineElements::read(file);
-  ASSERT_EQ(sets.size(), 10U);
+  ASSERT_EQ(sets.size(), 11U);
   for (const auto& set : sets) {
     const MeanElements& x = set.mean_elements();
     const auto number = [](double value) {

@@ -49,7 +49,7 @@ class VECTRIX_EXPORT Sgp4Model {
 
 /// The motion of q by the theory of the two-line elements, SGP4 near the Earth and SDP4 for periods from 225
 /// minutes: Spacetrack Report No. 3, corrected as in Vallado, Crawford, Hujsak and Kelso, AIAA 2006-6753, in
-/// the mode that follows the operational program ("afspc", not "improved"), constants of WGS-72. Time is SI
+/// the mode "improved", not "afspc", constants of WGS-72. Time is SI
 /// seconds since the epoch of the elements. The theory is good to about a km at the epoch and loses 1 to 3 km
 /// a day, so the longest age is a mandatory word:
 ///     const Sgp4<Satellite> orbit(TwoLineElements::parse(line1, line2), at_most(72.0 * si::hour));
