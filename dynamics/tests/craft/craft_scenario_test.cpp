@@ -90,7 +90,8 @@ TEST(CraftScenario, ALatencyDelaysWhatWasSeen) {
   constexpr double K = 3.0, T = 0.25, latency = 0.375;
   const auto loop =
       scenario(sat, held(Command{0.0 * N_m}), by_command,
-               every(T * s, latency * s, [&](const OnSat& now) { return Command{-K * rate_of(now) * N_m}; }));
+               every(
+                   T * s, [&](const OnSat& now) { return Command{-K * rate_of(now) * N_m}; }, latency * s));
   const auto flight = propagate(loop, spinning(sat, 0.4), until(3.0));
   std::vector<double> seen;
   double w = 0.4;
@@ -275,7 +276,7 @@ TEST(CraftScenario, RefusesBadInput) {
   const auto one = becomes(First{1});
   EXPECT_EQ(complaint([&] { every(0.0 * s, one); }), "every: the period is 0 s; it must be positive");
   EXPECT_EQ(complaint([&] { every(nan * s, one); }), "every: the period is nan s; it must be positive");
-  EXPECT_EQ(complaint([&] { every(1.0 * s, -1.0 * s, one); }),
+  EXPECT_EQ(complaint([&] { every(1.0 * s, one, -1.0 * s); }),
             "every: the latency is -1 s; it must not be negative");
   EXPECT_EQ(complaint([&] { at_times({1.0 * s, nan * s}, one); }), "at_times: a time is nan s");
   EXPECT_EQ(complaint([&] {

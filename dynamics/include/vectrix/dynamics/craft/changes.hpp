@@ -68,9 +68,6 @@ template <class Trigger, class F> struct Change {
   F update;
 };
 
-template <class F>
-concept UpdateFunction = is_becomes<F> || !std::is_same_v<Arguments<F>, std::tuple<>>;
-
 VECTRIX_EXPORT double checked_period(double period);
 VECTRIX_EXPORT double checked_latency(double latency);
 VECTRIX_EXPORT std::vector<double> checked_times(const std::vector<Quantity<si::time>>& times);
@@ -81,30 +78,17 @@ VECTRIX_EXPORT std::vector<double> checked_times(const std::vector<Quantity<si::
 /// of the state and of held values, changes the held X. The run does not tick at its end. With a latency the
 /// function sees the state at the tick, and its result takes effect so much later. Throws BadInput for a
 /// period that is not positive, a latency that is negative, or one that is not finite.
-template <detail::UpdateFunction F>
-detail::Change<detail::Clock, F> every(const Quantity<si::time>& period, F update) {
-  return {{detail::checked_period(period.value()), 0.0}, std::move(update)};
-}
-template <detail::UpdateFunction F>
-detail::Change<detail::Clock, F> every(const Quantity<si::time>& period, const Quantity<si::time>& latency,
-                                       F update) {
+template <class F>
+detail::Change<detail::Clock, F> every(const Quantity<si::time>& period, F update,
+                                       const Quantity<si::time>& latency = 0.0 * si::second) {
   return {{detail::checked_period(period.value()), detail::checked_latency(latency.value())},
           std::move(update)};
 }
 
-template <class Period, class F>
-  requires(detail::UpdateFunction<F> && !std::convertible_to<const Period&, Quantity<si::time>>)
-auto every(  // every(period, f): a time, 0.1 * si::second
-    const Period&, const F&) -> Refused = delete;
-template <class F>
-  requires(!detail::UpdateFunction<F>)
-auto every(  // every(period, f): f is becomes(x), or a function from const Now<C>&, const X&... to X
-    const Quantity<si::time>&, const F&) -> Refused = delete;
-
 /// A change of a held value at the given times: becomes(x), or a function as every() takes it. TimeList
 /// before the start of a run, or not before its end, have no effect. Throws BadInput unless they are finite
 /// and increase.
-template <detail::UpdateFunction F>
+template <class F>
 detail::Change<detail::TimeList, F> at_times(const std::vector<Quantity<si::time>>& times, F update) {
   return {{detail::checked_times(times)}, std::move(update)};
 }
@@ -124,7 +108,7 @@ template <class G>
 detail::Change<detail::Zero<G>, Stop> when(std::string name, G function, ode::Direction direction, Stop) {
   return {{std::move(name), std::move(function), direction}, {}};
 }
-template <class G, detail::UpdateFunction F>
+template <class G, class F>
 detail::Change<detail::Zero<G>, F> when(std::string name, G function, ode::Direction direction, F update) {
   return {{std::move(name), std::move(function), direction}, std::move(update)};
 }

@@ -97,7 +97,8 @@ template <class C, class HeldTuple, class F> struct FaultOfUpdate {
   static constexpr auto fault() {
     using X = typename UpdateOf<F>::result;
     using Lack = typename FirstNotHeld<HeldTuple, Joined<Taken<1, F>, std::tuple<X>>>::type;
-    if constexpr (!is_becomes<F> && !CallableWith<F, std::tuple<const Now<C>&>, Taken<1, F>>::value) {
+    constexpr bool called = CallableWith<F, std::tuple<const Now<C>&>, Taken<1, F>>::value;
+    if constexpr (!is_becomes<F> && (!called || std::is_same_v<Arguments<F>, std::tuple<>>)) {
       return std::type_identity<IsNoChange<F>>{};
     } else {
       return std::type_identity<Lack>{};
@@ -172,6 +173,18 @@ template <CraftType C, class... Parts> class CraftScenario {
   std::tuple<Parts...> parts_;
 };
 
+namespace detail {
+
+template <class Fault> struct ScenarioUnless {};
+template <> struct ScenarioUnless<Nothing> {
+  template <class C, class... Parts> using type = CraftScenario<C, Parts...>;
+};
+template <> struct ScenarioUnless<Refused> { template <class...> using type = Refused; };
+template <class C, class... Parts>
+using ScenarioOf = typename ScenarioUnless<ScenarioFault<C, Parts...>>::template type<C, Parts...>;
+
+}  // namespace detail
+
 /// A craft and what happens to it, in any order:
 ///   - loads: (const Now<C>&, Forces<C>&, const X&...), with any held values; spring(), damper()
 ///   - held(x): a value that only changes change, at the ends of smooth segments
@@ -179,13 +192,12 @@ template <CraftType C, class... Parts> class CraftScenario {
 /// Changes at one instant all see the values from before it; if two change one value, the later in the list
 /// counts.
 template <CraftType C, class... Parts>
-  requires std::is_same_v<detail::ScenarioFault<C, Parts...>, Nothing> CraftScenario<C, Parts...> scenario(
-      const C& craft, const Parts&... parts) {
+detail::ScenarioOf<C, Parts...> scenario(const C& craft, const Parts&... parts) {
+  if constexpr (std::is_same_v<detail::ScenarioFault<C, Parts...>, Refused>)
+    return Refused{};
+  else
     return {detail::trusted, craft, parts...};
-  }
-template <CraftType C, class... Parts>
-  requires std::is_same_v<detail::ScenarioFault<C, Parts...>, Refused> Refused scenario(const C&,
-                                                                                        const Parts&...);
+}
 template <CraftType C, class... Parts, class Fault = detail::ScenarioFault<C, Parts...>>
   requires(!std::is_same_v<Fault, Nothing> && !std::is_same_v<Fault, Refused>)
 auto scenario(  // the craft, then loads, held values, and changes of what is held: see Fault

@@ -46,9 +46,8 @@ template <CraftType C, class... X> class CraftTrajectory {
   }
   /// The held value of this type; at the instant of a change, the new one. Throws BadInput outside
   /// [start, end].
-  template <class Y>
-    requires(std::is_same_v<Y, X> || ...)
-  const Y& held(const Quantity<si::time>& time) const& {
+  template <class Y, class = std::enable_if_t<(std::is_same_v<Y, X> || ...)>>
+  Y held(const Quantity<si::time>& time) const {
     if (!(time >= start() && time <= end())) {
       throw BadInput("CraftTrajectory::held: time " + detail::text(time.value()) + " s is outside [" +
                      detail::text(solution_.start()) + ", " + detail::text(solution_.end()) + "] s");
@@ -57,10 +56,7 @@ template <CraftType C, class... X> class CraftTrajectory {
     const auto later = [](double t, const detail::HeldFrom<Y>& from) { return t < from.time; };
     return std::prev(std::upper_bound(history.begin(), history.end(), time.value(), later))->value;
   }
-  template <class Y>
-    requires(std::is_same_v<Y, X> || ...)
-  Y held(const Quantity<si::time>& time) && { return std::as_const(*this).template held<Y>(time); }
-  template <class Y>
+  template <class Y, std::enable_if_t<!(std::is_same_v<Y, X> || ...), int> = 0>
   auto held(const Quantity<si::time>&) const -> Refused = delete;  // a type that the scenario holds
 
   /// The zeros of the functions of when(), in order of time.
