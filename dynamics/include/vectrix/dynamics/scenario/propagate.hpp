@@ -155,4 +155,9 @@ Trajectory<I, B> propagate(const Scenario<I, B>& scenario, const Propagation<I, 
   }
 }
 
+template <class I, class B, class GivenI, class GivenB>
+  requires(!std::is_same_v<Propagation<I, B>, Propagation<GivenI, GivenB>>)
+auto propagate(  // the scenario and its propagation are of the same frames
+    const Scenario<I, B>&, const Propagation<GivenI, GivenB>&) -> Refused = delete;
+
 }  // namespace vectrix
