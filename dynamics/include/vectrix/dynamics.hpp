@@ -23,6 +23,7 @@
 #include <vectrix/dynamics/multibody/tree.hpp>
 #include <vectrix/dynamics/ode/inlined.hpp>
 #include <vectrix/dynamics/ode/radau_iia_7.hpp>
+#include <vectrix/dynamics/ode/rates_of_segment.hpp>
 #include <vectrix/dynamics/ode/runge_kutta.hpp>
 #include <vectrix/dynamics/ode/solve.hpp>
 #include <vectrix/dynamics/ode/stepper.hpp>

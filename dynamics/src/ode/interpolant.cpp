@@ -96,8 +96,7 @@ void interpolate(const Record& record, double t, std::span<double> state) {
   const std::size_t node = first + static_cast<std::size_t>(next - nodes.begin()) - 1;
   if (record.elapsed[node] == elapsed) {
     std::ranges::copy(record.state(node), state.begin());
-  } else if (record.sparse && !record.has_terms(node) && record.times[node] < t &&
-             t < record.times[node + 1]) {
+  } else if (!record.is_dense(node) && record.times[node] < t && t < record.times[node + 1]) {
     throw BadInput("ode::Solution::at: time " + vectrix::detail::text(t) +
                    " is within a step whose dense output was not kept (Problem::dense_output)");
   } else {

@@ -9,8 +9,8 @@
 
 #include <Eigen/LU>
 #include <vectrix/dynamics/ode/elapsed_time.hpp>
-#include <vectrix/dynamics/ode/inlined.hpp>
 #include <vectrix/dynamics/ode/radau_iia_7.hpp>
+#include <vectrix/dynamics/ode/rates_of_segment.hpp>
 
 namespace vectrix::ode {
 

@@ -38,8 +38,11 @@ struct Record {
   std::vector<double> terms;
   std::vector<std::size_t> terms_begin;
   static constexpr std::size_t no_terms = std::numeric_limits<std::size_t>::max();
+  static constexpr std::size_t none_needed = no_terms - 1;
 
-  [[nodiscard]] bool has_terms(std::size_t left) const { return terms_begin[left] != no_terms; }
+  [[nodiscard]] bool has_terms(std::size_t left) const { return terms_begin[left] < none_needed; }
+  /// Whether there is a state within the step after a node.
+  [[nodiscard]] bool is_dense(std::size_t left) const { return !sparse || terms_begin[left] != no_terms; }
   [[nodiscard]] std::span<const double> terms_of(std::size_t left) const {
     return {terms.data() + terms_begin[left], degree * dimension};
   }
@@ -48,10 +51,12 @@ struct Record {
     terms_begin[times.size() - 2] = terms.size();
     terms.insert(terms.end(), added.begin(), added.end());
   }
+  /// The last step has a state within it without terms.
+  void need_no_terms() { terms_begin[times.size() - 2] = none_needed; }
   /// Takes back add_terms(), if it was called for the last step.
   void drop_terms() {
+    if (!has_terms(times.size() - 2)) return;
     auto& begin = terms_begin[times.size() - 2];
-    if (begin == no_terms) return;
     terms.resize(begin);
     begin = no_terms;
   }

@@ -15,6 +15,12 @@
 namespace vectrix::ode {
 namespace {
 
+/// Those of the segments before are earlier, and in order.
+void sort_from(std::size_t first, Record& record) {
+  const auto begin = record.events.begin() + static_cast<std::ptrdiff_t>(first);
+  std::ranges::stable_sort(begin, record.events.end(), {}, &Event::time);
+}
+
 /// True if the bracket is about as narrow as neighbouring numbers.
 bool narrow(double a, double b) {
   return std::abs(b - a) <= 2.0 * std::numeric_limits<double>::epsilon() * std::max(std::abs(a), std::abs(b));
@@ -109,20 +115,28 @@ Event RootFinder::locate(const Record& record, const Bracket& bracket) const {
     event.time = std::min(t, latest);
   }
   interpolate(record, event.time, event.state);
+  // The state at the rounded time may be on the old side still: where the function rounds more than time.
+  while (event.time < latest && !has_crossed(event, event.time, event.state)) {
+    event.time = std::nextafter(event.time, latest);
+    interpolate(record, event.time, event.state);
+  }
   return event;
 }
 
-void RootFinder::sort(Record& record) const {
-  std::ranges::stable_sort(record.events, {}, &Event::time);
+bool RootFinder::has_crossed(const Event& event, double t, std::span<const double> y) const {
+  const double now = value(event.root, t, y);
+  return event.direction == Direction::rising ? now >= 0.0 : now <= 0.0;
 }
 
 void RootFinder::resolve(Record& record) {
+  const std::size_t before = record.events.size();
   for (const Bracket& bracket : brackets_) record.events.push_back(locate(record, bracket));
   brackets_.clear();
-  sort(record);
+  sort_from(before, record);
 }
 
 void RootFinder::resolve_what_can_be(Record& record) {
+  const std::size_t before = record.events.size();
   for (const Bracket& bracket : brackets_) {
     try {
       record.events.push_back(locate(record, bracket));
@@ -131,7 +145,7 @@ void RootFinder::resolve_what_can_be(Record& record) {
     }
   }
   brackets_.clear();
-  sort(record);
+  sort_from(before, record);
 }
 
 }  // namespace vectrix::ode

@@ -23,6 +23,8 @@ class RootFinder {
   bool advance(const Record& record);
   /// True if the last step brackets a root.
   [[nodiscard]] bool bracketed() const { return brackets_.size() > previous_brackets_; }
+  /// Whether the function of an event has no longer the sign it had before its zero.
+  [[nodiscard]] bool has_crossed(const Event& event, double t, std::span<const double> y) const;
   /// Undoes the last advance.
   void retreat();
   /// Turns all brackets into events of the record, in order of time.
@@ -44,7 +46,6 @@ class RootFinder {
   [[nodiscard]] Event locate(const Record& record, const Bracket& bracket) const;
   /// Looks for changes of sign in the part of a step that ends with y.
   bool examine(std::size_t left, double from, double to, double t, std::span<const double> y);
-  void sort(Record& record) const;
 
   const Problem& problem_;
   std::vector<double> values_;

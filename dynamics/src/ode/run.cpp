@@ -53,7 +53,7 @@ void Run::integrate() {
   segment_start_ = problem_.start;
   for (auto end = ends.begin(); end != ends.end();) {
     if (problem_.at_segment_start) change(ended_by);
-    if (problem_.at_segment_start || segment_start_ == problem_.start) roots_.start(segment_start_, state_);
+    roots_.start(segment_start_, state_);
     segment_end_ = *end;
     stepper_->enter_segment(segment_start_, segment_end_);
     record_->segments.push_back(record_->times.size());
@@ -84,10 +84,9 @@ std::vector<double> Run::segment_ends() const {
 }
 
 /// Returns the events that end the segment early. A root that stops the run or ends the segment is located on
-/// the method's own interpolant. Without one, the step that passes it is
-/// repeated in at least five shorter steps: the root then has nodes of its own scale on both sides. The rate
-/// is never evaluated beyond the end of the step that passes the root. All times count from the start of the
-/// segment.
+/// the method's own interpolant. Without one, the step that passes it is repeated in at least five shorter
+/// steps: the root then has nodes of its own scale on both sides. The rate is never evaluated beyond the end
+/// of the step that passes the root. All times count from the start of the segment.
 std::vector<Event> Run::integrate_segment() {
   const bool own_interpolant = record_->degree > 0;
   const double end = segment_end_ - segment_start_;
@@ -125,16 +124,21 @@ std::vector<Event> Run::integrate_segment() {
 }
 
 /// Records the method's interpolant for the last step, if anything asks for it; roots do for the time of the
-/// step alone. An interval of several steps has none: it is so short that only the rounded time of a node
-/// lies within it.
+/// step alone. An interval of several steps has none and needs none: it is some roundings of time long.
 void Run::keep_terms() {
   const double from = record_->elapsed.end()[-2], to = record_->elapsed.back();
   const auto& outputs = problem_.output_times;
   const auto output = [&] { return outputs[next_output_] - segment_start_; };
   while (next_output_ < outputs.size() && output() <= from) ++next_output_;
   kept_for_good_ = problem_.dense_output || (next_output_ < outputs.size() && output() < to);
-  if (parts_ > 1 || !(kept_for_good_ || !problem_.roots.empty())) return;
-  stepper_->terms(terms_);
+  if (parts_ > 1) return record_->need_no_terms();
+  if (!kept_for_good_ && problem_.roots.empty()) return;
+  try {
+    stepper_->terms(terms_);
+  } catch (const Trouble&) {
+    if (record_->sparse) record_->pop();  // without them the outputs within the step have no state
+    throw;
+  }
   record_->add_terms(terms_);
 }
 
@@ -163,26 +167,30 @@ double Run::step() {
 }
 
 /// Returns the events at the first instant at which one stops the run or ends the segment, if they do: one
-/// that stops the run is the last event of all. Later events will be found again.
+/// that stops the run is the last event of all. Zeros after it will be found again, in the next segment. A
+/// function that has no longer its old sign there, because of rounding or as it is zero for a while, would
+/// not be: its zero is at this instant too.
 std::vector<Event> Run::end_at_first_ending_event() {
   roots_.resolve(*record_);
   auto& events = record_->events;
   const auto stops = [&](const Event& e) { return problem_.roots[e.root].stop; };
   const auto ends = [&](const Event& e) { return stops(e) || problem_.roots[e.root].ends_segment; };
-  const auto first =
-      std::ranges::find_if(events, [&](const Event& e) { return e.time > segment_start_ && ends(e); });
-  const double t = first->time;
-  events.erase(std::ranges::upper_bound(events, t, {}, &Event::time), events.end());
+  const auto of_segment = std::ranges::upper_bound(events, segment_start_, {}, &Event::time);
+  const auto first = std::find_if(of_segment, events.end(), ends);
+  const double t = first->time, elapsed = t - segment_start_;
+  state_ = first->state;
+  const bool shorter = t < record_->times.back();
+  if (shorter) stepper_->evaluate(elapsed, state_, slope_);
+  const auto later = std::ranges::upper_bound(events, t, {}, &Event::time);
+  for (auto event = later; event != events.end(); ++event) {
+    if (roots_.has_crossed(*event, t, state_)) event->time = t, event->state = state_;
+  }
+  events.erase(std::remove_if(later, events.end(), [&](const Event& e) { return e.time > t; }), events.end());
   const auto together = std::ranges::lower_bound(events, t, {}, &Event::time);
+  if (shorter) record_->shorten(t, elapsed, state_, slope_);
   const auto stopping = std::find_if(together, events.end(), stops);
   record_->stopped = stopping != events.end();
   if (record_->stopped) std::rotate(stopping, stopping + 1, events.end());
-  if (t < record_->times.back()) {
-    state_ = events.back().state;
-    const double elapsed = t - segment_start_;
-    stepper_->evaluate(elapsed, state_, slope_);
-    record_->shorten(t, elapsed, state_, slope_);
-  }
   std::vector<Event> ending;
   std::copy_if(together, events.end(), std::back_inserter(ending), ends);
   return ending;

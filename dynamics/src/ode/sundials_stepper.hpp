@@ -8,7 +8,7 @@
 
 #include <sundials/sundials_nvector.h>
 #include <vectrix/dynamics/ode/elapsed_time.hpp>
-#include <vectrix/dynamics/ode/inlined.hpp>
+#include <vectrix/dynamics/ode/rates_of_segment.hpp>
 #include <vectrix/dynamics/ode/solve.hpp>
 #include <vectrix/dynamics/ode/stepper.hpp>
 

@@ -86,6 +86,44 @@ TEST_P(OdeFailure, at_any_evaluation_leaves_dense_output_until_the_last_node) {
   }
 }
 
+// An exception in the stages of the dense output that an output needs.
+TEST_P(OdeFailure, at_any_evaluation_leaves_the_outputs_until_then) {
+  for (std::size_t last = 10; last < 150; ++last) {
+    Problem problem = oscillator(GetParam(), 100.0, 1e-9);
+    problem.dense_output = false;
+    for (int i = 0; i <= 1000; ++i) problem.output_times.push_back(0.1 * i);
+    std::size_t evaluations = 0;
+    problem.rhs = [&, rhs = problem.rhs](double segment_start, double t, State y, std::span<double> ydot) {
+      if (++evaluations > last) throw std::runtime_error("enough");
+      rhs(segment_start, t, y, ydot);
+    };
+    const Failure failure = failure_of(problem);
+    EXPECT_THROW(std::rethrow_if_nested(failure), std::runtime_error);
+    const Solution& solution = failure.solution();
+    const auto reached = std::ranges::upper_bound(problem.output_times, solution.end());
+    ASSERT_EQ(static_cast<std::ptrdiff_t>(solution.output_times().size()),
+              reached - problem.output_times.begin());
+  }
+}
+
+// At the stop the right-hand side is asked once more.
+TEST_P(OdeFailure, at_a_stop_the_run_has_not_stopped) {
+  for (std::size_t last = 10; last < 150; ++last) {
+    Problem problem = oscillator(GetParam(), 100.0, 1e-9);
+    problem.roots = {{"sine", [](double, State y) { return -y[1]; }, Direction::falling, true}};
+    std::size_t evaluations = 0;
+    problem.rhs = [&, rhs = problem.rhs](double segment_start, double t, State y, std::span<double> ydot) {
+      if (++evaluations > last) throw std::runtime_error("enough");
+      rhs(segment_start, t, y, ydot);
+    };
+    try {
+      EXPECT_TRUE(solve(problem).stopped());
+    } catch (const Failure& failure) {
+      EXPECT_FALSE(failure.solution().stopped()) << last;
+    }
+  }
+}
+
 TEST_P(OdeFailure, what_is_thrown_need_not_be_an_exception_class) {
   try {
     (void)solve(troubled(GetParam(), [](std::span<double>) { throw 42; }));

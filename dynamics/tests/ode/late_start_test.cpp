@@ -61,7 +61,7 @@ TEST_P(LateStart, gives_events_at_the_rounded_time_and_after_the_change_of_sign)
 
 // Of dense output that was not kept, at the rounded time of a node: the polynomial through six nodes. The
 // distance d to that node is half the spacing of times, 1.5e-5 s at most, and the error is below
-//     d^2 (1 1 2 2 3)^2 h^10 / 12!,  h the length of a step, less than 1.8 s.
+//     d^2 (1 1 2 2 3)^2 h^10 / 12!,  h the length of a step, less than 1.76 s.
 constexpr double next_to_a_node = 2e-14;
 
 // The state at the rounded time of a node may lie in the step before it or in the one after.
@@ -94,6 +94,26 @@ TEST_P(LateStart, without_dense_output_has_outputs_and_events_at_the_times_of_no
       EXPECT_LE(distance(sparse.at(t), dense.at(t)), next_to_a_node);
     }
   }
+}
+
+// Steps shorter than the rounding of time, 1.2e-7 s: each double between has a state.
+TEST_P(LateStart, without_dense_output_has_outputs_at_all_times_within_short_steps) {
+  constexpr double rate = 1e7, start = 1e9;  // rad/s, s
+  Problem problem = oscillator(GetParam(), 1.0, 1e-9);
+  problem.rhs = [](double, double, State y, std::span<double> ydot) {
+    ydot[0] = rate * y[1];
+    ydot[1] = -rate * y[0];
+  };
+  problem.start = start;
+  for (double t = start; problem.output_times.size() < 20; t = std::nextafter(t, 2.0 * start))
+    problem.output_times.push_back(t);
+  problem.end = problem.output_times.back();
+  problem.dense_output = false;
+  const Solution solution = solve(problem);
+  ASSERT_EQ(solution.output_times().size(), 20U);
+  // A tolerance of 1e-9 in each of a thousand steps, at most.
+  for (std::size_t i = 0; i < 20; ++i)
+    EXPECT_LE(distance(solution.output(i), oscillator_state(rate * (problem.output_times[i] - start))), 1e-6);
 }
 
 // A segment that is short beside the time zero: its nodes and steps count from its own start.

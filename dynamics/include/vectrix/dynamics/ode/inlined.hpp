@@ -1,18 +1,14 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
-#include <concepts>
 #include <cstddef>
-#include <exception>
 #include <functional>
-#include <limits>
 #include <memory>
-#include <optional>
 #include <span>
 #include <string>
 #include <utility>
 
+#include <vectrix/dynamics/ode/rates_of_segment.hpp>
 #include <vectrix/dynamics/ode/runge_kutta.hpp>
 #include <vectrix/dynamics/ode/solve.hpp>
 #include <vectrix/dynamics/ode/stepper.hpp>
@@ -22,69 +18,7 @@
 
 namespace vectrix::ode {
 
-/// A right-hand side that the integrator inlines: as RightHandSide, with spans of N numbers.
-template <class F, std::size_t N>
-concept SegmentRates = std::invocable<F&, double, double, std::span<const double, N>, std::span<double, N>>;
-
 namespace detail {
-
-using vectrix::detail::text;
-
-/// The right-hand side at a time since the start of the segment. It never sees a time outside the segment or
-/// a state that is not finite. What it throws becomes a Trouble, which is thrown. A rate that is not finite
-/// is kept as one: a shorter step may avoid it. A state that is not finite gets such a rate.
-template <std::size_t N, SegmentRates<N> F> struct RatesOfSegment {
-  F rhs;
-  const Problem* problem;
-  double start = 0.0;
-  double end = 0.0;
-  double latest = 0.0;  ///< time of the last evaluation
-  std::size_t evaluations = 0;
-  std::optional<Trouble> trouble = std::nullopt;  ///< the last that was kept
-
-  [[nodiscard]] double time(double elapsed) const { return std::clamp(start + elapsed, start, end); }
-
-  void operator()(double elapsed, std::span<const double, N> y, std::span<double, N> ydot) {
-    latest = time(elapsed);
-    if (!finite(y)) [[unlikely]] {
-      if (!trouble) keep(y, " of a stage is ");
-      std::fill(ydot.begin(), ydot.end(), std::numeric_limits<double>::quiet_NaN());
-      return;
-    }
-    ++evaluations;
-    try {
-      rhs(start, latest, y, ydot);
-    } catch (...) {
-      throw Trouble{flag::rhs_failed, latest, "the right-hand side threw", std::current_exception()};
-    }
-    if (!finite(ydot)) [[unlikely]] {
-      keep(ydot, " of the right-hand side is ");
-    }
-  }
-
-  /// Throws what was kept.
-  void require_none() const {
-    if (trouble) [[unlikely]] {
-      throw Trouble(*trouble);
-    }
-  }
-
- private:
-  static bool finite(std::span<const double, N> numbers) {
-    double wrong = 0.0;
-    for (const double number : numbers) wrong += 0.0 * number;
-    return wrong == 0.0;
-  }
-  void keep(std::span<const double> numbers, const char* what) {
-    std::size_t i = 0;
-    while (std::isfinite(numbers[i])) ++i;
-    trouble =
-        Trouble{flag::rhs_failed, latest,
-                component_name(*problem, i) + what + text(numbers[i]) + " at t = " + text(latest), nullptr};
-  }
-};
-
-using RatesByFunction = RatesOfSegment<std::dynamic_extent, std::reference_wrapper<const RightHandSide>>;
 
 /// An integrator with an inlined right-hand side, as a stepper of the loop. The length of its steps is
 /// carried from segment to segment.
@@ -168,6 +102,11 @@ template <std::size_t N, class F> std::unique_ptr<Stepper> make_inlined(const Pr
 }
 
 }  // namespace detail
+
+/// The methods that inline a right-hand side.
+constexpr bool is_inlined(Method method) {
+  return method == Method::verner_9 || method == Method::verner_7;
+}
 
 /// solve(problem) for N components with the right-hand side rhs(segment_start, t, y, ydot) inlined, by
 /// verner_9 or verner_7: several times as fast for a small state. y and ydot are spans of N numbers.
