@@ -49,13 +49,13 @@ void require_finite_time(const CraftCore& core, const char* action, double time)
   if (!std::isfinite(time))
     throw BadInput(action + of_the_craft(core) + ": the time is " + text(time) + " s");
 }
-void require_state(const CraftCore& core, std::span<const double> y) {
+void require_state(const CraftCore& core, const char* action, std::span<const double> y) {
   if (const std::size_t bad = not_finite(y); bad < y.size())
-    throw BadInput("state" + of_the_craft(core) + ": " + core.component_names[bad] + " is " + text(y[bad]));
+    throw BadInput(action + of_the_craft(core) + ": " + core.component_names[bad] + " is " + text(y[bad]));
   const auto require_rotation = [&](std::size_t at) {
     const Eigen::Map<const Eigen::Vector4d> q(&y[at]);
     if (std::isnormal(q.squaredNorm())) return;
-    throw BadInput("state" + of_the_craft(core) + ": the quaternion from " + core.component_names[at] +
+    throw BadInput(action + of_the_craft(core) + ": the quaternion from " + core.component_names[at] +
                    " on has the norm " + text(q.stableNorm()));
   };
   require_rotation(0);

@@ -145,7 +145,7 @@ NamedState NamedSpacecraft::state(std::span<const double> numbers) const {
     throw BadInput("state: " + detail::text(numbers.size()) + " numbers; the craft of " +
                    detail::in_quotes(plain().hub) + " has " + detail::text(size));
   }
-  detail::require_state(core_->core(), numbers);
+  detail::require_state(core_->core(), "state", numbers);
   return {detail::trusted, core_, {numbers.begin(), numbers.end()}};
 }
 

@@ -4,10 +4,10 @@
 #include <sstream>
 #include <vectrix/dynamics/craft/named_spacecraft.hpp>
 
+#include "craft/named_five.hpp"
 #include "multibody/random_craft.hpp"
-#include "testing/attitudes.hpp"
 
-// NamedSpacecraft: the same numbers as the engine, what is refused, and runs.
+// NamedSpacecraft: the same numbers as the engine, and what is refused.
 namespace vectrix_test::named_spacecraft_test {
 namespace {
 
@@ -35,56 +35,6 @@ PlainSpacecraft named(const DescribedCraft& craft) {
                            eigen(mode.rotation), eigen(mode.translation), mode.frequency,
                            mode.damping_ratio});
   return plain;
-}
-
-/// A hub with a hinged boom, on it a wheel with an antenna on two axes, a mass on a slider and a gyro.
-PlainSpacecraft five() {
-  const Matrix3d unit = Matrix3d::Identity();
-  const auto body = [&](const char* name, const char* parent, JointKind kind, std::vector<Vector3d> axes) {
-    return PlainBody{name, parent, kind, axes, unit, {1.0, 0.2, 0.0}, 2.0, {0.1, 0.0, 0.3}, 0.5 * unit};
-  };
-  return {
-      "gcrf",
-      "hub",
-      HubMotion::free,
-      100.0,
-      Vector3d::Zero(),
-      50.0 * unit,
-      {body("antenna", "boom", JointKind::gimbal, {Vector3d::UnitX(), Vector3d::UnitY()}),
-       body("boom", "hub", JointKind::hinge, {Vector3d::UnitZ()}),
-       body("mass", "hub", JointKind::slider, {Vector3d::UnitX()}), body("gyro", "boom", JointKind::ball, {}),
-       body("box", "mass", JointKind::fixed, {}), body("probe", "box", JointKind::free, {})},
-      {{"wheel", "boom", Vector3d::UnitY(), 0.1}},
-      {{"first", "antenna", {0.1, 0.0, 0.0}, {0.0, 0.2, 0.0}, 3.0, 0.01}}};
-}
-
-const auto rad = si::radian;
-const auto rad_s = si::radian / si::second;
-const auto m_s = si::metre / si::second;
-
-NamedMovingTransform at_origin(NamedFrame a, NamedFrame b, const Matrix3d& R,
-                               const Vector3d& r = Vector3d::Zero()) {
-  return {
-      moving_dcm(dcm(To(a), From(b), R),
-                 angular_velocity(Of(b), RelativeTo(a),
-                                  vector<si::angular_velocity>(In(b), Vector3d(0.1, -0.2, 0.3)))),
-      displacement(Of(b), RelativeTo(a), vector<si::length>(In(a), r)),
-      velocity(Of(b), RelativeTo(a), ObservedFrom(a), vector<si::velocity>(In(a), Vector3d(0.4, 0.5, -0.6)))};
-}
-
-std::vector<NamedStart> starts_of_five(const NamedSpacecraft& craft, const Matrix3d& R) {
-  const NamedFrame boom = craft.frame("boom"), gyro = craft.frame("gyro"), box = craft.frame("box"),
-                   probe = craft.frame("probe");
-  return {starts("antenna", 0.1 * rad, 0.2 * rad_s, 0.3 * rad, 0.4 * rad_s),
-          starts("boom", 0.5 * rad, 0.6 * rad_s),
-          starts("mass", 0.7 * si::metre, 0.8 * m_s),
-          starts(at_origin(boom, gyro, R).turning()),
-          starts(at_origin(box, probe, R, {3.0, 2.0, 1.0})),
-          spins("wheel", 9.0 * rad_s),
-          deflects("first", 0.01, -0.02)};
-}
-NamedState state_of_five(const NamedSpacecraft& craft, const Matrix3d& R) {
-  return craft.state(at_origin(craft.inertial(), craft.hub(), R, {7e6, 0.0, 0.0}), starts_of_five(craft, R));
 }
 
 TEST(NamedSpacecraft, GivesTheNumbersOfTheEngine) {
@@ -409,88 +359,6 @@ TEST(NamedSpacecraft, RefusesStartsThatDoNotFit) {
   const NamedSpacecraft other(five());
   EXPECT_TRUE(
       contains(said([&] { (void)other.motion(state, 0.0 * si::second); }), "the state is of another craft"));
-}
-
-const CraftTolerances tight{1e-12 * rad, 1e-12 * rad_s, 1e-12 * si::metre, 1e-12 * m_s, 1e-12};
-
-TEST(NamedSpacecraft, KeepsMomentumOverARun) {
-  RandomCraft random(20260323);
-  PlainSpacecraft plain = five();
-  plain.modes[0].damping_ratio = 0.0;
-  const NamedSpacecraft craft(plain);
-  const NamedState start = craft.state(at_origin(craft.inertial(), craft.hub(), random.rotation()),
-                                       starts_of_five(craft, random.rotation()));
-  auto problem = craft.problem(start, 0.0 * si::second, 5.0 * si::second, 1e-12, tight);
-  problem.method = ode::Method::arkode_fehlberg_8;
-  const auto solution = ode::solve(problem);
-  const auto first = craft.motion(start, 0.0 * si::second);
-  const auto last = craft.motion(craft.state(solution.at(5.0)), 5.0 * si::second);
-  const auto relative = [&](auto what) {
-    const auto before = what(first.now()), after = what(last.now());
-    return (after - before).norm() / before.norm();
-  };
-  EXPECT_LE(relative([](const auto& now) { return now.momentum().coordinates(); }), 1e-9);
-  EXPECT_LE(relative([](const auto& now) { return now.angular_momentum().coordinates(); }), 1e-9);
-  EXPECT_NEAR(last.now().energy() / first.now().energy(), 1.0, 1e-9);
-}
-
-// A hub of inertia J alone, with a torque that acts from 1 s to 3 s: w = M t / J, exactly: the
-// method integrates a constant without an error, so only its steps, of which there are some ten, are rounded.
-TEST(NamedSpacecraft, ALoadJumpsAtABreakpoint) {
-  const NamedSpacecraft craft({"gcrf",
-                               "hub",
-                               HubMotion::turning,
-                               1.0,
-                               Vector3d::Zero(),
-                               Vector3d(1.0, 2.0, 2.0).asDiagonal(),
-                               {},
-                               {},
-                               {}});
-  const NamedFrame i = craft.inertial(), hub = craft.hub();
-  const NamedState start = craft.state(
-      moving_dcm(aligned(To(i), From(hub)),
-                 angular_velocity(Of(hub), RelativeTo(i),
-                                  vector<si::angular_velocity>(In(hub), Vector3d(0.0, 0.0, 0.0)))),
-      {});
-  auto run = craft.problem(
-      start, 0.0 * si::second, 4.0 * si::second, 1e-12, tight, [&](const NamedNow& now, NamedForces& forces) {
-        if (now.segment_start() >= 1.0 * si::second && now.segment_start() < 3.0 * si::second)
-          forces.torque(hub, vector<si::torque>(In(hub), Vector3d(0.0, 0.0, 0.4)));
-      });
-  run.method = ode::Method::verner_9;
-  run.breakpoints = {1.0, 3.0};
-  const auto solution = ode::solve(run);
-  const auto rate = [&](double t) {
-    return Vector3d(craft.state(solution.at(t)).turning().angular_velocity().coordinates());
-  };
-  // A step adds a sum of sixteen products, of at most the final rate: 16 roundings.
-  const double rounded = 16.0 * static_cast<double>(solution.statistics().steps) * epsilon * 0.4;
-  EXPECT_EQ(rate(1.0).norm(), 0.0);
-  EXPECT_NEAR(rate(2.0).z(), 0.2, rounded);
-  EXPECT_NEAR(rate(4.0).z(), 0.4, rounded);
-}
-
-TEST(NamedSpacecraft, HeldJointsMoveAsTheyAreTold) {
-  RandomCraft random(20260324);
-  const NamedSpacecraft craft(five());
-  const NamedState start = state_of_five(craft, random.rotation());
-  const std::vector<NamedHeld> held{
-      prescribed("boom",
-                 [](const Quantity<si::time>& t) { return 0.2 * t / si::second * (rad_s / si::second); }),
-      prescribed("mass", [](const Quantity<si::time>&) { return -0.1 * (m_s / si::second); }),
-      locked("gyro")};
-  auto problem = craft.problem(start, 0.0 * si::second, 2.0 * si::second, 1e-11, tight, {}, held);
-  problem.method = ode::Method::arkode_fehlberg_8;
-  const NamedState end = craft.state(ode::solve(problem).at(2.0));
-  EXPECT_NEAR(end.angle("boom").value(), 0.5 + 0.6 * 2.0 + 0.2 * 8.0 / 6.0, 1e-9);
-  EXPECT_NEAR(end.length("mass").value(), 0.7 + 0.8 * 2.0 - 0.1 * 4.0 / 2.0, 1e-9);
-  const auto said = [&](const NamedHeld& wrong) {
-    return message<BadInput>([&] { (void)craft.motion(start, 0.0 * si::second, {}, {wrong}); });
-  };
-  EXPECT_TRUE(contains(said(locked("bom")), "the nearest name is \"boom\""));
-  EXPECT_TRUE(
-      contains(said(prescribed("boom", [](const Quantity<si::time>&) { return 0.0 * (m_s / si::second); })),
-               "its joint is a hinge, and the acceleration that of a slider"));
 }
 
 }  // namespace

@@ -109,6 +109,20 @@ auto value(const CraftTrajectory<Sat, Command>& flight) {
 }
 }  // namespace a_held_value_of_another_scenario
 
+namespace a_motion_of_another_trajectory {
+// mistake: the trajectory of a scenario that holds a mode, and the scenario holds a command
+// expect: CraftTrajectory<GivenC, X\.\.\.>|a trajectory of the scenario
+auto alpha(const Sat& sat, const CraftTrajectory<Sat, Command>& commanded,
+           const CraftTrajectory<Sat, Mode>& in_modes) {
+  const auto flight = scenario(sat, by_command, held(none));
+#ifdef REPAIRED
+  return static_cast<void>(in_modes), motion(flight, commanded, 1.0 * si::second);
+#else
+  return static_cast<void>(commanded), motion(flight, in_modes, 1.0 * si::second);
+#endif
+}
+}  // namespace a_motion_of_another_trajectory
+
 namespace a_period_without_unit {
 // mistake: a period without its unit
 // expect: every

@@ -85,8 +85,8 @@ detail::Change<detail::Clock, F> every(const Quantity<si::time>& period, F updat
           std::move(update)};
 }
 
-/// A change of a held value at the given times: becomes(x), or a function as every() takes it. TimeList
-/// before the start of a run, or not before its end, have no effect. Throws BadInput unless they are finite
+/// A change of a held value at the given times: becomes(x), or a function as every() takes it. Times before
+/// the start of a run, or not before its end, have no effect. Throws BadInput unless they are finite
 /// and increase.
 template <class F>
 detail::Change<detail::TimeList, F> at_times(const std::vector<Quantity<si::time>>& times, F update) {

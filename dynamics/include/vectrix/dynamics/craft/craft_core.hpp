@@ -39,7 +39,7 @@ VECTRIX_EXPORT std::vector<double> from_mount(const PlainBody& body, std::vector
 VECTRIX_EXPORT void require_finite_time(const CraftCore& core, const char* action, double time);
 /// Throws BadInput with the name of a number that is not finite, or with that of a quaternion whose square is
 /// zero, infinite or without all its digits: no rotation follows from it. Any other norm is accepted.
-VECTRIX_EXPORT void require_state(const CraftCore& core, std::span<const double> y);
+VECTRIX_EXPORT void require_state(const CraftCore& core, const char* action, std::span<const double> y);
 /// Throws BadInput with the name of a number whose derivative is not finite.
 VECTRIX_EXPORT void require_finite_rates(const CraftCore& core, double time, std::span<const double> ydot);
 

@@ -19,12 +19,17 @@ template <class Function> struct IsNoFunctionOfTheState {};
 
 namespace detail {
 
-template <class Part> struct PartOf { static constexpr bool load = true, held = false, change = false; };
+template <class Part> struct PartOf {
+  static constexpr bool load = true, held = false, ticks = false, zero = false;
+};
 template <class X> struct PartOf<Held<X>> {
-  static constexpr bool load = false, held = true, change = false;
+  static constexpr bool load = false, held = true, ticks = false, zero = false;
 };
 template <class Trigger, class F> struct PartOf<Change<Trigger, F>> {
-  static constexpr bool load = false, held = false, change = true;
+  static constexpr bool load = false, held = false, ticks = true, zero = false;
+};
+template <class G, class F> struct PartOf<Change<Zero<G>, F>> {
+  static constexpr bool load = false, held = false, ticks = false, zero = true;
 };
 
 template <class... Types> using Joined = decltype(std::tuple_cat(std::declval<Types>()...));
@@ -156,11 +161,8 @@ template <class Load, class HeldTuple> struct HeldLoad {
 }  // namespace detail
 
 /// What happens to a spacecraft: loads, held values, and what changes them. Made by scenario().
-template <CraftType C, class... Parts> class CraftScenario {
+template <class C, class... Parts> class CraftScenario {
  public:
-  using craft_type = C;
-  using held_types = detail::HeldTypes<Parts...>;
-
   CraftScenario() = delete;  // scenario(craft, parts...)
   CraftScenario(detail::Trusted, const C& craft, const Parts&... parts) : craft_(craft), parts_(parts...) {}
 
@@ -175,13 +177,8 @@ template <CraftType C, class... Parts> class CraftScenario {
 
 namespace detail {
 
-template <class Fault> struct ScenarioUnless {};
-template <> struct ScenarioUnless<Nothing> {
-  template <class C, class... Parts> using type = CraftScenario<C, Parts...>;
-};
-template <> struct ScenarioUnless<Refused> { template <class...> using type = Refused; };
 template <class C, class... Parts>
-using ScenarioOf = typename ScenarioUnless<ScenarioFault<C, Parts...>>::template type<C, Parts...>;
+using ScenarioOf = typename MadeUnless<ScenarioFault<C, Parts...>, CraftScenario>::template type<C, Parts...>;
 
 }  // namespace detail
 

@@ -10,32 +10,25 @@
 #include <utility>
 #include <vector>
 #include <vectrix/dynamics/craft/craft_scenario.hpp>
-#include <vectrix/dynamics/craft/instants.hpp>
+#include <vectrix/dynamics/craft/ticks.hpp>
 #include <vectrix/dynamics/craft/trajectory.hpp>
 
 namespace vectrix::detail {
 
-/// What a run needs of a part besides its values: nothing of a load or a held value.
+/// What a run keeps of a part: when it ticks, how many ticks it has seen and applied, and what it has found
+/// that is not yet in effect. Nothing of a part that does not tick.
 template <class Part> struct Running {
-  static constexpr bool is_zero = false;
   Running(const Part&, double, double) {}
-  static TickList ticks() { return {}; }
 };
-template <class F> using WaitingOf = std::deque<typename UpdateOf<F>::result>;
-template <class Trigger, class F> struct Running<Change<Trigger, F>> {
-  static constexpr bool is_zero = false;
+template <class Trigger, class F>
+  requires(PartOf<Change<Trigger, F>>::ticks)
+struct Running<Change<Trigger, F>> {
   Running(const Change<Trigger, F>& change, double start, double end)
-      : list(detail::ticks(change.trigger, start, end)) {}
-  TickList ticks() const { return list; }
+      : list(ticks(change.trigger, start, end)) {}
 
   TickList list;
   std::size_t sampled = 0, applied = 0;
-  WaitingOf<F> waiting;  ///< what was found and is not yet in effect
-};
-template <class G, class F> struct Running<Change<Zero<G>, F>> {
-  static constexpr bool is_zero = true;
-  Running(const Change<Zero<G>, F>&, double, double) {}
-  static TickList ticks() { return {}; }
+  std::deque<typename UpdateOf<F>::result> waiting;
 };
 
 template <class HeldTuple> struct HistoryOf;
@@ -62,6 +55,7 @@ auto held_loads(const std::tuple<Parts...>& parts, const HeldTuple& values) {
 template <CraftType C, class... Parts> class Flight {
   using HeldTuple = HeldTypes<Parts...>;
   template <std::size_t i> using Part = std::tuple_element_t<i, std::tuple<Parts...>>;
+  using Runnings = std::tuple<Running<Parts>...>;
 
  public:
   Flight(const CraftScenario<C, Parts...>& scenario, double start, double end)
@@ -70,7 +64,11 @@ template <CraftType C, class... Parts> class Flight {
         apart_(same_instant(start, end)),
         work_(core_->tree.work()),
         values_(initial(parts_)),
-        running_(make_running(start, end, std::index_sequence_for<Parts...>{})) {
+        running_(std::apply(
+            [&](const auto&... part) {
+              return Runnings{Running<std::remove_cvref_t<decltype(part)>>(part, start, end)...};
+            },
+            parts_)) {
     std::apply([&](const auto&... value) { (record(start, value), ...); }, values_);
   }
   Flight(const Flight&) = delete;
@@ -79,40 +77,36 @@ template <CraftType C, class... Parts> class Flight {
   auto loads() const { return held_loads(parts_, values_); }
 
   std::vector<double> breakpoints(double start, double end) const {
-    const auto lists = std::apply(
-        [](const auto&... running) { return std::vector<TickList>{running.ticks()...}; }, running_);
+    std::vector<const TickList*> lists;
+    for_each_part([&]<std::size_t i>() {
+      if constexpr (PartOf<Part<i>>::ticks) lists.push_back(&std::get<i>(running_).list);
+    });
     return instants_of(lists, start, end);
   }
   std::vector<ode::Root> roots() {
     std::vector<ode::Root> roots;
     for_each_part([&]<std::size_t i>() {
-      if constexpr (std::tuple_element_t<i, Runnings>::is_zero) roots.push_back(root(std::get<i>(parts_)));
+      if constexpr (PartOf<Part<i>>::zero) roots.push_back(root(std::get<i>(parts_)));
     });
     return roots;
   }
   /// All changes that are due see the values from before.
   void change(double t, std::span<const double> y, std::span<const ode::Event> ended_by) {
-    if constexpr (std::tuple_size_v < HeldTuple >> 0) {
+    if constexpr (!std::is_same_v<HeldTuple, std::tuple<>>) {
       const Now<C> now = now_at(t, y);
       HeldTuple next = values_;
       std::size_t root = 0;
       for_each_part([&]<std::size_t i>() {
-        if constexpr (PartOf<Part<i>>::change) {
-          auto& running = std::get<i>(running_);
-          if constexpr (std::tuple_element_t<i, Runnings>::is_zero)
-            cross(std::get<i>(parts_), root++, now, ended_by, next);
-          else
-            tick(std::get<i>(parts_), running, now, next);
-        }
+        if constexpr (PartOf<Part<i>>::zero) cross(std::get<i>(parts_), root++, now, ended_by, next);
+        if constexpr (PartOf<Part<i>>::ticks) tick(std::get<i>(parts_), std::get<i>(running_), now, next);
       });
       values_ = std::move(next);
     }
   }
-  typename HistoryOf<HeldTuple>::type history() const { return history_; }
+  /// What was held, taken out of here when the run has ended.
+  typename HistoryOf<HeldTuple>::type take_history() { return std::move(history_); }
 
  private:
-  using Runnings = std::tuple<Running<Parts>...>;
-
   static HeldTuple initial(const std::tuple<Parts...>& parts) {
     const auto one = []<class P>(const P& part) {
       if constexpr (PartOf<P>::held)
@@ -121,11 +115,6 @@ template <CraftType C, class... Parts> class Flight {
         return std::tuple<>{};
     };
     return std::apply([&](const auto&... part) { return std::tuple_cat(one(part)...); }, parts);
-  }
-  template <std::size_t... i>
-  Runnings make_running([[maybe_unused]] double start, [[maybe_unused]] double end,
-                        std::index_sequence<i...>) const {
-    return {Running<Part<i>>(std::get<i>(parts_), start, end)...};
   }
   template <class Function> static void for_each_part(const Function& function) {
     [&]<std::size_t... i>(std::index_sequence<i...>) {
@@ -159,15 +148,12 @@ template <CraftType C, class... Parts> class Flight {
   void tick(const Change<Trigger, F>& change, Running<Change<Trigger, F>>& running, const Now<C>& now,
             HeldTuple& next) {
     const double t = now.time().value();
-    const auto due = [&](const std::vector<double>& times, std::size_t at) {
-      return at < times.size() && times[at] <= t + apart_;
+    const auto due = [&](std::size_t tick, double latency) {
+      const auto& times = running.list.times;
+      return tick < times.size() && times[tick] + latency <= t + apart_;
     };
-    if (due(running.list.sampled, running.sampled)) {
-      ++running.sampled;
-      running.waiting.push_back(found(change.update, now));
-    }
-    if (due(running.list.applied, running.applied)) {
-      ++running.applied;
+    for (; due(running.sampled, 0.0); ++running.sampled) running.waiting.push_back(found(change.update, now));
+    for (; due(running.applied, running.list.latency); ++running.applied) {
       put(next, t, std::move(running.waiting.front()));
       running.waiting.pop_front();
     }

@@ -6,6 +6,7 @@
 #include <limits>
 #include <span>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 #include <vectrix/dynamics/craft/flight.hpp>
 #include <vectrix/dynamics/craft/tolerances.hpp>
@@ -59,27 +60,32 @@ typename detail::TrajectoryOf<C, detail::HeldTypes<Parts...>>::type propagate(
       std::apply([&](const auto&... load) { return detail::CraftRates(craft, load...); }, flight.loads());
   auto rhs = [&rates](double, double t, auto y, auto ydot) { rates(t, y.data(), ydot.data()); };
   try {
-    if (how.method == ode::Method::verner_9 || how.method == ode::Method::verner_7)
-      return {detail::trusted, ode::solve<N>(problem, rhs), flight.history()};
-    problem.rhs = rhs;
-    return {detail::trusted, ode::solve(problem), flight.history()};
+    if (!ode::is_inlined(how.method)) problem.rhs = rhs;
+    ode::Solution solution = problem.rhs ? ode::solve(problem) : ode::solve<N>(problem, rhs);
+    return {detail::trusted, std::move(solution), flight.take_history()};
   } catch (const ode::Failure& failure) {
     std::throw_with_nested(
-        typename Trajectory::failure{failure, {detail::trusted, failure.solution(), flight.history()}});
+        typename Trajectory::failure{failure, {detail::trusted, failure.solution(), flight.take_history()}});
   }
 }
 
 /// The accelerations at a time of a trajectory, and what the joints transmit, under the loads of its scenario
 /// with the values held then. Throws BadInput outside [start, end].
 template <CraftType C, class... Parts, class... X>
-CraftMotion<C> motion(const CraftScenario<C, Parts...>& scenario, const CraftTrajectory<C, X...>& trajectory,
-                      const Quantity<si::time>& time) {
-  static_assert(std::is_same_v<detail::HeldTypes<Parts...>, std::tuple<X...>>,
-                "the trajectory of another scenario: they hold other values");
-  const std::tuple<X...> values{trajectory.template held<X>(time)...};
-  const CraftState<C> state = trajectory.at(time);
-  return std::apply([&](const auto&... load) { return motion(scenario.craft(), state, load...); },
-                    detail::held_loads(scenario.parts(), values));
-}
+  requires std::is_same_v<detail::HeldTypes<Parts...>, std::tuple<X...>> CraftMotion<C> motion(
+      const CraftScenario<C, Parts...>& scenario, const CraftTrajectory<C, X...>& trajectory,
+      const Quantity<si::time>& time) {
+    const std::tuple<X...> values{trajectory.template held<X>(time)...};
+    const CraftState<C> state = trajectory.at(time);
+    return std::apply([&](const auto&... load) { return motion(scenario.craft(), state, load...); },
+                      detail::held_loads(scenario.parts(), values));
+  }
+
+template <CraftType C, class... Parts, CraftType GivenC, class... X>
+  requires(!(std::is_same_v<C, GivenC> && std::is_same_v<detail::HeldTypes<Parts...>, std::tuple<X...>>))
+auto motion(  // motion(scenario, trajectory, time): a trajectory of the scenario, whose craft and held values
+              // it has
+    const CraftScenario<C, Parts...>&, const CraftTrajectory<GivenC, X...>&, const Quantity<si::time>&)
+    -> Refused = delete;
 
 }  // namespace vectrix

@@ -53,11 +53,8 @@ struct LoweredParts {
   template <class C, class B> void add(const MountPart<C, B>& part) { mounts.push_back(part.numbers); }
 };
 
-template <class Fault> struct CraftUnless {};
-template <> struct CraftUnless<Nothing> { template <class... Parts> using type = Spacecraft<Parts...>; };
-template <> struct CraftUnless<Refused> { template <class...> using type = Refused; };
 template <class Hub, class... Parts>
-using CraftOf = typename CraftUnless<CraftFault<Hub, Parts...>>::template type<Hub, Parts...>;
+using CraftOf = typename MadeUnless<CraftFault<Hub, Parts...>, Spacecraft>::template type<Hub, Parts...>;
 
 }  // namespace detail
 

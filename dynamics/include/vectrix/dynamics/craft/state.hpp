@@ -92,14 +92,24 @@ using StateFault = typename FaultOfState<typename C::shape, Motion, Starts...>::
 
 }  // namespace detail
 
+namespace detail {
+
+template <CraftType C>
+CraftState<C> checked_state(const C& craft, const char* action, const Quantity<si::time>& t,
+                            const std::array<double, C::state_size>& y) {
+  require_finite_time(*craft.core(), action, t.value());
+  require_state(*craft.core(), action, y);
+  return {trusted, t, y};
+}
+
+}  // namespace detail
+
 /// Claims that the numbers are a state. Throws BadInput if one is not finite, or a quaternion is zero; any
 /// other norm is accepted.
 template <CraftType C>
 CraftState<C> state_from_numbers(const C& craft, const Quantity<si::time>& t,
                                  const std::array<double, C::state_size>& y) {
-  detail::require_finite_time(*craft.core(), "state", t.value());
-  detail::require_state(*craft.core(), y);
-  return {detail::trusted, t, y};
+  return detail::checked_state(craft, "state_from_numbers", t, y);
 }
 
 /// The state at the time t: the motion of the hub in the inertial frame, and the starts of all joints, rotors
@@ -112,7 +122,7 @@ template <CraftType C, class Motion, class... Starts>
     typename CraftState<C>::Numbers y{};
     detail::put_hub(X_i_from_hub, y.data());
     (detail::put_start<typename C::shape>(*craft.core(), starts, y.data()), ...);
-    return state_from_numbers(craft, t, y);
+    return detail::checked_state(craft, "state", t, y);
   }
 template <CraftType C, class Time, class Motion, class... Starts,
           class Fault = detail::StateFault<C, Motion, Starts...>>

@@ -19,7 +19,6 @@ template <class X> struct HeldFrom {
   X value;
 };
 template <class X> using HeldHistory = std::vector<HeldFrom<X>>;
-template <class Y, class... X> inline constexpr bool is_held = (std::is_same_v<Y, X> || ...);
 
 }  // namespace detail
 
@@ -48,7 +47,7 @@ template <CraftType C, class... X> class CraftTrajectory {
   }
   /// The held value of this type; at the instant of a change, the new one. Throws BadInput outside
   /// [start, end].
-  template <class Y, class = std::enable_if_t<detail::is_held<Y, X...>>>
+  template <class Y, class = std::enable_if_t<detail::one_of<Y, X...>>>
   Y held(const Quantity<si::time>& time) const {
     if (!(time >= start() && time <= end())) {
       throw BadInput("CraftTrajectory::held: time " + detail::text(time.value()) + " s is outside [" +
@@ -58,7 +57,7 @@ template <CraftType C, class... X> class CraftTrajectory {
     const auto later = [](double t, const detail::HeldFrom<Y>& from) { return t < from.time; };
     return std::prev(std::upper_bound(history.begin(), history.end(), time.value(), later))->value;
   }
-  template <class Y, std::enable_if_t<!detail::is_held<Y, X...>, int> = 0>
+  template <class Y, std::enable_if_t<!detail::one_of<Y, X...>, int> = 0>
   auto held(const Quantity<si::time>&) const -> Refused = delete;  // a type that the scenario holds
 
   /// The zeros of the functions of when(), in order of time.

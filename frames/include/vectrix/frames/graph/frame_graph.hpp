@@ -107,10 +107,8 @@ template <class... Edges> constexpr auto fault() {
 }
 template <class... Edges> using FaultOf = typename decltype(fault<Edges...>())::type;
 
-template <class Fault> struct GraphUnless {};
-template <> struct GraphUnless<Nothing> { template <class... Edges> using type = FrameGraph<Edges...>; };
-template <> struct GraphUnless<Refused> { template <class... Edges> using type = Refused; };
-template <class... Edges> using GraphOf = typename GraphUnless<FaultOf<Edges...>>::template type<Edges...>;
+template <class... Edges>
+using GraphOf = typename MadeUnless<FaultOf<Edges...>, FrameGraph>::template type<Edges...>;
 
 }  // namespace detail
 

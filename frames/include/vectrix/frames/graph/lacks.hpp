@@ -17,6 +17,15 @@ template <class Link> struct PlaceOn {};
 
 namespace detail {
 
+/// The type that is made of parts without a fault; Refused if a part was; none for another fault.
+template <class Fault, template <class...> class Made> struct MadeUnless {};
+template <template <class...> class Made> struct MadeUnless<Nothing, Made> {
+  template <class... Parts> using type = Made<Parts...>;
+};
+template <template <class...> class Made> struct MadeUnless<Refused, Made> {
+  template <class...> using type = Refused;
+};
+
 template <class Topology, class... Fs> struct FirstUnknown : std::type_identity<void> {};
 template <class Topology, class F, class... Fs>
 struct FirstUnknown<Topology, F, Fs...>

@@ -1,0 +1,90 @@
+#include <gtest/gtest.h>
+
+#include <vectrix/dynamics/craft/propagate.hpp>
+#include <vectrix/dynamics/craft/springs.hpp>
+
+#include "craft/random_spacecraft.hpp"
+
+// Runs of a typed spacecraft: what the laws keep, a load that jumps, springs and dampers.
+namespace vectrix_test::spacecraft_run_test {
+namespace {
+
+using namespace vectrix;
+using namespace spacecraft_test;
+
+CraftPropagation until(const Quantity<si::time>& end, double tolerance) {
+  return {.end = end,
+          .relative_tolerance = tolerance,
+          .absolute_tolerances = {1e-13 * rad, 1e-13 * rad_s, 1e-13 * si::metre, 1e-13 * m_s, 1e-13}};
+}
+
+TEST(SpacecraftRun, ARunKeepsWhatTheLawsKeep) {
+  RandomCraft random(20260715);
+  const Every craft(random);
+  const auto start = random_state(craft, random);
+  const auto flight = propagate(scenario(craft), start, until(5.0 * s, 1e-13));
+  const auto before = motion(craft, start);
+  const auto after = motion(craft, flight.at(5.0 * s));
+  constexpr double kept = 1e-9;  // some 100 steps with an error of 1e-12 each, of numbers near 100
+  EXPECT_LE((before.momentum() - after.momentum()).coordinates().norm(), kept);
+  EXPECT_LE((before.angular_momentum() - after.angular_momentum()).coordinates().norm(), 10 * kept);
+  EXPECT_LE(after.energy(), before.energy());  // the modes are damped
+  EXPECT_GT(std::abs(after.state().coordinate(of<Boom>).value() - start.coordinate(of<Boom>).value()), 0.01);
+
+  const Turning rigid;
+  const auto R = moving<Gcrf, Hub>(random).turning;
+  const auto first =
+      state(rigid, 0.0 * s, R, starts(of<Boom>, 0.3 * rad, 0.5 * rad_s), spins(of<WheelOfHub>, 9.0 * rad_s));
+  const auto last = propagate(scenario(rigid), first, until(20.0 * s, 1e-13)).at(20.0 * s);
+  EXPECT_NEAR(motion(rigid, first).energy().value(), motion(rigid, last).energy().value(), kept);
+  EXPECT_LE(
+      (motion(rigid, first).angular_momentum() - motion(rigid, last).angular_momentum()).coordinates().norm(),
+      kept);
+}
+
+// A hub of inertia J alone, with a torque that acts from 1 s to 3 s: w = M t / J, exactly.
+TEST(SpacecraftRun, ALoadJumpsWithAHeldValue) {
+  // The mass of a joined body, which has a name of its own.
+  const auto half = [](auto part, double x) {
+    using B = decltype(part);
+    return mass_properties(0.5 * si::kilogram,
+                           displacement(of<CentreOfMassOf<B>>, relative_to<Hub>,
+                                        vector(in<Hub>, x * si::metre, 0.0 * si::metre, 0.0 * si::metre)),
+                           aligned(to<Hub>, from<B>) *
+                               inertia_from_principal_moments(in<B>, 1.0 * kg_m2, 0.5 * kg_m2, 0.5 * kg_m2));
+  };
+  const auto mass_of_both = join(of<Both>, half(Box{}, 1.0), half(Probe{}, -1.0));
+  const auto craft = spacecraft(body(mass_of_both, turning_in<Gcrf>));
+  using Ball = std::remove_const_t<decltype(craft)>;
+  static_assert(Ball::state_size == 7);
+  const auto start = state(
+      craft, 0.0 * s, moving_dcm(aligned(to<Gcrf>, from<Hub>), at_rest(of<Hub>, relative_to<Gcrf>, in<Hub>)));
+  using Torque = Vector<Hub, si::torque>;
+  const Torque on = 0.4 * si::newton_metre * unit_z(in<Hub>), off = zero<si::torque>(in<Hub>);
+  const auto pulse = scenario(
+      craft, held(off), at_times({1.0 * s}, becomes(on)), at_times({3.0 * s}, becomes(off)),
+      [](const Now<Ball>&, Forces<Ball>& forces, const Torque& torque) { forces.torque(of<Hub>, torque); });
+  const auto flight = propagate(pulse, start, until(4.0 * s, 1e-12));
+  EXPECT_EQ(flight.at(1.0 * s).turning().angular_velocity.coordinates().norm(), 0.0);
+  EXPECT_NEAR(flight.at(2.0 * s).turning().angular_velocity.z().value(), 0.2, 1e-13);
+  EXPECT_NEAR(flight.at(4.0 * s).turning().angular_velocity.z().value(), 0.4, 1e-13);
+  EXPECT_THROW(flight.at(4.1 * s), BadInput);
+}
+
+TEST(SpacecraftRun, ASpringAndADamperAreEfforts) {
+  const Turning craft;
+  const auto R = moving_dcm(aligned(to<Gcrf>, from<Hub>), at_rest(of<Hub>, relative_to<Gcrf>, in<Hub>));
+  const auto start =
+      state(craft, 0.0 * s, R, starts(of<Boom>, 0.2 * rad, 0.3 * rad_s), spins(of<WheelOfHub>, 0.0 * rad_s));
+  const auto k = 3.0 * si::newton_metre / rad;
+  const auto c = 0.5 * si::newton_metre / rad_s;
+  const auto sprung = motion(craft, start, spring(craft, of<Boom>, k, 0.1 * rad), damper(craft, of<Boom>, c));
+  const auto pushed = motion(craft, start, [](const auto&, auto& forces) {
+    forces.effort(of<Boom>, -(3.0 * 0.1 + 0.5 * 0.3) * si::newton_metre);
+  });
+  for (std::size_t i = 0; i < Turning::state_size; ++i)
+    EXPECT_NEAR(sprung.rates()[i], pushed.rates()[i], 1e-14);
+}
+
+}  // namespace
+}  // namespace vectrix_test::spacecraft_run_test
