@@ -12,8 +12,8 @@
 #include <string>
 #include <vectrix/frames/scalar/larger.hpp>
 
-#include "allocations.hpp"
 #include "kernel.hpp"
+#include "testing/allocations.hpp"
 
 namespace bench {
 namespace {
@@ -54,7 +54,7 @@ bool time(const Kernel& kernel) {
   const long calls = 1 + static_cast<long>(round_ns / (1e9 * seconds(kernel.raw, probe) / probe));
   std::mt19937 generator(20240229);
   std::vector<double> ratios(rounds), raw_ns(rounds);
-  const std::size_t before = allocations();
+  const std::size_t before = vectrix_test::allocations();
   for (std::size_t i = 0; i < rounds; ++i) {
     const bool typed_first = generator() % 2 == 0;
     const double first = seconds(typed_first ? kernel.typed : kernel.raw, calls);
@@ -62,7 +62,7 @@ bool time(const Kernel& kernel) {
     ratios[i] = typed_first ? first / second : second / first;
     raw_ns[i] = 1e9 * (typed_first ? second : first) / static_cast<double>(calls);
   }
-  const std::size_t allocated = allocations() - before;
+  const std::size_t allocated = vectrix_test::allocations() - before;
   std::printf("%s\t%.2f\t%.3f\t%zu\n", kernel.name.c_str(), median(raw_ns), median(ratios), allocated);
   if (difference <= same) return true;
   std::fprintf(stderr, "kernels: %s: typed and raw differ by %g\n", kernel.name.c_str(), difference);

@@ -11,8 +11,8 @@
 #include <vectrix/dynamics/multibody/hinge.hpp>
 #include <vectrix/frames/scalar/larger.hpp>
 
-#include "allocations.hpp"
 #include "simbody_reference_tree.hpp"
+#include "testing/allocations.hpp"
 #include "typed_kernels.hpp"
 
 namespace bench {
@@ -203,10 +203,10 @@ bool measure(const Craft& craft) {
                    y[4] += 1e-12;
                  },
                  std::max(3, calls / 40)};
-  const std::size_t before = allocations();
+  const std::size_t before = vectrix_test::allocations();
   by_engine.call();
   by_name.call();
-  if (allocations() != before) {
+  if (vectrix_test::allocations() != before) {
     std::fprintf(stderr, "trees: %s allocates memory in a call\n", craft.name);
     return false;
   }

@@ -1,4 +1,5 @@
-#include "allocations.hpp"
+#ifndef VECTRIX_SANITIZED
+#include "testing/allocations.hpp"
 
 #include <atomic>
 #include <cerrno>
@@ -35,6 +36,10 @@ void* aligned_alloc(std::size_t alignment, std::size_t size) noexcept {
   ++count;
   return __libc_memalign(alignment, size);
 }
+void* memalign(std::size_t alignment, std::size_t size) noexcept {
+  ++count;
+  return __libc_memalign(alignment, size);
+}
 int posix_memalign(void** memory, std::size_t alignment, std::size_t size) noexcept {
   ++count;
   *memory = __libc_memalign(alignment, size);
@@ -43,6 +48,7 @@ int posix_memalign(void** memory, std::size_t alignment, std::size_t size) noexc
 
 }  // extern "C"
 
-std::size_t bench::allocations() {
+std::size_t vectrix_test::allocations() {
   return count;
 }
+#endif
