@@ -93,10 +93,10 @@ Rows sgp4_rows() {
   constexpr const char* reason =
       "8 and 9 printed decimals; their epoch is one double, good to 2e-5 s, which sets a deep orbit's "
       "resonance off";
-  return {{"Orbits", "SGP4, eleven sets of AIAA 2006-6753, 266 states", "position", 1e-6, "km", reason,
-           place.value()},
-          {"Orbits", "SGP4, eleven sets of AIAA 2006-6753, 266 states", "velocity", 1e-9, "km/s", reason,
-           speed.value()}};
+  const std::string states = "SGP4, " + std::to_string(orbits.size()) + " sets of AIAA 2006-6753, " +
+                             std::to_string(table.rows()) + " states";
+  return {{"Orbits", states, "position", 1e-6, "km", reason, place.value()},
+          {"Orbits", states, "velocity", 1e-9, "km/s", reason, speed.value()}};
 }
 
 Rows element_rows() {

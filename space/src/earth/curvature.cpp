@@ -2,15 +2,13 @@
 
 #include <vectrix/space/earth/ellipsoid.hpp>
 
+#include "ellipsoid_normal.hpp"
 #include "require_geodetic.hpp"
 
 namespace vectrix::wgs84 {
 namespace {
 
-constexpr double equatorial_axis = semi_major_axis.value(),
-                 eccentricity_squared = flattening * (2.0 - flattening);
-
-using detail::Caller;
+using detail::Caller, detail::eccentricity_squared, detail::equatorial_axis;
 
 double checked_azimuth(const Caller& name, const Quantity<si::angle>& azimuth) {
   if (!std::isfinite(azimuth.value())) {

@@ -12,7 +12,7 @@
 namespace vectrix::wgs84 {
 namespace {
 
-constexpr double equatorial_radius = semi_major_axis.value();
+using detail::equatorial_axis, detail::polar_axis;
 
 // Tolerance for the rounding of |u|^2 of a point on the surface: 1.5e-12 of the semi-major axis is 10
 // micrometres.
@@ -20,8 +20,7 @@ constexpr double surface_tolerance = 3e-12;
 
 // Maps the ellipsoid to the unit sphere.
 Eigen::Vector3d scaled(const Eigen::Vector3d& r) {
-  return {r.x() / equatorial_radius, r.y() / equatorial_radius,
-          r.z() / (equatorial_radius * (1.0 - flattening))};
+  return {r.x() / equatorial_axis, r.y() / equatorial_axis, r.z() / polar_axis};
 }
 
 using Real = long double;
@@ -47,7 +46,7 @@ struct Normal {
 // (Bowring, Transformation from spatial to geographical coordinates, 1976), from his first value, u of
 // tan u = (z b / (R a)) (1 + e'^2 b / r). Twice: 3e-13 rad after one step, nothing left after two.
 Normal nearest_from_outside(const OnMeridian& at) {
-  constexpr Real a = equatorial_radius, shorter = 1 - Real{flattening}, b = a * shorter,
+  constexpr Real a = equatorial_axis, shorter = 1 - Real{flattening}, b = a * shorter,
                  second_e2 = e2 / (1 - e2);
   Real sine = at.z * shorter * (1 + second_e2 * b / std::sqrt(at.R * at.R + at.z * at.z)), cosine = at.R;
   for (int step = 0; step < 2; ++step) {
@@ -70,7 +69,7 @@ Normal nearest_from_outside(const OnMeridian& at) {
 // cancellation (Karney, Geodesics on an ellipsoid of revolution, 2011, appendix B).
 Normal nearest_from_inside(const OnMeridian& at) {
   const auto [R, z] = at;
-  constexpr Real a = equatorial_radius;
+  constexpr Real a = equatorial_axis;
   constexpr Real e4 = e2 * e2;
   const Real p = (R / a) * (R / a);
   const Real q = (1 - e2) * (z / a) * (z / a);
@@ -103,7 +102,12 @@ Normal nearest(const Eigen::Vector3d& r) {
   return outside ? nearest_from_outside(on_meridian(r)) : nearest_from_inside(on_meridian(r));
 }
 
-void require_not_centre(const detail::Caller& name, const Eigen::Vector3d& r) {
+void require_place(const detail::Caller& name, const Eigen::Vector3d& r) {
+  using detail::text;
+  if (!r.allFinite()) {
+    throw BadInput(name() + "the position (" + text(r.x()) + ", " + text(r.y()) + ", " + text(r.z()) +
+                   ") m is not finite");
+  }
   if (r.isZero(0.0)) throw BadInput(name() + "the centre of the Earth has no latitude");
 }
 
@@ -111,7 +115,7 @@ void require_not_centre(const detail::Caller& name, const Eigen::Vector3d& r) {
 
 Geodetic geodetic(const Vector<earth::Itrf, si::length>& r_itrf) {
   const Eigen::Vector3d r = r_itrf.coordinates();
-  require_not_centre({"wgs84::geodetic"}, r);
+  require_place({"wgs84::geodetic"}, r);
   const double longitude = std::atan2(r.y() + 0.0, r.x() + 0.0);  // -0 becomes 0: longitude pi, not -pi
   const Normal normal = nearest(r);
   const double latitude = std::atan2(static_cast<double>(normal.sine), static_cast<double>(normal.cosine));
@@ -158,7 +162,7 @@ std::optional<Vector<earth::Itrf, si::length>> first_intersection(
 namespace vectrix::detail {
 
 EllipsoidNormal normal_at(const Caller& name, const Eigen::Vector3d& r) {
-  wgs84::require_not_centre(name, r);
+  wgs84::require_place(name, r);
   const auto [cosine, sine, height] = wgs84::nearest(r);
   const double from_axis = std::hypot(r.x(), r.y());
   const Eigen::Vector2d outward =

@@ -7,6 +7,8 @@
 
 #include <vectrix/space/earth/earth_orientation.hpp>
 
+#include "../time/date.hpp"
+
 namespace vectrix::detail {
 
 using Rows = double[3][3];  // as ERFA has a matrix
@@ -32,15 +34,17 @@ inline JulianDate<scale::Ut1> ut1_date(const Epoch& epoch, const Quantity<si::ti
   return epoch.julian_date(scale::Ut1::minus_tai(ut1_minus_tai));
 }
 
-/// Throws BadInput if a parameter is not finite, or the pole farther from where it is expected than a
-/// hundred times what has been observed, 0.6 arcsec: in other units it would be.
+/// A hundred times what has been observed of x, y, dX and dY: in other units they would be more.
+constexpr double largest_pole_offset = 60.0;  // arcsec
+
+/// Throws BadInput if a parameter is not finite, or the pole farther off than that.
 inline void require_observed(const Epoch& epoch, const EarthOrientationParameters& p) {
   const auto fail = [&](const char* name, double value, const char* unit) {
-    throw BadInput("Earth orientation at " + epoch.utc() + " UTC: " + name + " is " + text(value) + unit);
+    throw BadInput("Earth orientation at " + shown(epoch) + ": " + name + " is " + text(value) + unit);
   };
-  constexpr double largest = 3e-4;
   const auto angle = [&](const char* name, const Quantity<si::angle>& value) {
-    if (!(std::abs(value.value()) <= largest)) fail(name, value.value(), " rad; it must be within 3e-4 rad");
+    if (!(std::abs(value.value()) <= largest_pole_offset * ERFA_DAS2R))
+      fail(name, value.value(), " rad; it must be within 60 arcsec");
   };
   const auto rate = [&](const char* name, const Quantity<si::angular_velocity>& value) {
     if (!std::isfinite(value.value())) fail(name, value.value(), " rad/s");

@@ -1,4 +1,5 @@
 #include "finals2000a.hpp"
+#include "erfa_rotation.hpp"
 
 #include <erfa.h>
 #include <array>
@@ -100,14 +101,15 @@ class Finals2000AReader {
       line_ = incomplete_line_;
       fail(*incomplete_field_, "the field is blank, but a complete row follows");
     } else {
-      require_observed(found);
+      require_possible(found);
       add(static_cast<int>(*day), found);
     }
   }
 
   // 999.99 stands for a missing value in many a series.
-  void require_observed(const std::array<double, parameter_fields.size()>& found) const {
-    constexpr std::array largest{60.0, 60.0, 1.0, 60e3, 60e3};
+  void require_possible(const std::array<double, parameter_fields.size()>& found) const {
+    constexpr double offset = largest_pole_offset;
+    constexpr std::array largest{offset, offset, 1.0, 1e3 * offset, 1e3 * offset};
     constexpr std::array units{"arcsec", "arcsec", "s", "milliarcsec", "milliarcsec"};
     for (std::size_t i = 0; i < found.size(); ++i) {
       if (std::abs(found[i]) > largest[i]) {
@@ -193,7 +195,7 @@ std::pair<std::vector<Epoch>, std::vector<EarthOrientationParameters>> read_fina
   const auto content = read_lines(file);
   if (!content) reader.fail("cannot be read");
   for (const std::string& line : content->lines) reader.row(line);
-  if (!content->whole) reader.fail("the file stops within this line; it was truncated");
+  if (!content->whole) reader.fail(truncated);
   return reader.result();
 }
 

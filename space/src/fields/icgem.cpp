@@ -45,7 +45,7 @@ class IcgemReader {
       }
     }
     if (in_head) fail("there is no end_of_head");
-    if (!content->whole) fail("the file stops within this line; it was truncated");
+    if (!content->whole) fail(truncated);
     return {*mu_, *radius_, all_coefficients()};
   }
 

@@ -47,8 +47,7 @@ CsvTable CsvTable::read(const std::filesystem::path& file,
   if (table.header_line_ == 0)
     throw CsvError("table " + file.string() + ": is empty, not even a header line");
   if (!content->whole) {
-    table.fail(line_number, split(content->lines.back()).size() - 1,
-               "the file stops within this line; it was truncated");
+    table.fail(line_number, split(content->lines.back()).size() - 1, detail::truncated);
   }
   return table;
 }

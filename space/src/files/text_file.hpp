@@ -15,6 +15,9 @@ struct TextFile {
   bool whole = true;
 };
 
+/// What a reader says of a file that is not whole: a number may have been cut.
+inline constexpr const char* truncated = "the file stops within this line; it was truncated";
+
 /// The lines of a text.
 TextFile lines_of(std::string_view text);
 /// The lines of a file. Nothing if it cannot be read.

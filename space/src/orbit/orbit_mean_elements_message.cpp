@@ -238,8 +238,7 @@ std::vector<OrbitMeanElementsMessage> OrbitMeanElementsMessage::read(const std::
   const auto content = detail::read_lines(file);
   if (!content) throw BadInput(place + ": cannot be read");
   if (!content->whole)
-    throw BadInput(place + ", line " + detail::text(content->lines.size()) +
-                   ": the file stops within this line; it was truncated");
+    throw BadInput(place + ", line " + detail::text(content->lines.size()) + ": " + detail::truncated);
   return messages(place, content->lines);
 }
 

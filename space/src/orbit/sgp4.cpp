@@ -8,6 +8,7 @@
 #include <optional>
 #include <sstream>
 
+#include "../earth/turn.hpp"
 #include "sgp4_deep_space.hpp"
 #include "sgp4_elements.hpp"
 
@@ -245,11 +246,6 @@ void require(bool good, const std::string& name, const char* what, double value,
   if (!good) throw BadInput(name + "the " + what + " of the elements is " + text(value) + range);
 }
 
-double from_zero(double angle) {
-  const double rest = std::fmod(angle, 2.0 * std::numbers::pi);
-  return rest < 0.0 ? rest + 2.0 * std::numbers::pi : rest;
-}
-
 Elements checked(const std::string& name, const MeanElements& x) {
   const double n = 60.0 * x.mean_motion.value(), e = x.eccentricity, i = x.inclination.value();
   require(n > 0.0 && std::isfinite(n), name, "mean motion", n / 60.0, " rad/s; it must be positive");
@@ -268,9 +264,12 @@ Elements checked(const std::string& name, const MeanElements& x) {
     require(false, name, "mean motion", n / 60.0, (orbit() + "the orbit is inside the Earth").c_str());
   if (!(kilometres <= largest_orbit))
     require(false, name, "mean motion", n / 60.0, (orbit() + "the Earth holds no satellite there").c_str());
-  return {
-      brouwer_mean_motion(n, e, i), e, i, from_zero(x.ascending_node.value()), x.argument_of_perigee.value(),
-      x.mean_anomaly.value()};
+  return {brouwer_mean_motion(n, e, i),
+          e,
+          i,
+          in_one_turn(std::remainder(x.ascending_node.value(), 2.0 * std::numbers::pi)),
+          x.argument_of_perigee.value(),
+          x.mean_anomaly.value()};
 }
 
 Sgp4Theory theory_of(const Elements& x, const MeanElements& elements) {

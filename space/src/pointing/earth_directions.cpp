@@ -13,8 +13,6 @@ namespace {
 
 using Eigen::Matrix3d, Eigen::Vector3d;
 
-constexpr double equatorial_axis = wgs84::semi_major_axis.value();
-constexpr double polar_axis = equatorial_axis * (1.0 - wgs84::flattening);
 constexpr double nearly_on_evolute = 1.0;  // m; the normal turns by v over the distance from it
 
 Varying operator*(const Varying& f, const Varying& g) {

@@ -124,8 +124,8 @@ std::vector<LeapSecond> read_leap_seconds(const std::filesystem::path& file) {
     table.push_back(row);
   }
   if (!content->whole)
-    throw BadInput("leap seconds " + file.string() + ", line " + text(line_number) +
-                   ": the file stops within this line");
+    throw BadInput("leap seconds " + file.string() + ", line " + text(line_number) + ": " +
+                   detail::truncated);
   return table;
 }
 

@@ -107,6 +107,19 @@ TEST(Sgp4, WholeTurnsChangeNothing) {
   }
 }
 
+// A node too little below zero to differ from it is zero, not a whole turn.
+TEST(Sgp4, ANodeJustBelowZeroIsZero) {
+  MeanElements zero = elements_of(23599), below = zero;  // deep space, near the equator
+  zero.ascending_node = 0.0 * si::radian;
+  below.ascending_node = -1e-17 * si::radian;
+  for (const double t : {0.0, 1.0, 500.0}) {
+    const auto r = [&](const MeanElements& x) -> Vector3d {
+      return Orbit(x, ten_days).at(after(x, t)).position.coordinates();
+    };
+    EXPECT_EQ(r(below), r(zero)) << t;
+  }
+}
+
 // The state of the resonance is local to a call.
 TEST(Sgp4, DependsOnTheEpochAlone) {
   std::mt19937_64 random(20270203);

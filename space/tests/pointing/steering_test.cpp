@@ -16,8 +16,6 @@
 #include <vectrix/space/time/epoch.hpp>
 
 #include "temporary_file.hpp"
-
-#include "temporary_file.hpp"
 #include "testing/motions.hpp"
 
 namespace vectrix::steering_test {

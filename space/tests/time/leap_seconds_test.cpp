@@ -81,7 +81,7 @@ TEST_F(LeapSeconds, FromTheFileOfTheIers) {
   EXPECT_EQ(refusal("    41317.0    1  1 1972       10  s\n"),
             "leap seconds FILE, line 2, column 34: five numbers are expected");
   EXPECT_EQ(refusal("    41317.0    1  1 1972       10"),
-            "leap seconds FILE, line 2: the file stops within this line");
+            "leap seconds FILE, line 2: the file stops within this line; it was truncated");
   EXPECT_EQ(complaint([] { (void)read_leap_seconds("/nowhere/at/all"); }),
             "leap seconds /nowhere/at/all: cannot be read");
 }

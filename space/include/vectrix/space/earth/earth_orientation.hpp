@@ -35,7 +35,8 @@ struct SubdailyTides {};
 inline constexpr SubdailyTides subdaily_tides{};
 
 /// The observed parameters of the Earth's orientation at an instant (IERS Conventions 2010, chapter 5), and
-/// their derivatives by TAI.
+/// their derivatives by TAI. The functions that take them throw BadInput for one that is not finite, and for
+/// a pole or an offset of more than 60 arcsec: a hundred times what has been observed.
 struct EarthOrientationParameters {
   Quantity<si::angle> pole_x, pole_y;    ///< polar motion
   Quantity<si::time> ut1_minus_tai;      ///< UT1-UTC minus the leap seconds, so that it has no jumps

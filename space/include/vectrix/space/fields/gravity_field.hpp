@@ -19,7 +19,8 @@ class VECTRIX_EXPORT GravityField {
   static GravityField egm2008(int degree = 20);
   /// From a file in the format of the International Centre for Global Earth Models (*.gfc), up to the given
   /// degree. Throws BadInput with file, line and reason if it is not the gravity field of a fully normalized
-  /// model, depends on time, ends at a lower degree, lacks a coefficient or has one twice.
+  /// model of the Earth, in m^3/s^2 and m, depends on time, ends at a lower degree, lacks a coefficient or a
+  /// word of its head, or has one twice.
   static GravityField read(const std::filesystem::path& gfc, int degree);
 
   [[nodiscard]] int degree() const;

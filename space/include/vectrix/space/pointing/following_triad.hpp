@@ -58,7 +58,7 @@ void require_plane(double least, const Column<S>& u, const Column<S>& v, const W
   if (!(all(n2 > number<S>(sine * sine) * (u2 * v2)) && all(n2 - n2 == S(0)))) [[unlikely]] {
     using std::sqrt;
     throw BadInput(what(text(S(sqrt(u2))), text(S(sqrt(v2)))) + ", and the sine of the angle between them " +
-                   text(S(sqrt(n2) / (sqrt(u2) * sqrt(v2)))) + "; " + reason);
+                   text(sine_between<S>(u, v)) + "; " + reason);
   }
 }
 

@@ -1,0 +1,170 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <iomanip>
+#include <sstream>
+
+#include <vectrix/frames/scalar/larger.hpp>
+#include <vectrix/space/earth/earth_orientation.hpp>
+
+#include "temporary_file.hpp"
+
+// The file of the Earth's orientation: what is read of it, and what is refused.
+namespace vectrix::finals2000a_test {
+namespace {
+
+const std::filesystem::path source{VECTRIX_SOURCE_DIR};
+const auto april_2022 = source / "examples/data/finals2000A_april_2022.txt";
+constexpr double arcsecond = 4.84813681109536e-6;  // rad
+
+// Its columns are the same, but its nutation is dPsi, dEps from IAU 1980: 3 m at the surface in 2022.
+TEST(Finals2000AFile, OfAnotherModelIsRefused) {
+  const std::filesystem::path data = source / "space/tests/data";
+  const auto in_2022 = complaint([&] { EarthOrientation::read(data / "finals_all_2022.txt"); });
+  EXPECT_NE(in_2022.find("columns 98-106 (dX): -105.062 and -9.348 milliarcseconds are offsets of the pole "
+                         "from IAU 1980"),
+            std::string::npos)
+      << in_2022;
+  EXPECT_NE(in_2022.find("line 3: "), std::string::npos) << in_2022;
+  EXPECT_NE(in_2022.find("read finals2000A"), std::string::npos) << in_2022;
+  const auto in_1973 = complaint([&] { EarthOrientation::read(data / "finals_all_1973.txt"); });
+  EXPECT_NE(in_1973.find("milliarcseconds are offsets of the pole from IAU 1980"), std::string::npos)
+      << in_1973;
+}
+
+class Finals2000A : public ::testing::Test {
+ protected:
+  Finals2000A() {
+    std::ifstream in(april_2022);
+    for (std::string line; std::getline(in, line);) {
+      if (!line.starts_with('#')) lines.push_back(line);
+    }
+  }
+
+  // Overwrites columns of a line; both are counted from 1.
+  void write(std::size_t line, std::size_t column, const std::string& text) {
+    lines[line - 1].replace(column - 1, text.size(), text);
+  }
+
+  [[nodiscard]] std::string content() const {
+    std::ostringstream out;
+    for (const auto& line : lines) out << line << '\n';
+    return out.str();
+  }
+
+  [[nodiscard]] std::string refusal() const { return refusal(content()); }
+  [[nodiscard]] static std::string refusal(const std::string& content) {
+    const TemporaryFile file(content);
+    return complaint([&] { EarthOrientation::read(file.path()); }, file.path());
+  }
+
+  std::vector<std::string> lines;
+};
+
+TEST_F(Finals2000A, ANumberThatStandsForNoneIsRefused) {
+  write(3, 19, "999.99000");
+  EXPECT_EQ(refusal(),
+            "Earth orientation FILE, line 3: columns 19-27 (x): 999.99 arcsec is more than 60 arcsec");
+}
+
+// Rows on a cubic, to the microarcsecond of the file, give the cubic, also in the first day and the last.
+TEST_F(Finals2000A, RowsOnACubicGiveTheCubic) {
+  const auto pole = [](double day) { return 0.05 + day * (0.02 + day * (-0.005 + day * 0.0008)); };
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    std::ostringstream field;
+    field << std::fixed << std::setprecision(6) << std::setw(9) << pole(static_cast<double>(i));
+    write(i + 1, 19, field.str());
+  }
+  const TemporaryFile file(content());
+  const auto orientation = EarthOrientation::read(file.path());
+  constexpr double written =
+      2e-6 * arcsecond;  // half a unit of the last digit, and what the spline makes of it
+  for (const double day : {0.02, 0.5, 0.9, 2.5, 5.1, 5.5, 5.98}) {
+    const auto p = orientation.parameters(orientation.first() + 86400.0 * day * si::second);
+    EXPECT_NEAR(p.pole_x.value(), pole(day) * arcsecond, written) << day;
+  }
+}
+
+// Cardinal splines: -0.136 of the change in the interval after the next row. Here the end of the rows is
+// near.
+TEST_F(Finals2000A, ARowActsLittleBeyondTheNextOne) {
+  const auto read = [&] {
+    const TemporaryFile file(content());
+    return EarthOrientation::read(file.path());
+  };
+  const auto before = read();
+  write(4, 19, " 0.066532");  // 0.010000 more
+  const auto after = read();
+  double most = 0.0;
+  for (double day = 4.0; day <= 5.0; day += 0.02) {
+    const auto t = before.first() + 86400.0 * day * si::second;
+    const auto changed = (after.parameters(t).pole_x - before.parameters(t).pole_x).value();
+    most = vectrix::detail::larger(most, std::abs(changed) / (0.01 * arcsecond));
+  }
+  EXPECT_LE(most, 0.17);
+  EXPECT_GE(most, 0.13);
+}
+
+TEST_F(Finals2000A, EndsWithTheLastCompleteRow) {
+  write(6, 98, "         ");
+  lines[6].resize(16);
+  const TemporaryFile file(content());
+  EXPECT_EQ(EarthOrientation::read(file.path()).last().utc(0), "2022-04-15T00:00:00");
+}
+
+TEST_F(Finals2000A, RefusesABlankFieldBeforeACompleteRow) {
+  write(3, 98, "         ");
+  EXPECT_EQ(refusal(),
+            "Earth orientation FILE, line 3: columns 98-106 (dX): the field is blank, but a complete row "
+            "follows");
+}
+
+TEST_F(Finals2000A, RefusesWhatIsNotANumber) {
+  write(2, 59, "-0.09x5844");
+  EXPECT_EQ(refusal(),
+            "Earth orientation FILE, line 2: columns 59-68 (UT1-UTC): '-0.09x5844' is not a number");
+  write(1, 19, "      nan");
+  EXPECT_EQ(refusal(), "Earth orientation FILE, line 1: columns 19-27 (x): 'nan' is not a finite number");
+  write(1, 8, "59680.50");
+  EXPECT_EQ(refusal(), "Earth orientation FILE, line 1: columns 8-15 (MJD): 59680.5 is not a whole day");
+  write(1, 8, "        ");
+  EXPECT_EQ(refusal(), "Earth orientation FILE, line 1: columns 8-15 (MJD): the field is blank");
+}
+
+TEST_F(Finals2000A, RefusesRowsThatAreNotADayApart) {
+  lines.erase(lines.begin() + 3);
+  EXPECT_EQ(refusal(),
+            "Earth orientation FILE, line 4: columns 8-15 (MJD): the day 59684 follows 59682; rows must be a "
+            "day apart");
+  std::swap(lines[0], lines[1]);
+  EXPECT_EQ(refusal(),
+            "Earth orientation FILE, line 2: columns 8-15 (MJD): the day 59680 follows 59681; rows must be a "
+            "day apart");
+}
+
+TEST_F(Finals2000A, RefusesALeapSecondThatErfaDoesNotKnow) {
+  write(5, 59, " 0.9030981");
+  EXPECT_EQ(refusal().substr(0, 86),
+            "Earth orientation FILE, line 5: columns 59-68 (UT1-UTC): UT1-TAI changes by 0.99965970");
+}
+
+TEST_F(Finals2000A, RefusesFilesWithoutRows) {
+  EXPECT_EQ(complaint([] { EarthOrientation::read("/nowhere/finals"); }),
+            "Earth orientation /nowhere/finals: cannot be read");
+  EXPECT_EQ(refusal(""), "Earth orientation FILE: 0 complete rows; there must be four");
+  EXPECT_EQ(refusal(lines[0] + "\n"), "Earth orientation FILE: 1 complete rows; there must be four");
+  write(2, 38, "         ");
+  EXPECT_EQ(refusal(lines[0] + "\n" + lines[1] + "\n"),
+            "Earth orientation FILE, line 2: columns 38-46 (y): the field is blank after 1 complete rows; "
+            "there must be four");
+}
+
+TEST_F(Finals2000A, RefusesATruncatedFile) {
+  const std::string whole = content();
+  EXPECT_EQ(refusal(whole.substr(0, whole.size() - 100)),
+            "Earth orientation FILE, line 7: the file stops within this line; it was truncated");
+}
+
+}  // namespace
+}  // namespace vectrix::finals2000a_test
