@@ -6,7 +6,7 @@
 #include "testing/attitudes.hpp"
 
 /// A craft of five kinds of joints, with names, and a state of it.
-namespace vectrix_test {
+namespace vectrix_test::named_five {
 
 using namespace vectrix;
 using Eigen::Matrix3d, Eigen::Vector3d;
@@ -61,4 +61,4 @@ inline NamedState state_of_five(const NamedSpacecraft& craft, const Matrix3d& R)
   return craft.state(at_origin(craft.inertial(), craft.hub(), R, {7e6, 0.0, 0.0}), starts_of_five(craft, R));
 }
 
-}  // namespace vectrix_test
+}  // namespace vectrix_test::named_five

@@ -7,6 +7,9 @@
 namespace vectrix_test::named_run_test {
 namespace {
 
+using namespace vectrix;
+using namespace named_five;
+
 const CraftTolerances tight{1e-12 * rad, 1e-12 * rad_s, 1e-12 * si::metre, 1e-12 * m_s, 1e-12};
 
 TEST(NamedRun, KeepsMomentumOverARun) {

@@ -12,6 +12,7 @@ namespace vectrix_test::named_spacecraft_test {
 namespace {
 
 using namespace vectrix;
+using namespace named_five;
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 

@@ -6,11 +6,10 @@
 #include "craft/random_spacecraft.hpp"
 
 // Runs of a typed spacecraft: what the laws keep, a load that jumps, springs and dampers.
-namespace vectrix_test::spacecraft_run_test {
+namespace vectrix_test::spacecraft_test {
 namespace {
 
 using namespace vectrix;
-using namespace spacecraft_test;
 
 CraftPropagation until(const Quantity<si::time>& end, double tolerance) {
   return {.end = end,
@@ -87,4 +86,4 @@ TEST(SpacecraftRun, ASpringAndADamperAreEfforts) {
 }
 
 }  // namespace
-}  // namespace vectrix_test::spacecraft_run_test
+}  // namespace vectrix_test::spacecraft_test

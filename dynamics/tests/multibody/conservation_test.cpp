@@ -85,14 +85,15 @@ TEST(Conservation, MomentumChangesByTheForcesAndEnergyByTheirPower) {
     auto j = along.work();
     along.place(z.data(), j);
     const auto kept = along.conserved(z.data(), plain_column<Dual>(about), j);
-    double scale = 1.0 + std::abs(now.energy) + std::abs(power) + torque.norm();
+    const double size = 1.0 + std::abs(now.energy) + std::abs(power) + torque.norm();
+    double scale = size;
     for (const double rate : ydot)
       scale = std::max(scale, std::abs(rate));  // the terms that cancel each other
     EXPECT_NEAR(kept.energy.derivatives()[0], power, instant_tolerance * scale) << "of " << scale;
     EXPECT_LE((rate_of(kept.momentum) - force).norm(), instant_tolerance * scale);
     EXPECT_LE((rate_of(kept.angular_momentum) - torque).norm(), instant_tolerance * scale);
     if (!free) {
-      EXPECT_LE(eigen(now.momentum).norm(), instant_tolerance * scale);
+      EXPECT_LE(eigen(now.momentum).norm(), instant_tolerance * size);
     }
   }
 }

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <cmath>
+#include <numbers>
 #include <random>
+#include <utility>
 #include <vector>
 #include <vectrix/kinematics.hpp>
 
@@ -54,5 +57,23 @@ class ChiSquare {
  private:
   double freedom_, sum_ = 0.0, count_ = 0.0;
 };
+
+/// Directions at least this far from parallel: a rounding changes the attitude by less than rounding / sine
+/// of this angle.
+inline constexpr double least_sine = 0.1;
+inline constexpr double solved = 64 * epsilon / (least_sine * least_sine);
+
+/// Two directions that are not nearly parallel.
+inline std::pair<Eigen::Vector3d, Eigen::Vector3d> two_directions() {
+  const Eigen::Matrix3d axes = *rotation_matrix();
+  const double least = std::asin(least_sine), most = std::numbers::pi - least;
+  const double angle = least + (most - least) * (1 + *coordinate()) / 2;
+  return {axes.col(0), 2 * (std::cos(angle) * axes.col(0) + std::sin(angle) * axes.col(1))};
+}
+
+inline vectrix::Observation<Body, Gcrf> seen(const vectrix::Dcm<Body, Gcrf>& R, const Eigen::Vector3d& r,
+                                             double sigma = 0.01) {
+  return observation(R * reference(r), reference(r), rad(sigma));
+}
 
 }  // namespace vectrix_test
