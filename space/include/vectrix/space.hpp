@@ -22,6 +22,7 @@
 #include <vectrix/space/orbit/modified_equinoctial.hpp>
 #include <vectrix/space/orbit/orbit_frames.hpp>
 #include <vectrix/space/orbit/orbit_mean_elements_message.hpp>
+#include <vectrix/space/orbit/perifocal.hpp>
 #include <vectrix/space/orbit/sgp4.hpp>
 #include <vectrix/space/orbit/two_body.hpp>
 #include <vectrix/space/orbit/two_line_elements.hpp>

@@ -51,14 +51,22 @@ KeplerianNumbers keplerian_of(const Caller& name, double mu, const OrbitNumbers&
           nu};
 }
 
-OrbitNumbers orbit_of_keplerian(const Caller& name, double mu, const KeplerianNumbers& x) {
-  const double e = x.eccentricity, c = std::cos(x.true_anomaly), s = std::sin(x.true_anomaly);
+Eigen::Matrix3d perifocal_axes(const KeplerianNumbers& x) {
   const double cos_node = std::cos(x.ascending_node), sin_node = std::sin(x.ascending_node);
   const double cos_i = std::cos(x.inclination), sin_i = std::sin(x.inclination);
   const double cos_w = std::cos(x.argument_of_periapsis), sin_w = std::sin(x.argument_of_periapsis);
   const Eigen::Vector3d n(cos_node, sin_node, 0.0), m(-sin_node * cos_i, cos_node * cos_i, sin_i);
+  Eigen::Matrix3d axes;
+  axes << cos_w * n + sin_w * m, cos_w * m - sin_w * n,
+      Eigen::Vector3d(sin_node * sin_i, -cos_node * sin_i, cos_i);
+  return axes;
+}
+
+OrbitNumbers orbit_of_keplerian(const Caller& name, double mu, const KeplerianNumbers& x) {
+  const double e = x.eccentricity, c = std::cos(x.true_anomaly), s = std::sin(x.true_anomaly);
+  const Eigen::Matrix3d axes = perifocal_axes(x);
   return in_space(name, mu, x.semi_latus_rectum, {x.semi_latus_rectum / (1.0 + e * c), c, s, -s, e + c},
-                  cos_w * n + sin_w * m, cos_w * m - sin_w * n);
+                  axes.col(0), axes.col(1));
 }
 
 }  // namespace detail

@@ -57,6 +57,36 @@ auto axes(const PointMotion<Gcrf, Ship, Gcrf>& motion) {
 }
 }  // namespace orbit_frame_said_to_be_inertial
 
+namespace perifocal_frame_without_attraction {
+// mistake: the perifocal frame of a motion, without the attraction that makes a conic of it
+// expect: FromFrame = (vectrix::)?From<Lvlh>
+// expect: PointMotion<Gcrf, Ship
+auto axes(const PointMotion<Gcrf, Ship, Gcrf>& motion, const Quantity<si::gravitational_parameter>& mu) {
+#ifdef REPAIRED
+  return perifocal(from<Lvlh>, mu, motion);
+#else
+  static_cast<void>(mu);
+  return perifocal(from<Lvlh>, motion);
+#endif
+}
+}  // namespace perifocal_frame_without_attraction
+
+namespace perifocal_frame_of_velocity_observed_from_the_earth {
+// mistake: the perifocal frame of the velocity relative to the rotating Earth
+// expect: PointMotion<Gcrf, Ship, Itrf
+// expect: of one inertial a
+auto axes(const Quantity<si::gravitational_parameter>& mu,
+          const PointMotion<Gcrf, Ship, Itrf>& seen_from_earth, const PointMotion<Gcrf, Ship, Gcrf>& motion) {
+#ifdef REPAIRED
+  static_cast<void>(seen_from_earth);
+  return perifocal(from<Lvlh>, mu, motion);
+#else
+  static_cast<void>(motion);
+  return perifocal(from<Lvlh>, mu, seen_from_earth);
+#endif
+}
+}  // namespace perifocal_frame_of_velocity_observed_from_the_earth
+
 namespace orbit_frame_of_a_jerk_observed_from_elsewhere {
 // mistake: the derivative of the acceleration taken by an observer on the rotating Earth
 // expect: Derivative<Itrf, Gcrf

@@ -14,6 +14,8 @@ VECTRIX_EXPORT KeplerianNumbers checked_keplerian(const Caller& name, const Kepl
 VECTRIX_EXPORT KeplerianNumbers keplerian_of(const Caller& name, double mu, const OrbitNumbers& orbit);
 VECTRIX_EXPORT OrbitNumbers orbit_of_keplerian(const Caller& name, double mu,
                                                const KeplerianNumbers& elements);
+/// Columns: to periapsis, a quarter of a turn ahead, normal to the orbit.
+VECTRIX_EXPORT Eigen::Matrix3d perifocal_axes(const KeplerianNumbers& elements);
 
 }  // namespace detail
 

@@ -2,6 +2,8 @@
 
 #include <array>
 #include <string>
+#include <type_traits>
+#include <utility>
 #include <vectrix/kinematics/points/acceleration.hpp>
 #include <vectrix/kinematics/points/derivative.hpp>
 #include <vectrix/kinematics/points/point_motion.hpp>
@@ -98,46 +100,60 @@ template <class Axes, class S, std::size_t N> FollowingTriad<S, N - 1> orbit_tri
   return {p, normal_of(r)};
 }
 
+/// Position, velocity, and if given acceleration and jerk of q relative to p, observed from the inertial a,
+/// in a.
+template <class P, class Q, InertialFrame A, class S, std::size_t N> struct OrbitPath { Jet<S, N> r; };
+template <class P, class Q, class A, class S>
+OrbitPath<P, Q, A, S, 2> orbit_path(const Displacement<P, Q, In<A>, S>& r_pq_a,
+                                    const Velocity<P, Q, ObservedFrom<A>, In<A>, S>& v_pq_a_a) {
+  return {{r_pq_a.coordinates(), v_pq_a_a.coordinates()}};
+}
+template <class P, class Q, class A, class S>
+OrbitPath<P, Q, A, S, 3> orbit_path(const Displacement<P, Q, In<A>, S>& r_pq_a,
+                                    const Velocity<P, Q, ObservedFrom<A>, In<A>, S>& v_pq_a_a,
+                                    const Acceleration<P, Q, ObservedFrom<A>, In<A>, S>& a_pq_a_a) {
+  return {{r_pq_a.coordinates(), v_pq_a_a.coordinates(), a_pq_a_a.coordinates()}};
+}
+template <class P, class Q, class A, class S>
+OrbitPath<P, Q, A, S, 4> orbit_path(const Displacement<P, Q, In<A>, S>& r_pq_a,
+                                    const Velocity<P, Q, ObservedFrom<A>, In<A>, S>& v_pq_a_a,
+                                    const Acceleration<P, Q, ObservedFrom<A>, In<A>, S>& a_pq_a_a,
+                                    const Derivative<A, A, si::acceleration, S>& jerk_a_a) {
+  return {{r_pq_a.coordinates(), v_pq_a_a.coordinates(), a_pq_a_a.coordinates(),
+           jerk_a_a.vector().coordinates()}};
+}
+template <class P, class Q, class A, class S, class... Derivatives>
+auto orbit_path(const PointMotion<P, Q, A, S>& motion, const Derivatives&... derivatives)
+    -> decltype(orbit_path(motion.position, motion.velocity, derivatives...)) {
+  return orbit_path(motion.position, motion.velocity, derivatives...);
+}
+
 // What is given decides what is known: (r, v) gives R, (r, v, a) also w, (r, v, a, da/dt|_a) also alpha.
-template <class Axes, Frame B, class P, class Q, InertialFrame A, class S>
-Dcm<A, B, S> following(const Displacement<P, Q, In<A>, S>& r_pq_a,
-                       const Velocity<P, Q, ObservedFrom<A>, In<A>, S>& v_pq_a_a) {
-  const Jet<S, 2> path{r_pq_a.coordinates(), v_pq_a_a.coordinates()};
-  require_orbital_plane<Axes, B, P, Q>(path[0], path[1]);
-  return {trusted, reordered_axes<Axes>(orbit_triad<Axes>(path).axes)};
+template <class Axes, Frame A, Frame B, class S, std::size_t N>
+auto frame_of(const FollowingTriad<S, N>& triad) {
+  const Dcm<A, B, S> R{trusted, reordered_axes<Axes>(triad.axes)};
+  if constexpr (N == 1) {
+    return R;
+  } else {
+    const AngularVelocity<A, B, In<B>, S> w{trusted, reordered<Axes>(triad.w)};
+    if constexpr (N == 2) {
+      return MovingDcm<A, B, S>{R, w};
+    } else {
+      return AcceleratingDcm<A, B, S>{
+          R, w, AngularAcceleration<A, B, In<B>, S>{trusted, reordered<Axes>(triad.alpha)}};
+    }
+  }
 }
-template <class Axes, Frame B, class P, class Q, InertialFrame A, class S>
-MovingDcm<A, B, S> following(const Displacement<P, Q, In<A>, S>& r_pq_a,
-                             const Velocity<P, Q, ObservedFrom<A>, In<A>, S>& v_pq_a_a,
-                             const Acceleration<P, Q, ObservedFrom<A>, In<A>, S>& a_pq_a_a) {
-  const Jet<S, 3> path{r_pq_a.coordinates(), v_pq_a_a.coordinates(), a_pq_a_a.coordinates()};
-  require_orbital_plane<Axes, B, P, Q>(path[0], path[1]);
-  const auto triad = orbit_triad<Axes>(path);
-  return {Dcm<A, B, S>{trusted, reordered_axes<Axes>(triad.axes)},
-          AngularVelocity<A, B, In<B>, S>{trusted, reordered<Axes>(triad.w)}};
-}
-template <class Axes, Frame B, class P, class Q, InertialFrame A, class S>
-AcceleratingDcm<A, B, S> following(const Displacement<P, Q, In<A>, S>& r_pq_a,
-                                   const Velocity<P, Q, ObservedFrom<A>, In<A>, S>& v_pq_a_a,
-                                   const Acceleration<P, Q, ObservedFrom<A>, In<A>, S>& a_pq_a_a,
-                                   const Derivative<A, A, si::acceleration, S>& jerk_a_a) {
-  const Jet<S, 4> path{r_pq_a.coordinates(), v_pq_a_a.coordinates(), a_pq_a_a.coordinates(),
-                       jerk_a_a.vector().coordinates()};
-  require_orbital_plane<Axes, B, P, Q>(path[0], path[1]);
-  const auto triad = orbit_triad<Axes>(path);
-  return {Dcm<A, B, S>{trusted, reordered_axes<Axes>(triad.axes)},
-          AngularVelocity<A, B, In<B>, S>{trusted, reordered<Axes>(triad.w)},
-          AngularAcceleration<A, B, In<B>, S>{trusted, reordered<Axes>(triad.alpha)}};
-}
-template <class Axes, Frame B, class P, class Q, class A, class S, class... Derivatives>
-auto following(const PointMotion<P, Q, A, S>& motion, const Derivatives&... derivatives)
-    -> decltype(following<Axes, B>(motion.position, motion.velocity, derivatives...)) {
-  return following<Axes, B>(motion.position, motion.velocity, derivatives...);
+template <class Axes, Frame B, class P, class Q, class A, class S, std::size_t N>
+auto following(const OrbitPath<P, Q, A, S, N>& path) {
+  require_orbital_plane<Axes, B, P, Q>(path.r[0], path.r[1]);
+  return frame_of<Axes, A, B>(orbit_triad<Axes>(path.r));
 }
 
 template <class Axes, class B, class... Motion>
 using FollowingOf =
-    std::enable_if_t<!InertialFrame<B>, decltype(following<Axes, B>(std::declval<const Motion&>()...))>;
+    std::enable_if_t<!InertialFrame<B>,
+                     decltype(following<Axes, B>(orbit_path(std::declval<const Motion&>()...)))>;
 template <class Axes, class FromFrame, class... Motion> inline constexpr bool follows = false;
 template <class Axes, class B, class... Motion>
   requires requires {
@@ -158,23 +174,23 @@ inline constexpr bool follows<Axes, From<B>, Motion...> = true;
 /// Throws BadInput if distance_from_singularity() is below nearly_rectilinear.
 template <class B, class... Motion>
 detail::FollowingOf<detail::LvlhAxes, B, Motion...> lvlh(From<B>, const Motion&... motion) {
-  return detail::following<detail::LvlhAxes, B>(motion...);
+  return detail::following<detail::LvlhAxes, B>(detail::orbit_path(motion...));
 }
 /// The same with x radial, r; z along r x v; y = z x x, forward: radial, in-track, cross-track. Also called
 /// RSW, RTN or QSW.
 template <class B, class... Motion>
 detail::FollowingOf<detail::RicAxes, B, Motion...> ric(From<B>, const Motion&... motion) {
-  return detail::following<detail::RicAxes, B>(motion...);
+  return detail::following<detail::RicAxes, B>(detail::orbit_path(motion...));
 }
 /// The same with x along v; y along r x v; z = x x y, away from p: velocity, normal, binormal.
 template <class B, class... Motion>
 detail::FollowingOf<detail::VnbAxes, B, Motion...> vnb(From<B>, const Motion&... motion) {
-  return detail::following<detail::VnbAxes, B>(motion...);
+  return detail::following<detail::VnbAxes, B>(detail::orbit_path(motion...));
 }
 /// The same with y along v; z along r x v; x = y x z, away from p: normal, tangential, cross-track.
 template <class B, class... Motion>
 detail::FollowingOf<detail::NtwAxes, B, Motion...> ntw(From<B>, const Motion&... motion) {
-  return detail::following<detail::NtwAxes, B>(motion...);
+  return detail::following<detail::NtwAxes, B>(detail::orbit_path(motion...));
 }
 template <class FromFrame, class... Motion>
   requires(!detail::follows<detail::LvlhAxes, FromFrame, Motion...>)
