@@ -32,6 +32,8 @@ using Clock = std::chrono::steady_clock;
 
 struct Satellite : moving_frame {};
 struct Lvlh : moving_frame {};
+struct Antenna : moving_frame {};
+struct Station : east_north_up_frame {};
 
 constexpr std::size_t inputs = 64;
 
@@ -147,8 +149,8 @@ int run() {
   constexpr auto mu = Quantity<si::gravitational_parameter>::from_value(3.986004418e14);
   for (std::size_t i = 0; i < inputs; ++i) {
     epochs.push_back(start + uniform(0.0, 4.0 * 86400.0) * si::second);
-    places.push_back(wgs84::position(
-        {uniform(-1.5, 1.5) * si::radian, uniform(-3.1, 3.1) * si::radian, uniform(2e5, 1e6) * si::metre}));
+    places.push_back(wgs84::position({GeodeticLatitude(uniform(-1.5, 1.5) * si::radian),
+                                      uniform(-3.1, 3.1) * si::radian, uniform(2e5, 1e6) * si::metre}));
     const Eigen::Vector3d r(uniform(6e6, 7e6), uniform(-3e6, 3e6), uniform(-3e6, 3e6));
     states.push_back(
         point_motion(of<Satellite>, relative_to<Gcrf>, observed_from<Gcrf>, vector<si::length>(in<Gcrf>, r),
@@ -192,6 +194,22 @@ int run() {
                   1.0 / 300.0,
                   nullptr,
                   0.0});
+  rows.push_back(
+      {{"Earth in TEME, R, w and alpha", [&](std::size_t i) { keep(teme_from_itrf(epochs[i], with_tides)); }},
+       {"the same without a span, R and w",
+        [&](std::size_t i) {
+          keep(teme_from_itrf(epochs[i], orientation.parameters(epochs[i], subdaily_tides)));
+        }},
+       0.0,
+       [&] {
+         return largest_over_inputs([&](std::size_t i) {
+           const auto exact = teme_from_itrf(epochs[i], orientation.parameters(epochs[i], subdaily_tides));
+           return (teme_from_itrf(epochs[i], with_tides).rotation.matrix() - exact.rotation.matrix())
+               .cwiseAbs()
+               .maxCoeff();
+         });
+       },
+       5e-12});  // a microarcsecond
 
   const Ephemeris<sky::Sun> sun(span);
   const auto era_sun = [&](std::size_t i) {
@@ -226,20 +244,48 @@ int run() {
                   },
                   1.0});
 
-  const Sgp4<Satellite> orbit(
+  MeanElements elements =
       TwoLineElements::parse("1 25544U 98067A   08264.51782528 -.00002182  00000-0 -11606-4 0  2927",
-                             "2 25544  51.6416 247.4627 0006703 130.5360 325.0288 15.72125391563537"),
-      at_most(convert<si::time>(168.0 * si::hour)));
-  std::vector<Epoch> ages;
-  for (std::size_t i = 0; i < inputs; ++i)
-    ages.push_back(orbit.elements().epoch + uniform(0.0, 5e5) * si::second);
+                             "2 25544  51.6416 247.4627 0006703 130.5360 325.0288 15.72125391563537")
+          .mean_elements();
+  elements.epoch = start;
+  const Sgp4<Satellite> orbit(elements, at_most(convert<si::time>(168.0 * si::hour)));
   const auto planet = [&](std::size_t i) {
     double pv[2][3];
     eraPlan94(tt[i][0], tt[i][1], 3, pv);
     keep(pv);
   };
-  rows.push_back({{"SGP4 near the Earth, r and v", [&](std::size_t i) { keep(orbit.at(ages[i])); }},
+  rows.push_back({{"SGP4 near the Earth, r and v", [&](std::size_t i) { keep(orbit.at(epochs[i])); }},
                   {"eraPlan94, a yardstick", planet},
+                  0.0,
+                  nullptr,
+                  0.0});
+  rows.push_back({{"its acceleration", [&](std::size_t i) { keep(orbit.acceleration(epochs[i])); }},
+                  {"its r and v", [&](std::size_t i) { keep(orbit.at(epochs[i])); }},
+                  0.0,
+                  nullptr,
+                  0.0});
+
+  // From antenna to ground station: SGP4, the Earth with tides, an orbit frame, a mounting and a site.
+  const Geodetic site{GeodeticLatitude(0.7 * si::radian), -1.8 * si::radian, 1650.0 * si::metre};
+  const auto graph = frame_graph(
+      edge([&](const Epoch& t) { return coincident(teme_from_itrf(t, with_tides)); }),
+      edge([&](const Epoch& t) { return parallel(orbit.at(t)); }),
+      rigid_edge(east_north_up(from<Station>, site)),
+      edge([](const Displacement<earth::Teme, Satellite, In<earth::Teme>>& r,
+              const Velocity<earth::Teme, Satellite, ObservedFrom<earth::Teme>, In<earth::Teme>>& v) {
+        return lvlh(from<Lvlh>, r, v);
+      }),
+      rigid_edge(turned_y(to<Antenna>, from<Lvlh>, 0.5 * si::radian)));
+  rows.push_back({{"antenna to ground station, r in the antenna",
+                   [&](std::size_t i) {
+                     keep(graph.at(epochs[i]).position(of<Station>, relative_to<Satellite>, in<Antenna>));
+                   }},
+                  {"its SGP4 and its Earth alone",
+                   [&](std::size_t i) {
+                     keep(orbit.at(epochs[i]));
+                     keep(teme_from_itrf(epochs[i], with_tides));
+                   }},
                   0.0,
                   nullptr,
                   0.0});
@@ -262,7 +308,7 @@ int run() {
                   0.55,
                   [&] {
                     return largest_over_inputs([&](std::size_t i) {
-                      return wgs84::geodetic(places[i]).latitude.value() - their_geodetic(i)[0];
+                      return wgs84::geodetic(places[i]).latitude.angle.value() - their_geodetic(i)[0];
                     });
                   },
                   1e-15});

@@ -5,8 +5,8 @@
 //                          Station
 //
 //     r^teme, v^teme      SGP4 from two-line elements; the axes of Satellite are those of Teme
-//     R_itrf^teme, w      sidereal time of 1982 and the observed pole: the Earth as SGP4 sees it
 //     R_itrf^gcrf, w      IAU 2006/2000A over the day, with sub-daily tides: EarthMotion
+//     R_itrf^teme, w      the same by the sidereal time of 1982: the Earth as SGP4 sees it
 //     X_station^itrf      east, north, up at the place
 //     R_gcrf^body         z to nadir, y along -(r x v): lvlh() of what the graph knows of Satellite
 //     R_body^antenna      tilted about y by 30 deg: the boresight, z of the antenna, looks forward
@@ -55,18 +55,17 @@ void run(const std::filesystem::path& data) {
   const Sgp4<Satellite> orbit(set, at_most(convert<si::time>(24.0 * si::hour)));
   const EarthMotion earth(orientation, day, subdaily_tides);
   const Ephemeris<sky::Sun> sun(day);
-  const Geodetic boulder{degrees(40.015), degrees(-105.27), 1650.0 * si::metre};
+  const Geodetic boulder{GeodeticLatitude(degrees(40.015)), degrees(-105.27), 1650.0 * si::metre};
 
-  const auto graph = frame_graph(
-      edge([&](const Epoch& t) { return coincident(earth.at(t)); }),
-      edge([&](const Epoch& t) { return coincident(teme_from_itrf(t, orientation.parameters(t))); }),
-      edge([&](const Epoch& t) { return parallel(orbit.at(t)); }),
-      rigid_edge(east_north_up(from<Station>, boulder)),
-      edge([](const Displacement<Gcrf, Satellite, In<Gcrf>>& r,
-              const Velocity<Gcrf, Satellite, ObservedFrom<Gcrf>, In<Gcrf>>& v) {
-        return lvlh(from<Body>, r, v);
-      }),
-      rigid_edge(turned_y(to<Antenna>, from<Body>, degrees(30))));
+  const auto graph = frame_graph(edge([&](const Epoch& t) { return coincident(earth.at(t)); }),
+                                 edge([&](const Epoch& t) { return coincident(teme_from_itrf(t, earth)); }),
+                                 edge([&](const Epoch& t) { return parallel(orbit.at(t)); }),
+                                 rigid_edge(east_north_up(from<Station>, boulder)),
+                                 edge([](const Displacement<Gcrf, Satellite, In<Gcrf>>& r,
+                                         const Velocity<Gcrf, Satellite, ObservedFrom<Gcrf>, In<Gcrf>>& v) {
+                                   return lvlh(from<Body>, r, v);
+                                 }),
+                                 rigid_edge(turned_y(to<Antenna>, from<Body>, degrees(30))));
 
   const auto look = [](const auto& now) {
     return look_angles(
@@ -75,7 +74,8 @@ void run(const std::filesystem::path& data) {
   };
 
   std::printf("%s over %.3f deg north, %.3f deg east, from %s UTC.\n", set.title().c_str(),
-              boulder.latitude.in(si::degree), boulder.longitude.in(si::degree), set.epoch().utc(0).c_str());
+              boulder.latitude.angle.in(si::degree), boulder.longitude.in(si::degree),
+              set.epoch().utc(0).c_str());
   const auto step = 60.0 * si::second;
   for (const TimeSpan& pass :
        intervals(day, step, [&](const Epoch& t) { return look(graph.at(t)).elevation - degrees(5); })) {

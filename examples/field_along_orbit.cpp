@@ -70,7 +70,7 @@ void run(const std::filesystem::path& data) {
     const Vector<Lvlh, si::torque> torque = cross(dipole, B_lvlh);
     const Geodetic below = wgs84::geodetic(r_itrf);
     std::printf("%5.0f %7.2f %8.2f %7.1f %8.0f %8.0f %8.0f %8.0f %7.2f %7.2f %8.5f %7.2f\n",
-                (t - set.epoch()).in(si::minute), below.latitude.in(si::degree),
+                (t - set.epoch()).in(si::minute), below.latitude.angle.in(si::degree),
                 below.longitude.in(si::degree), below.height.in(si::kilometre),
                 norm(B_lvlh).in(si::nanotesla), B_lvlh.x().in(si::nanotesla), B_lvlh.y().in(si::nanotesla),
                 B_lvlh.z().in(si::nanotesla), 1e6 * torque.x().value(), 1e6 * torque.z().value(),

@@ -136,7 +136,7 @@ Look look(const Graph& graph, const Epoch& epoch, const Vector<Body, si::angular
           attitude.first().in(si::degree),
           w_gb_body.vector(),
           gyro_body,
-          place.latitude.in(si::degree),
+          place.latitude.angle.in(si::degree),
           place.longitude.in(si::degree),
           angle_between(wgs84::up(*ground), -axis_itrf).in(si::degree)};
 }

@@ -46,7 +46,7 @@ std::string passes() {
   const Sgp4<Station> orbit(set, at_most(convert<si::time>(72.0 * si::hour)));
   EarthOrientationParameters observed{};  // IERS, 20 September 2008; the pole is left out: 10 m
   observed.ut1_minus_tai = (-0.4810 - 33.0) * si::second;
-  const Geodetic place{degrees(48.08), degrees(11.28), 600.0 * si::metre};
+  const Geodetic place{GeodeticLatitude(degrees(48.08)), degrees(11.28), 600.0 * si::metre};
   const auto graph =
       frame_graph(edge([=](const Epoch& t) { return coincident(teme_from_itrf(t, observed)); }),
                   edge([=](const Epoch& t) { return coincident(earth_rotation(t, observed)); }),
@@ -67,7 +67,7 @@ std::string passes() {
     const auto now = graph.at(t);
     const auto r_itrf = now.position(of<Station>, relative_to<Itrf>, in<Itrf>);
     const Geodetic below = wgs84::geodetic(r_itrf.vector());
-    const Point at{below.longitude.in(si::degree), below.latitude.in(si::degree)};
+    const Point at{below.longitude.in(si::degree), below.latitude.angle.in(si::degree)};
     track.push_back(at);
     if (look(t).elevation > degrees(0.0)) seen_track.push_back(at);
   }
@@ -92,9 +92,9 @@ std::string passes() {
   constexpr double date_line = 180.0;
   draw(ground, track, {colour::blue}, date_line);
   draw(ground, seen_track, {colour::orange, 3.5}, 20.0);
-  ground.curve({{place.longitude.in(si::degree), place.latitude.in(si::degree)}}, {colour::ink});
-  ground.label({place.longitude.in(si::degree), place.latitude.in(si::degree)}, "place", {colour::ink, 12.0},
-               {-4, -9});
+  ground.curve({{place.longitude.in(si::degree), place.latitude.angle.in(si::degree)}}, {colour::ink});
+  ground.label({place.longitude.in(si::degree), place.latitude.angle.in(si::degree)}, "place",
+               {colour::ink, 12.0}, {-4, -9});
 
   Chart elevation(svg, {78, 390}, {468, 580}, "The pass of " + pass.start().utc(0) + " UTC",
                   steps("seconds since it rose above 10 deg", -50, 400, 50, 0),

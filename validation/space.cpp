@@ -236,7 +236,8 @@ Rows field_rows() {
       return Epoch::from_tt(std::to_string(static_cast<int>(y)) + "-01-01T00:00:00");
     };
     const Epoch t = start(whole) + (year - whole) * (start(whole + 1.0) - start(whole));
-    const Geodetic place{degrees(table.number(i, "latitude_deg")), degrees(table.number(i, "longitude_deg")),
+    const Geodetic place{GeodeticLatitude(degrees(table.number(i, "latitude_deg"))),
+                         degrees(table.number(i, "longitude_deg")),
                          1e3 * table.number(i, "altitude_km") * si::metre};
     const auto R_site_from_itrf = inverse(north_east_down(from<Site>, place).rotation);
     const auto B_site = R_site_from_itrf * model.at(wgs84::position(place), t);

@@ -38,7 +38,7 @@ template <Frame F>
 const auto motion = point_motion(of<Satellite>, relative_to<F>, observed_from<F>,
                                  vector_in<si::length, F>(7e6, 1e5, 2e6),
                                  vector_in<si::velocity, F>(-2e3, 7e3, 5e2));
-const Geodetic place{0.5 * si::radian, 0.2 * si::radian, 100.0 * si::metre};
+const Geodetic place{GeodeticLatitude(0.5 * si::radian), 0.2 * si::radian, 100.0 * si::metre};
 
 // The name for an error is a text: it is written only for one.
 TEST(Allocations, PlacesOnTheEarthNeedNone) {
@@ -50,6 +50,7 @@ TEST(Allocations, PlacesOnTheEarthNeedNone) {
   EXPECT_EQ(allocations_of([&] { return wgs84::radii_of_curvature(place); }), 0U);
   EXPECT_EQ(allocations_of([&] { return wgs84::horizon_dip(place, azimuth); }), 0U);
   EXPECT_EQ(allocations_of([&] { return wgs84::position(place); }), 0U);
+  EXPECT_EQ(allocations_of([&] { return earth::spherical(motion<Itrf>.position.vector()); }), 0U);
   EXPECT_EQ(allocations_of([&] { return wgs84::moving_up(motion<Itrf>); }), 0U);
   EXPECT_EQ(allocations_of([&] { return wgs84::limb(0.0 * si::metre, side, motion<Itrf>); }), 0U);
   EXPECT_EQ(allocations_of([&] { return east_north_up(from<Station>, place); }), 0U);
@@ -66,6 +67,7 @@ TEST(Allocations, DirectionsAndOrbitsNeedNone) {
   EXPECT_EQ(allocations_of([&] { return two_body(mu, state, 100.0 * si::second); }), 0U);
   EXPECT_EQ(allocations_of([&] { return keplerian_elements(mu, state); }), 0U);
   EXPECT_EQ(allocations_of([&] { return lvlh(from<Body>, state); }), 0U);
+  EXPECT_EQ(allocations_of([&] { return perifocal(from<Body>, mu, state); }), 0U);
   EXPECT_EQ(allocations_of([&] {
               return pointing(align(unit_z(in<Body>), moving_direction(state)),
                               constrain(unit_x(in<Body>), moving_direction(state.velocity)));
@@ -81,9 +83,40 @@ TEST(Allocations, InstantsNeedNone) {
   const Ephemeris<sky::Moon> moon(day);
   EXPECT_EQ(allocations_of([&] { return orientation.at(now); }), 0U);
   EXPECT_EQ(allocations_of([&] { return earth.at(now); }), 0U);
+  EXPECT_EQ(allocations_of([&] { return teme_from_itrf(now, earth); }), 0U);
   EXPECT_EQ(allocations_of([&] { return now.julian_date(scale::utc); }), 0U);
   EXPECT_EQ(allocations_of([&] { return geocentric(of<sky::Moon>, now); }), 0U);
   EXPECT_EQ(allocations_of([&] { return moon.direction(now, motion<Gcrf>, apparent); }), 0U);
+}
+
+// Near the Earth and in deep space, and the chain from an antenna to a station.
+TEST(Allocations, ChainsOfTwoLineElementsNeedNone) {
+  const auto near =
+      TwoLineElements::parse("1 25544U 98067A   08264.51782528 -.00002182  00000-0 -11606-4 0  2927",
+                             "2 25544  51.6416 247.4627 0006703 130.5360 325.0288 15.72125391563537")
+          .mean_elements();
+  MeanElements far = near;
+  far.mean_motion = far.mean_motion / 7.8;
+  far.eccentricity = 0.7;
+  const auto day = from_until(near.epoch, convert<si::time>(24.0 * si::hour));
+  const EarthMotion earth(EarthOrientation::unobserved(day, 0.0 * si::second), day);
+  for (const MeanElements& elements : {near, far}) {
+    const Sgp4<Satellite> orbit(elements, at_most(convert<si::time>(24.0 * si::hour)));
+    const auto t = near.epoch + 5000.0 * si::second;
+    EXPECT_EQ(allocations_of([&] { return orbit.at(t); }), 0U);
+    EXPECT_EQ(allocations_of([&] { return orbit.acceleration(t); }), 0U);
+    const auto graph = frame_graph(
+        edge([&](const Epoch& e) { return coincident(teme_from_itrf(e, earth)); }),
+        edge([&](const Epoch& e) { return parallel(orbit.at(e)); }),
+        rigid_edge(east_north_up(from<Station>, place)),
+        edge([](const Displacement<earth::Teme, Satellite, In<earth::Teme>>& r,
+                const Velocity<earth::Teme, Satellite, ObservedFrom<earth::Teme>, In<earth::Teme>>& v) {
+          return lvlh(from<Body>, r, v);
+        }));
+    EXPECT_EQ(
+        allocations_of([&] { return graph.at(t).position(of<Station>, relative_to<Satellite>, in<Body>); }),
+        0U);
+  }
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ double checked_azimuth(const Caller& name, const Quantity<si::angle>& azimuth) {
 
 RadiiOfCurvature radii(const Caller& name, const Geodetic& place) {
   detail::require_geodetic(name, place);
-  const double sine = std::sin(place.latitude.value());
+  const double sine = std::sin(place.latitude.angle.value());
   const double w2 = 1.0 - eccentricity_squared * sine * sine, across = equatorial_axis / std::sqrt(w2);
   return {(1.0 - eccentricity_squared) / w2 * across * si::metre, across * si::metre};
 }
@@ -46,7 +46,7 @@ Quantity<si::length> radius_of_curvature(const Geodetic& place, const Quantity<s
 Quantity<si::angle> horizon_dip(const Geodetic& place, const Quantity<si::angle>& azimuth) {
   const Caller name{"wgs84::horizon_dip"};
   detail::require_geodetic(name, place);
-  const double latitude = place.latitude.value(), h = place.height.value();
+  const double latitude = place.latitude.angle.value(), h = place.height.value();
   const double A = checked_azimuth(name, azimuth);
   if (!(h >= 0.0)) {
     throw BadInput(name() + "the height is " + detail::text(h) + " m; there is no horizon");

@@ -10,12 +10,13 @@
 #include "celestial_pole.hpp"
 #include "erfa_rotation.hpp"
 #include "ocean_tides.hpp"
+#include "sidereal_time.hpp"
 
 namespace vectrix {
 namespace {
 
 constexpr int quintic_degree = 5, curve_count = 6, cell_size = (quintic_degree + 1) * curve_count;
-using Numbers = Eigen::Array<double, curve_count, 1>;                // X, Y, angle, x, y, and zero for pairs
+using Numbers = Eigen::Array<double, curve_count, 1>;                // X, Y, angle, x, y, angle from TEME
 using Cell = Eigen::Array<double, curve_count, quintic_degree + 1>;  // their coefficients
 using Node = Eigen::Array<double, curve_count, 3>;  // their values and derivatives at an end, unit: cell
 
@@ -60,31 +61,37 @@ Motion motion(const double* cell, double time) {
 // At midnight, in days; and the locators, which the angle has in it.
 struct Midnight {
   Node node;
-  double ut1_minus_tai, locators;  // s; s' - s, rad
+  double ut1_minus_tai, sidereal_rate;            // s; rad/s
+  double terrestrial_locator, celestial_locator;  // s' and s, rad
 };
 Midnight midnight(const Epoch& epoch, const Eigen::Matrix<double, 5, 3>& observed) {
   const JulianDate tt = epoch.tt_date();
   const JulianDate ut1 = epoch.julian_date(scale::Ut1::minus_tai(observed(2, 0) * si::second));
   const auto [X, Y, s] = detail::celestial_pole(tt);
-  const double locators = eraSp00(tt.day, tt.fraction) - s.value;  // s' changes by 1e-19 rad/s
-  const double rate = detail::earth_rotation_rate;
+  const double turned = eraSp00(tt.day, tt.fraction);  // changes by 1e-19 rad/s
+  const double rate = detail::earth_rotation_rate, sidereal = detail::sidereal_rate(ut1);
   Node node;
   node.row(0) << X.value + observed(3, 0), X.rate + observed(3, 1), X.second + observed(3, 2);
   node.row(1) << Y.value + observed(4, 0), Y.rate + observed(4, 1), Y.second + observed(4, 2);
-  node.row(2) << eraEra00(ut1.day, ut1.fraction) + locators, rate * (1.0 + observed(2, 1)) - s.rate,
+  node.row(2) << eraEra00(ut1.day, ut1.fraction) + (turned - s.value), rate * (1.0 + observed(2, 1)) - s.rate,
       rate * observed(2, 2) - s.second;
   node.row(3) = observed.row(0);
   node.row(4) = observed.row(1);
-  node.row(5).setZero();
+  node.row(5) << eraGmst82(ut1.day, ut1.fraction) + turned, sidereal * (1.0 + observed(2, 1)),
+      sidereal * observed(2, 2);
   node.col(1) *= ERFA_DAYSEC;
   node.col(2) *= ERFA_DAYSEC * ERFA_DAYSEC;
-  return {node, observed(2, 0), locators};
+  return {node, observed(2, 0), sidereal, turned, s.value};
 }
 
 Cell day_between(const Midnight& start, const Midnight& end) {
   Numbers moved = end.node.col(0) - start.node.col(0);
-  moved[2] = detail::earth_rotation_rate * (ERFA_DAYSEC + (end.ut1_minus_tai - start.ut1_minus_tai)) +
-             (end.locators - start.locators);
+  const double day_of_ut1 = ERFA_DAYSEC + (end.ut1_minus_tai - start.ut1_minus_tai);
+  const double turned = end.terrestrial_locator - start.terrestrial_locator;
+  moved[2] =
+      detail::earth_rotation_rate * day_of_ut1 + (turned - (end.celestial_locator - start.celestial_locator));
+  // Exact, because the rate is linear in the day but for 1e-25 rad.
+  moved[5] = 0.5 * (start.sidereal_rate + end.sidereal_rate) * day_of_ut1 + turned;
   return quintic(start.node, end.node, moved);
 }
 
@@ -99,6 +106,7 @@ Node with_tides(const Cell& day, double time, double part, const Eigen::Matrix3d
   added.col(1) *= seconds;
   added.col(2) *= seconds * seconds;
   node.row(2) += added.row(2);
+  node.row(5) += added.row(2);  // the sidereal rate differs by 1e-7 of it
   node.row(3) += added.row(0);
   node.row(4) += added.row(1);
   return node;
@@ -113,22 +121,22 @@ double small_cosine(double angle) {
   return 1.0 - square * (0.5 - square * (1.0 / 24.0));
 }
 
-// With R_t^i = R1(-y) R2(-x) from Tirf to Itrf and n = R3(angle) w_gc^c + (0, 0, d angle/dt), the rate of
-// Tirf in its axes,
+detail::Varying varying(const Motion& m, double per_second, Eigen::Index i) {
+  return {m.value[i], per_second * m.slope[i], 2.0 * per_second * per_second * m.half_bend[i]};
+}
+
+// Of Itrf relative to an inertial frame g, where c has the axes of the celestial intermediate pole, here
+// `pole`, and turns by `angle` into Tirf. With R_t^i = R1(-y) R2(-x) from Tirf to Itrf and
+// n = R3(angle) w_gc^c + (0, 0, d angle/dt), the rate of Tirf in its axes,
 //     w_gi^i = R_t^i n + p,    p = (-dy/dt, -dx/dt cos y, -dx/dt sin y)
 //     alpha_gi^i = R_t^i dn/dt - p x (R_t^i n) + dp/dt
 struct Turn {
-  Eigen::Matrix3d R_gcrf_from_itrf;
+  Eigen::Matrix3d R_g_from_itrf;
   Eigen::Vector3d w, alpha;
 };
 // always_inline: what a caller does not use of the result is not computed.
-[[gnu::always_inline]] inline Turn turn(const Motion& m, double per_second) {
-  const auto varying = [&](Eigen::Index i) {
-    return detail::Varying{m.value[i], per_second * m.slope[i],
-                           2.0 * per_second * per_second * m.half_bend[i]};
-  };
-  const detail::Varying angle = varying(2), x = varying(3), y = varying(4);
-  const auto pole = detail::pole_turn(varying(0), varying(1));
+[[gnu::always_inline]] inline Turn turn(const detail::PoleTurn& pole, const detail::Varying& angle,
+                                        const detail::Varying& x, const detail::Varying& y) {
   const double c = std::cos(angle.value), s = std::sin(angle.value);
   const double cx = small_cosine(x.value), sx = small_sine(x.value), cy = small_cosine(y.value),
                sy = small_sine(y.value);
@@ -141,7 +149,7 @@ struct Turn {
   };
   Turn found;
   for (int i = 0; i < 3; ++i) {
-    found.R_gcrf_from_itrf.row(i) = to_itrf(R3(pole.R_c_from_g.col(i))).transpose();
+    found.R_g_from_itrf.row(i) = to_itrf(R3(pole.R_c_from_g.col(i))).transpose();
   }
   const Eigen::Vector3d across = R3(pole.w_gc_c), change = R3(pole.alpha_gc_c);
   const Eigen::Vector3d n(across[0], across[1], across[2] + angle.rate);
@@ -154,6 +162,17 @@ struct Turn {
   found.w = turning + p;
   found.alpha = to_itrf(nd) - p.cross(turning) + pd;
   return found;
+}
+[[gnu::always_inline]] inline Turn turn(const Motion& m, double per_second) {
+  const auto of = [&](Eigen::Index i) { return varying(m, per_second, i); };
+  return turn(detail::pole_turn(of(0), of(1)), of(2), of(3), of(4));
+}
+
+template <class A> AcceleratingDcm<A, earth::Itrf> accelerating(const Turn& turn) {
+  using earth::Itrf;
+  return {Dcm<A, Itrf>{detail::trusted, turn.R_g_from_itrf},
+          AngularVelocity<A, Itrf, In<Itrf>>{detail::trusted, turn.w},
+          AngularAcceleration<A, Itrf, In<Itrf>>{detail::trusted, turn.alpha}};
 }
 
 }  // namespace
@@ -217,17 +236,22 @@ EarthMotion::Place EarthMotion::place(const Epoch& epoch) const {
 }
 
 AcceleratingDcm<earth::Gcrf, earth::Itrf> EarthMotion::at(const Epoch& epoch) const {
-  using earth::Gcrf, earth::Itrf;
   const auto [c, time] = place(epoch);
-  const Turn found = turn(motion(c, time), cells_of_a_day_ / ERFA_DAYSEC);
-  return {Dcm<Gcrf, Itrf>{detail::trusted, found.R_gcrf_from_itrf},
-          AngularVelocity<Gcrf, Itrf, In<Itrf>>{detail::trusted, found.w},
-          AngularAcceleration<Gcrf, Itrf, In<Itrf>>{detail::trusted, found.alpha}};
+  return accelerating<earth::Gcrf>(turn(motion(c, time), cells_of_a_day_ / ERFA_DAYSEC));
+}
+
+AcceleratingDcm<earth::Teme, earth::Itrf> teme_from_itrf(const Epoch& epoch, const EarthMotion& earth) {
+  const auto [c, time] = earth.place(epoch);
+  const Motion m = motion(c, time);
+  const auto of = [&](Eigen::Index i) { return varying(m, earth.cells_of_a_day_ / ERFA_DAYSEC, i); };
+  const detail::PoleTurn along_z{Eigen::Matrix3d::Identity(), Eigen::Vector3d::Zero(),
+                                 Eigen::Vector3d::Zero()};
+  return accelerating<earth::Teme>(turn(along_z, of(5), of(3), of(4)));
 }
 
 Dcm<earth::Gcrf, earth::Itrf> EarthMotion::rotation(const Epoch& epoch) const {
   const auto [c, time] = place(epoch);
-  return {detail::trusted, turn(at_rest(c, time), 0.0).R_gcrf_from_itrf};
+  return {detail::trusted, turn(at_rest(c, time), 0.0).R_g_from_itrf};
 }
 
 }  // namespace vectrix

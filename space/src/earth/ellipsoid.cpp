@@ -102,30 +102,22 @@ Normal nearest(const Eigen::Vector3d& r) {
   return outside ? nearest_from_outside(on_meridian(r)) : nearest_from_inside(on_meridian(r));
 }
 
-void require_place(const detail::Caller& name, const Eigen::Vector3d& r) {
-  using detail::text;
-  if (!r.allFinite()) {
-    throw BadInput(name() + "the position (" + text(r.x()) + ", " + text(r.y()) + ", " + text(r.z()) +
-                   ") m is not finite");
-  }
-  if (r.isZero(0.0)) throw BadInput(name() + "the centre of the Earth has no latitude");
-}
-
 }  // namespace
 
 Geodetic geodetic(const Vector<earth::Itrf, si::length>& r_itrf) {
   const Eigen::Vector3d r = r_itrf.coordinates();
-  require_place({"wgs84::geodetic"}, r);
-  const double longitude = std::atan2(r.y() + 0.0, r.x() + 0.0);  // -0 becomes 0: longitude pi, not -pi
+  detail::require_place({"wgs84::geodetic"}, r);
+  const double longitude = detail::longitude_of(r);
   const Normal normal = nearest(r);
   const double latitude = std::atan2(static_cast<double>(normal.sine), static_cast<double>(normal.cosine));
-  return {latitude * si::radian, longitude * si::radian, static_cast<double>(normal.height) * si::metre};
+  return {GeodeticLatitude(latitude * si::radian), longitude * si::radian,
+          static_cast<double>(normal.height) * si::metre};
 }
 
 Vector<earth::Itrf, si::length> position(const Geodetic& geodetic) {
   detail::require_geodetic({"wgs84::position"}, geodetic);
   Eigen::Vector3d r;
-  eraGd2gc(ERFA_WGS84, geodetic.longitude.value(), geodetic.latitude.value(), geodetic.height.value(),
+  eraGd2gc(ERFA_WGS84, geodetic.longitude.value(), geodetic.latitude.angle.value(), geodetic.height.value(),
            r.data());
   return vector<si::length>(in<earth::Itrf>, r);
 }
@@ -162,7 +154,7 @@ std::optional<Vector<earth::Itrf, si::length>> first_intersection(
 namespace vectrix::detail {
 
 EllipsoidNormal normal_at(const Caller& name, const Eigen::Vector3d& r) {
-  wgs84::require_place(name, r);
+  require_place(name, r);
   const auto [cosine, sine, height] = wgs84::nearest(r);
   const double from_axis = std::hypot(r.x(), r.y());
   const Eigen::Vector2d outward =

@@ -8,7 +8,7 @@ namespace vectrix::detail {
 
 SiteNumbers east_north_up_site(const Caller& name, const Geodetic& place) {
   require_geodetic(name, place);
-  const double latitude = place.latitude.value(), longitude = place.longitude.value();
+  const double latitude = place.latitude.angle.value(), longitude = place.longitude.value();
   const Eigen::Vector3d east(-std::sin(longitude), std::cos(longitude), 0.0);
   const Eigen::Vector3d outward(std::cos(longitude), std::sin(longitude), 0.0);
   const Eigen::Vector3d pole = Eigen::Vector3d::UnitZ();

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <concepts>
 #include <numbers>
 #include <optional>
 #include <sstream>
@@ -15,7 +16,8 @@
 namespace vectrix::detail {
 namespace {
 
-using sgp4::Elements, sgp4::J2, sgp4::J3, sgp4::J4, sgp4::ke, sgp4::earth_radius;
+using sgp4::Elements, sgp4::Moving, sgp4::angle_of, sgp4::less_turns, sgp4::value_of, sgp4::J2, sgp4::J3,
+    sgp4::J4, sgp4::ke, sgp4::earth_radius;
 
 constexpr double two_pi = 2.0 * std::numbers::pi;
 constexpr double least_eccentricity = 1e-6;      // a smaller one is raised to it
@@ -28,16 +30,20 @@ constexpr double rounding_of_the_clock = 1e-9;   // s
 namespace sgp4 {
 
 /// The functions of the inclination in the periodic terms of J2 and J3.
-struct Inclination {
-  double sin_i, cos_i, three_cos2_less_1, sin2, seven_cos2_less_1, aycof, xlcof;
+template <class T> struct Inclination {
+  T sin_i, cos_i, three_cos2_less_1, sin2, seven_cos2_less_1, aycof, xlcof;
 
-  explicit Inclination(double i) : sin_i(std::sin(i)), cos_i(std::cos(i)) {
-    const double cos2 = cos_i * cos_i;
+  explicit Inclination(const T& i) {
+    using std::cos, std::sin;
+    sin_i = sin(i);
+    cos_i = cos(i);
+    const T cos2 = cos_i * cos_i;
     three_cos2_less_1 = 3.0 * cos2 - 1.0;
     sin2 = 1.0 - cos2;
     seven_cos2_less_1 = 7.0 * cos2 - 1.0;
-    constexpr double least = 1.5e-12;  // of 1 + cos i
-    const double one_and_cos = std::abs(1.0 + cos_i) > least ? 1.0 + cos_i : least;
+    constexpr double least = 1.5e-12;
+    T one_and_cos = 1.0 + cos_i;
+    if (std::abs(value_of(one_and_cos)) <= least) one_and_cos = T(least);
     aycof = -0.5 * J3 / J2 * sin_i;
     xlcof = -0.25 * J3 / J2 * sin_i * (3.0 + 5.0 * cos_i) / one_and_cos;
   }
@@ -97,8 +103,8 @@ struct Drag {
     t5 = 0.2 * (3.0 * D4 + 12.0 * C1 * D3 + 6.0 * D2 * D2 + 15.0 * C1 * C1 * (2.0 * D2 + C1 * C1));
   }
 
-  [[nodiscard]] double cube(double cos_M) const {
-    const double x = 1.0 + eta * cos_M;
+  template <class T> [[nodiscard]] T cube(const T& cos_M) const {
+    const T x = 1.0 + eta * cos_M;
     return x * x * x;
   }
 };
@@ -108,7 +114,7 @@ struct Drag {
 /// The theory of one set of elements, in minutes since its epoch.
 struct Sgp4Theory {
   Elements epoch;
-  sgp4::Inclination inclination;
+  sgp4::Inclination<double> inclination;
   sgp4::ZonalRates rates;
   sgp4::Drag drag;
   std::optional<sgp4::DeepSpace> deep;
@@ -139,10 +145,13 @@ sgp4::ZonalRates zonal_rates(const Elements& x, double p) {
 }
 
 /// The mean elements at t, of which a is what drag leaves, and the functions of their inclination.
-struct Mean {
-  Elements x;
-  double a;
-  sgp4::Inclination inclination;
+template <class T> struct Mean {
+  sgp4::ElementsOf<T> x;
+  T a;
+  sgp4::Inclination<T> inclination;
+};
+template <class T> struct Motion {
+  Eigen::Matrix<T, 3, 1> r, v;  // m, m/s
 };
 
 // For messages: a millionth is more than the clock's rounding.
@@ -155,41 +164,50 @@ double rounded(double time) {
 }
 
 // Drag, the zonal harmonics, the Sun and the Moon.
-Mean mean_at(const Sgp4Theory& theory, const std::string& name, double t) {
+template <class T> Mean<T> mean_at(const Sgp4Theory& theory, const std::string& name, const T& t) {
+  using std::cos, std::sin, std::sqrt;
   const sgp4::Drag& drag = theory.drag;
-  Elements x = theory.epoch;
+  const Elements& start = theory.epoch;
+  const double minutes = value_of(t);
+  sgp4::ElementsOf<T> x{T(start.n), T(start.e), T(start.i), T(start.node), T(start.perigee), T(start.M)};
   x.M += theory.rates.M * t;
   x.perigee += theory.rates.perigee * t;
   x.node += theory.rates.node * t + drag.node * t * t;
-  double root_a = 1.0 - drag.C1 * t, e_change = drag.bstar * drag.C4 * t, longitude = drag.t2 * t * t;
+  T root_a = 1.0 - drag.C1 * t, e_change = drag.bstar * drag.C4 * t, longitude = drag.t2 * t * t;
   if (!drag.simple) {
-    const double shift = drag.perigee * t + drag.M * (drag.cube(std::cos(x.M)) - drag.eta_cube);
+    const T shift = drag.perigee * t + drag.M * (drag.cube(T(cos(x.M))) - drag.eta_cube);
     x.M += shift;
     x.perigee -= shift;
-    const double t2 = t * t, t3 = t2 * t, t4 = t3 * t;
+    const T t2 = t * t, t3 = t2 * t, t4 = t3 * t;
     root_a -= drag.D2 * t2 + drag.D3 * t3 + drag.D4 * t4;
-    e_change += drag.bstar * drag.C5 * (std::sin(x.M) - drag.sin_M);
+    e_change += drag.bstar * drag.C5 * (sin(x.M) - drag.sin_M);
     longitude += drag.t3 * t3 + t4 * (drag.t4 + t * drag.t5);
   }
   if (theory.deep) theory.deep->add_secular(t, x);
-  if (!(x.n > 0.0)) fail(name, t, "the mean motion is " + text(x.n) + " rad/min");
-  if (!(root_a > 0.0)) fail(name, t, "the terms of drag leave no orbit: decayed, or too far from the epoch");
+  if (!(x.n > 0.0)) fail(name, minutes, "the mean motion is " + text(value_of(x.n)) + " rad/min");
+  if (!(root_a > 0.0))
+    fail(name, minutes, "the terms of drag leave no orbit: decayed, or too far from the epoch");
 
-  const double a = sgp4::semi_major_axis(x.n) * root_a * root_a;
-  x.n = ke / (a * std::sqrt(a));
+  const T a = sgp4::semi_major_axis(x.n) * root_a * root_a;
+  x.n = ke / (a * sqrt(a));
   x.e -= e_change;
-  if (!(x.e >= negative_eccentricity && x.e < 1.0)) fail(name, t, "the mean eccentricity is " + text(x.e));
-  x.e = std::max(x.e, least_eccentricity);
-  x.M += theory.epoch.n * longitude;
-  if (!theory.deep) return {x, a, theory.inclination};
+  if (!(x.e >= negative_eccentricity && x.e < 1.0))
+    fail(name, minutes, "the mean eccentricity is " + text(value_of(x.e)));
+  if (x.e < least_eccentricity) x.e = T(least_eccentricity);
+  x.M += start.n * longitude;
+  if (!theory.deep) {
+    if constexpr (std::same_as<T, double>) return {x, a, theory.inclination};
+    return {x, a, sgp4::Inclination<T>(x.i)};
+  }
 
   theory.deep->add_periodic(t, x);
   if (!(x.e >= 0.0 && x.e < 1.0))
-    fail(name, t, "the eccentricity with the terms of the Sun and the Moon is " + text(x.e));
-  return {x, a, sgp4::Inclination(x.i)};
+    fail(name, minutes, "the eccentricity with the terms of the Sun and the Moon is " + text(value_of(x.e)));
+  return {x, a, sgp4::Inclination<T>(x.i)};
 }
 
-// u - e sin(u - perigee) for the eccentric longitude u from the node, with e cos(perigee) and e sin(perigee).
+// The eccentric longitude u from the node, of the mean one, u - e sin(u - perigee), with e cos(perigee) and
+// e sin(perigee).
 double eccentric_longitude(double mean, double e_cos, double e_sin) {
   double u = mean;
   constexpr double largest_step = 0.95, tolerance = 1e-12;
@@ -203,41 +221,49 @@ double eccentric_longitude(double mean, double e_cos, double e_sin) {
   }
   return u;
 }
+Moving eccentric_longitude(const Moving& mean, const Moving& e_cos, const Moving& e_sin) {
+  const double u = eccentric_longitude(mean.value(), e_cos.value(), e_sin.value());
+  const double c = std::cos(u), s = std::sin(u);
+  return {u, (mean.derivatives() - e_sin.derivatives() * c + e_cos.derivatives() * s) /
+                 (1.0 - e_cos.value() * c - e_sin.value() * s)};
+}
 
 // The periodic terms of J3 and J2, and the motion.
-OrbitNumbers motion_of(const Mean& mean, const std::string& name, double t) {
-  const Elements& x = mean.x;
-  const sgp4::Inclination& i = mean.inclination;
-  const double e_cos = x.e * std::cos(x.perigee), per_p = 1.0 / (mean.a * (1.0 - x.e * x.e));
-  const double e_sin = x.e * std::sin(x.perigee) + per_p * i.aycof;
-  const double longitude = std::fmod(x.M + x.perigee + per_p * i.xlcof * e_cos, two_pi);
-  const double e2 = e_cos * e_cos + e_sin * e_sin;
-  if (!(e2 < 1.0)) fail(name, t, "the eccentricity with the terms of J3 is " + text(std::sqrt(e2)));
+template <class T> Motion<T> motion_of(const Mean<T>& mean, const std::string& name, double t) {
+  using std::cos, std::sin, std::sqrt;
+  const sgp4::ElementsOf<T>& x = mean.x;
+  const sgp4::Inclination<T>& i = mean.inclination;
+  const T e_cos = x.e * cos(x.perigee), per_p = 1.0 / (mean.a * (1.0 - x.e * x.e));
+  const T e_sin = x.e * sin(x.perigee) + per_p * i.aycof;
+  const T longitude = x.M + x.perigee + per_p * i.xlcof * e_cos;
+  const T reduced = less_turns(longitude, std::fmod(value_of(longitude), two_pi));
+  const T e2 = e_cos * e_cos + e_sin * e_sin;
+  if (!(e2 < 1.0)) fail(name, t, "the eccentricity with the terms of J3 is " + text(std::sqrt(value_of(e2))));
 
-  const double u = eccentric_longitude(longitude, e_cos, e_sin), cos_u = std::cos(u), sin_u = std::sin(u);
-  const double e_cos_E = e_cos * cos_u + e_sin * sin_u, e_sin_E = e_cos * sin_u - e_sin * cos_u;
-  const double p = mean.a * (1.0 - e2), r = mean.a * (1.0 - e_cos_E), root = std::sqrt(1.0 - e2);
-  const double r_rate = std::sqrt(mean.a) * e_sin_E / r, across = std::sqrt(p) / r;
-  const double part = e_sin_E / (1.0 + root);
-  const double sine = mean.a / r * (sin_u - e_sin - e_cos * part),
-               cosine = mean.a / r * (cos_u - e_cos + e_sin * part);
-  const double sin_2 = 2.0 * cosine * sine, cos_2 = 1.0 - 2.0 * sine * sine;
+  const T u = eccentric_longitude(reduced, e_cos, e_sin), cos_u = cos(u), sin_u = sin(u);
+  const T e_cos_E = e_cos * cos_u + e_sin * sin_u, e_sin_E = e_cos * sin_u - e_sin * cos_u;
+  const T p = mean.a * (1.0 - e2), r = mean.a * (1.0 - e_cos_E), root = sqrt(1.0 - e2);
+  const T r_rate = sqrt(mean.a) * e_sin_E / r, across = sqrt(p) / r;
+  const T part = e_sin_E / (1.0 + root);
+  const T sine = mean.a / r * (sin_u - e_sin - e_cos * part),
+          cosine = mean.a / r * (cos_u - e_cos + e_sin * part);
+  const T sin_2 = 2.0 * cosine * sine, cos_2 = 1.0 - 2.0 * sine * sine;
 
-  const double k1 = 0.5 * J2 / p, k2 = k1 / p;
-  const double distance = r * (1.0 - 1.5 * k2 * root * i.three_cos2_less_1) + 0.5 * k1 * i.sin2 * cos_2;
-  const double latitude = std::atan2(sine, cosine) - 0.25 * k2 * i.seven_cos2_less_1 * sin_2;
-  const double node = x.node + 1.5 * k2 * i.cos_i * sin_2;
-  const double inclination = x.i + 1.5 * k2 * i.cos_i * i.sin_i * cos_2;
-  const double radial = r_rate - x.n * k1 * i.sin2 * sin_2 / ke;
-  const double transverse = across + x.n * k1 * (i.sin2 * cos_2 + 1.5 * i.three_cos2_less_1) / ke;
+  const T k1 = 0.5 * J2 / p, k2 = k1 / p;
+  const T distance = r * (1.0 - 1.5 * k2 * root * i.three_cos2_less_1) + 0.5 * k1 * i.sin2 * cos_2;
+  const T latitude = angle_of(sine, cosine) - 0.25 * k2 * i.seven_cos2_less_1 * sin_2;
+  const T node = x.node + 1.5 * k2 * i.cos_i * sin_2;
+  const T inclination = x.i + 1.5 * k2 * i.cos_i * i.sin_i * cos_2;
+  const T radial = r_rate - x.n * k1 * i.sin2 * sin_2 / ke;
+  const T transverse = across + x.n * k1 * (i.sin2 * cos_2 + 1.5 * i.three_cos2_less_1) / ke;
   if (!(distance >= 1.0))
-    fail(name, t, "|r| is " + text(distance * earth_radius) + " km, less than one Earth radius: decayed");
+    fail(name, t,
+         "|r| is " + text(value_of(distance) * earth_radius) + " km, less than one Earth radius: decayed");
 
-  const double sin_node = std::sin(node), cos_node = std::cos(node), sin_i = std::sin(inclination),
-               cos_i = std::cos(inclination);
-  const Eigen::Vector3d n(cos_node, sin_node, 0.0), m(-sin_node * cos_i, cos_node * cos_i, sin_i);
-  const double sin_l = std::sin(latitude), cos_l = std::cos(latitude);
-  const Eigen::Vector3d outward = cos_l * n + sin_l * m, forward = cos_l * m - sin_l * n;
+  const T sin_node = sin(node), cos_node = cos(node), sin_i = sin(inclination), cos_i = cos(inclination);
+  const Eigen::Matrix<T, 3, 1> n(cos_node, sin_node, T(0.0)), m(-sin_node * cos_i, cos_node * cos_i, sin_i);
+  const T sin_l = sin(latitude), cos_l = cos(latitude);
+  const Eigen::Matrix<T, 3, 1> outward = cos_l * n + sin_l * m, forward = cos_l * m - sin_l * n;
   constexpr double metres = 1000.0 * earth_radius;
   return {metres * distance * outward, metres * ke / 60.0 * (radial * outward + transverse * forward)};
 }
@@ -279,7 +305,7 @@ Sgp4Theory theory_of(const Elements& x, const MeanElements& elements) {
   const auto rates = zonal_rates(x, p);
   const double node_rate_of_J2 = -1.5 * J2 / (p * p) * x.n * std::cos(x.i);
   const double bstar = elements.bstar.value() * 1000.0 * earth_radius;
-  Sgp4Theory theory{x, sgp4::Inclination(x.i), rates, sgp4::Drag(x, bstar, node_rate_of_J2, is_deep),
+  Sgp4Theory theory{x, sgp4::Inclination<double>(x.i), rates, sgp4::Drag(x, bstar, node_rate_of_J2, is_deep),
                     std::nullopt};
   if (is_deep) {
     // UTC stands for UT1, here and in the fits that made the elements. Their sidereal time is of an older
@@ -300,7 +326,7 @@ Sgp4Model::Sgp4Model(std::string name, const MeanElements& elements, const AtMos
   theory_ = std::make_shared<const Sgp4Theory>(theory_of(checked(name_, elements), elements));
 }
 
-OrbitNumbers Sgp4Model::at(const Epoch& epoch) const {
+double Sgp4Model::minutes_to(const Epoch& epoch) const {
   const double age = (epoch - elements_.epoch).value();
   if (!(std::abs(age) <= longest_age_.value() + rounding_of_the_clock)) {
     std::ostringstream message;
@@ -308,8 +334,20 @@ OrbitNumbers Sgp4Model::at(const Epoch& epoch) const {
             << elements_.epoch << "; at most " << text(longest_age_.value()) << " s were allowed";
     throw BadInput(message.str());
   }
-  const double t = age / 60.0;
-  return motion_of(mean_at(*theory_, name_, t), name_, t);
+  return age / 60.0;
+}
+
+OrbitNumbers Sgp4Model::at(const Epoch& epoch) const {
+  const double t = minutes_to(epoch);
+  const auto motion = motion_of(mean_at(*theory_, name_, t), name_, t);
+  return {motion.r, motion.v};
+}
+
+Eigen::Vector3d Sgp4Model::acceleration(const Epoch& epoch) const {
+  const double t = minutes_to(epoch);
+  const Moving moving(t, Eigen::Matrix<double, 1, 1>::Ones());
+  const auto motion = motion_of(mean_at(*theory_, name_, moving), name_, t);
+  return motion.v.unaryExpr([](const Moving& x) { return x.derivatives()[0] / 60.0; });
 }
 
 }  // namespace vectrix::detail

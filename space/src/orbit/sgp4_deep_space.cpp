@@ -106,7 +106,7 @@ void DeepSpace::add_body(Body& b, const Orbit& o, const Orientation& to, double 
   if (!o.near_equator) rates_.node -= b.rate * s2 * (z21 + z23);
 }
 
-void DeepSpace::add_secular(double t, Elements& x) const {
+template <class T> void DeepSpace::add_secular(const T& t, ElementsOf<T>& x) const {
   x.e += e_rate_ * t;
   x.i += i_rate_ * t;
   x.perigee += rates_.perigee * t;
@@ -115,12 +115,13 @@ void DeepSpace::add_secular(double t, Elements& x) const {
   resonance_.apply(t, x);
 }
 
-void DeepSpace::add_periodic(double t, Elements& x) const {
-  double e = 0.0, i = 0.0, l = 0.0, gh = 0.0, h = 0.0;
+template <class T> void DeepSpace::add_periodic(const T& t, ElementsOf<T>& x) const {
+  using std::cos, std::sin;
+  T e(0.0), i(0.0), l(0.0), gh(0.0), h(0.0);
   for (const Body* b : {&sun_, &moon_}) {
-    const double anomaly = b->anomaly + b->rate * t;
-    const double f = anomaly + 2.0 * b->eccentricity * std::sin(anomaly), sine = std::sin(f);
-    const double f2 = 0.5 * sine * sine - 0.25, f3 = -0.5 * sine * std::cos(f);
+    const T anomaly = b->anomaly + b->rate * t;
+    const T f = anomaly + 2.0 * b->eccentricity * sin(anomaly), sine = sin(f);
+    const T f2 = 0.5 * sine * sine - 0.25, f3 = -0.5 * sine * cos(f);
     e += b->e2 * f2 + b->e3 * f3;
     i += b->i2 * f2 + b->i3 * f3;
     l += b->l2 * f2 + b->l3 * f3 + b->l4 * sine;
@@ -129,7 +130,7 @@ void DeepSpace::add_periodic(double t, Elements& x) const {
   }
   x.e += e;
   x.i += i;
-  const double sin_i = std::sin(x.i), cos_i = std::cos(x.i);
+  const T sin_i = sin(x.i), cos_i = cos(x.i);
   constexpr double lyddane_limit = 0.2;  // rad
   if (x.i >= lyddane_limit) {
     x.perigee += gh - cos_i * h / sin_i;
@@ -138,11 +139,13 @@ void DeepSpace::add_periodic(double t, Elements& x) const {
   } else {
     // Near the equator the changes go to sin i sin(node), sin i cos(node) and the longitude (Lyddane). The
     // term i node sin i is not periodic: the node counts on from its value at the epoch, in [0, 2 pi).
-    const double node = std::fmod(x.node, 2.0 * pi), sin_node = std::sin(node), cos_node = std::cos(node);
-    const double a = sin_i * sin_node + h * cos_node + i * cos_i * sin_node;
-    const double b = sin_i * cos_node - h * sin_node + i * cos_i * cos_node;
-    const double longitude = x.M + x.perigee + cos_i * node + l + gh - i * node * sin_i;
-    x.node = node + std::remainder(std::atan2(a, b) - node, 2.0 * pi);
+    const T node = less_turns(x.node, std::fmod(value_of(x.node), 2.0 * pi));
+    const T sin_node = sin(node), cos_node = cos(node);
+    const T a = sin_i * sin_node + h * cos_node + i * cos_i * sin_node;
+    const T b = sin_i * cos_node - h * sin_node + i * cos_i * cos_node;
+    const T longitude = x.M + x.perigee + cos_i * node + l + gh - i * node * sin_i;
+    const T moved = angle_of(a, b) - node;
+    x.node = node + less_turns(moved, std::remainder(value_of(moved), 2.0 * pi));
     x.M += l;
     x.perigee = longitude - x.M - cos_i * x.node;
   }
@@ -152,5 +155,10 @@ void DeepSpace::add_periodic(double t, Elements& x) const {
     x.perigee -= pi;
   }
 }
+
+template void DeepSpace::add_secular(const double& t, Elements& x) const;
+template void DeepSpace::add_secular(const Moving& t, ElementsOf<Moving>& x) const;
+template void DeepSpace::add_periodic(const double& t, Elements& x) const;
+template void DeepSpace::add_periodic(const Moving& t, ElementsOf<Moving>& x) const;
 
 }  // namespace vectrix::detail::sgp4

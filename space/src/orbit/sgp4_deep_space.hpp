@@ -13,8 +13,9 @@ class DeepSpace {
   /// then.
   DeepSpace(const Elements& epoch, const ZonalRates& zonal, double day, double theta);
 
-  void add_secular(double t, Elements& x) const;
-  void add_periodic(double t, Elements& x) const;
+  // T is double or Moving.
+  template <class T> void add_secular(const T& t, ElementsOf<T>& x) const;
+  template <class T> void add_periodic(const T& t, ElementsOf<T>& x) const;
 
  private:
   /// Of one body, without the common factor, in its true longitude f: a (sin^2 f/2 - 1/4) + b sin f cos f/2 +

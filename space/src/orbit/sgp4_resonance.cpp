@@ -115,23 +115,29 @@ Resonance::Derivatives Resonance::derivatives(double t, double lambda, double n)
   return d;
 }
 
-void Resonance::apply(double t, Elements& x) const {
+template <class T> void Resonance::apply(const T& t, ElementsOf<T>& x) const {
   if (kind_ == Kind::none) return;
   double lambda = lambda_, n = n_, time = 0.0;
-  const double h = t < 0.0 ? -step : step;
+  const double end = value_of(t), h = end < 0.0 ? -step : step;
   Derivatives d = derivatives(time, lambda, n);
-  while (std::abs(t - time) >= step) {
+  while (std::abs(end - time) >= step) {
     lambda += d.lambda * h + d.n * (0.5 * h * h);
     n += d.n * h + d.n_dot * (0.5 * h * h);
     time += h;
     d = derivatives(time, lambda, n);
   }
-  const double rest = t - time;
+  const T rest = t - time;
   x.n = n + d.n * rest + 0.5 * d.n_dot * rest * rest;
-  const double longitude = lambda + d.lambda * rest + 0.5 * d.n * rest * rest;
-  const double theta = std::fmod(theta_ + t * earth_rate, 2.0 * std::numbers::pi);
-  x.M = kind_ == Kind::half_day ? longitude - 2.0 * x.node + 2.0 * theta
-                                : longitude - x.node - x.perigee + theta;
+  const T longitude = lambda + d.lambda * rest + 0.5 * d.n * rest * rest;
+  const T turned = theta_ + t * earth_rate;
+  const T theta = less_turns(turned, std::fmod(value_of(turned), 2.0 * std::numbers::pi));
+  if (kind_ == Kind::half_day) {
+    x.M = longitude - 2.0 * x.node + 2.0 * theta;
+  } else {
+    x.M = longitude - x.node - x.perigee + theta;
+  }
 }
+template void Resonance::apply(const double& t, Elements& x) const;
+template void Resonance::apply(const Moving& t, ElementsOf<Moving>& x) const;
 
 }  // namespace vectrix::detail::sgp4

@@ -20,8 +20,8 @@ class Resonance {
   /// angle at the epoch. `perigee_rate` is of the zonal harmonics alone.
   Resonance(const Elements& epoch, const ZonalRates& rates, double perigee_rate, double theta);
 
-  /// Replaces n and M at t.
-  void apply(double t, Elements& x) const;
+  /// Replaces n and M at t. T is double or Moving.
+  template <class T> void apply(const T& t, ElementsOf<T>& x) const;
 
  private:
   enum class Kind { none, one_day, half_day };

@@ -1,4 +1,5 @@
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include <vectrix/space/orbit/two_body.hpp>
@@ -61,12 +62,15 @@ UniversalOrbit universal_orbit(double mu, double beta, const OrbitNumbers& start
   return {mu, r, start.r.dot(start.v), beta, mu - beta * r, start.r.cross(start.v).squaredNorm()};
 }
 
+double period_of(const UniversalOrbit& orbit) {
+  return 2.0 * std::numbers::pi * orbit.mu / (orbit.beta * std::sqrt(orbit.beta));
+}
+
 OrbitNumbers moved(const OrbitNumbers& start, const UniversalOrbit& orbit, double dt,
                    StateTransition* transition) {
   double within = dt, drift = 0.0;
   if (orbit.beta > 0.0) {
-    const double period = 2.0 * std::numbers::pi * orbit.mu / (orbit.beta * std::sqrt(orbit.beta));
-    within = std::remainder(dt, period);
+    within = std::remainder(dt, period_of(orbit));
     drift = -1.5 * (dt - within) / orbit.beta;
   }
   const double s = universal_anomaly(orbit, within);
@@ -108,6 +112,9 @@ OrbitNumbers propagated(const Caller& name, double mu, const OrbitNumbers& start
     throw BadInput(name() + "|r| is " + text(r) + " m, |v| " + text(std::sqrt(v2)) + " m/s, no orbit");
 
   const UniversalOrbit orbit = universal_orbit(mu, 2.0 * mu / r - v2, start);
+  if (orbit.beta > 0.0 && std::abs(dt) * std::numeric_limits<double>::epsilon() > period_of(orbit))
+    throw BadInput(name() + "dt is " + text(dt) + " s, and its rounding more than the period, " +
+                   text(period_of(orbit)) + " s");
   OrbitNumbers end;
   const double to_periapsis = orbit.beta < 0.0 && orbit.h2 > 0.0 ? -time_since_periapsis(orbit) : 0.0;
   if (to_periapsis * dt > 0.0 && std::abs(to_periapsis) < std::abs(dt)) {

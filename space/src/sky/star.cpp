@@ -48,7 +48,9 @@ Star::Star(In<earth::Gcrf>, const RightAscensionDeclination& place, const Proper
     throw BadInput("Star: the parallax " + detail::text(parallax.value()) +
                    " rad is not between 0 and 4.85e-6 rad, 1 arcsec");
   }
-  require_finite("Star: the radial velocity, m/s, ", radial_velocity.value());
+  if (!(std::abs(radial_velocity.value()) < speed_of_light.value()))
+    throw BadInput("Star: the radial velocity is " + detail::text(radial_velocity.value()) +
+                   " m/s; it must be below the speed of light");
   const double alpha = place.right_ascension.value(), delta = place.declination.value();
   const Eigen::Vector3d east(-std::sin(alpha), std::cos(alpha), 0.0);
   const Eigen::Vector3d north(-std::sin(delta) * std::cos(alpha), -std::sin(delta) * std::sin(alpha),

@@ -90,7 +90,14 @@ std::string day_text(double julian_day, DayStyle style) {
 
 Date read_calendar(const TimeScale& scale, std::string_view text) {
   const bool in_utc = scale.kind() == TimeScale::Kind::utc;
-  const auto time = parsed(in_utc && text.ends_with('Z') ? text.substr(0, text.size() - 1) : text);
+  const std::string end = std::string{" "} + scale.name();
+  std::string_view digits = text;
+  if (text.ends_with(end)) {
+    digits.remove_suffix(end.size());
+  } else if (in_utc && text.ends_with('Z')) {
+    digits.remove_suffix(1);
+  }
+  const auto time = parsed(digits);
   if (!time) refuse(scale, text, "it is not written as 2022-04-14T10:22:11.874999");
   Calendar on = time->on;
   if (text[7] != '-') {

@@ -40,6 +40,18 @@ Epoch Epoch::from(const TimeScale& scale, std::string_view text) {
       detail::tai_of(scale, date, "epoch '" + std::string{text} + "' in " + std::string{scale.name()}))};
 }
 
+Epoch Epoch::from(std::string_view text) {
+  constexpr std::size_t space = 1;
+  for (const TimeScale& scale : {TimeScale{scale::utc}, TimeScale{scale::tai}, TimeScale{scale::tt},
+                                 TimeScale{scale::tdb}, TimeScale{scale::gps}}) {
+    const std::string_view name = scale.name();
+    if (text.size() > name.size() && text.ends_with(name) && text[text.size() - name.size() - space] == ' ')
+      return from(scale, text);
+  }
+  throw BadInput("epoch '" + std::string{text} +
+                 "': it does not end with its scale, UTC, TAI, TT, TDB or GPS");
+}
+
 Epoch Epoch::from_julian_date(const TimeScale& scale, double day, double fraction) {
   const std::string what = "Julian date " + detail::text(day) + " + " + detail::text(fraction) + " in " +
                            std::string{scale.name()};

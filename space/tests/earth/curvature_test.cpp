@@ -22,7 +22,7 @@ constexpr double rounding = 1e-15;
 struct Place : north_east_down_frame {};
 
 Geodetic at(double latitude, double longitude = 0.0, double height = 0.0) {
-  return {latitude * si::radian, longitude * si::radian, height * si::metre};
+  return {GeodeticLatitude(latitude * si::radian), longitude * si::radian, height * si::metre};
 }
 Quantity<si::angle> angle(double value) {
   return value * si::radian;

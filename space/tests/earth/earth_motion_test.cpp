@@ -95,6 +95,26 @@ RC_GTEST_PROP(EarthMotion, FollowsTheExactRotationWithTides, ()) {
   follows(with_tides(), exact, any_epoch(with_tides().span()));
 }
 
+// The rotation in TEME against that of the parameters, which is GMST82 and polar motion.
+template <class Parameters> void follows_in_teme(const EarthMotion& earth, Parameters parameters) {
+  const Epoch t = any_epoch(earth.span());
+  const auto exact = [&](const Epoch& epoch) { return teme_from_itrf(epoch, parameters(epoch)); };
+  const auto found = teme_from_itrf(t, earth);
+  RC_ASSERT(apart(found.rotation.matrix(), exact(t).rotation.matrix()) <= rotation_error);
+  RC_ASSERT(distance(found.angular_velocity, exact(t).angular_velocity) <= rate_error);
+  const auto h = 60.0 * si::second;
+  if (!earth.span().contains(t - h) || !earth.span().contains(t + h)) return;
+  const Vector3d change =
+      exact(t + h).angular_velocity.coordinates() - exact(t - h).angular_velocity.coordinates();
+  RC_ASSERT((change / (2.0 * h.value()) - found.angular_acceleration.coordinates()).norm() <=
+            acceleration_error);
+}
+RC_GTEST_PROP(EarthMotion, FollowsTheExactRotationInTeme, ()) {
+  follows_in_teme(motion_2022(), [](const Epoch& t) { return april_2022().parameters(t); });
+  follows_in_teme(motion_2016(), [](const Epoch& t) { return leap_second().parameters(t); });
+  follows_in_teme(with_tides(), [](const Epoch& t) { return april_2022().parameters(t, subdaily_tides); });
+}
+
 // X, Y and s of the years with data, a day at a time.
 RC_GTEST_PROP(EarthMotion, FollowsTheExactRotationInAllYears, ()) {
   const auto all = from_until(Epoch::from_utc("1973-01-02T00:00:00"), Epoch::from_utc("2026-11-01T00:00:00"));

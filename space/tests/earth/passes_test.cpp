@@ -30,7 +30,7 @@ TEST(Passes, OfACircleAboveTheEquator) {
   const Epoch start = Epoch::from(scale::tai, "2022-04-14T00:00:00");
   constexpr double first_culmination = 1234.5;  // s
   const auto angle = [&](const Epoch& t) { return rate * ((t - start).value() - first_culmination); };
-  const Geodetic place{0.0 * si::radian, 0.0 * si::radian, 0.0 * si::metre};
+  const Geodetic place{GeodeticLatitude(0.0 * si::radian), 0.0 * si::radian, 0.0 * si::metre};
   const auto graph = frame_graph(
       rigid_edge(east_north_up(from<Station>, place)), edge([&](const Epoch& t) {
         const double at = angle(t);

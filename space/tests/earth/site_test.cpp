@@ -33,7 +33,7 @@ constexpr double curvature = 2e-7;        // m, for steps of 1 m
 constexpr double length_rounding = 5e-9;  // m: a few times 1e-16 of the Earth's radius
 
 Geodetic place(double latitude, double longitude, double height) {
-  return {latitude * si::radian, longitude * si::radian, height * si::metre};
+  return {GeodeticLatitude(latitude * si::radian), longitude * si::radian, height * si::metre};
 }
 
 TEST(Site, AxesOnTheEquatorAndAtThePoles) {

@@ -28,8 +28,8 @@ double exponential(const ExponentialAtmosphere& model, double km) {
   return model.density(1e3 * km * si::metre).value();
 }
 Vector<Itrf, si::length> above(double latitude, double longitude, double km) {
-  return wgs84::position(
-      {latitude * degree * si::radian, longitude * degree * si::radian, 1e3 * km * si::metre});
+  return wgs84::position({GeodeticLatitude(latitude * degree * si::radian), longitude * degree * si::radian,
+                          1e3 * km * si::metre});
 }
 Vector<Itrf, si::dimensionless> towards(double latitude, double longitude) {
   const double phi = latitude * degree, lambda = longitude * degree;

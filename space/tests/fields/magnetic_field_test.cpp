@@ -41,7 +41,8 @@ TEST(MagneticField, ReproducesTheTestValuesOfTheWorldMagneticModel) {
       return convert<si::angle>(table.number(i, column) * si::degree);
     };
     const auto latitude = angle("latitude_deg"), longitude = angle("longitude_deg");
-    const auto r = wgs84::position({latitude, longitude, 1e3 * table.number(i, "altitude_km") * si::metre});
+    const auto r = wgs84::position(
+        {GeodeticLatitude(latitude), longitude, 1e3 * table.number(i, "altitude_km") * si::metre});
     const Vector3d B = nanotesla(model.at(r, year(table.number(i, "year"))));
     const double sp = std::sin(latitude.value()), cp = std::cos(latitude.value());
     const double sl = std::sin(longitude.value()), cl = std::cos(longitude.value());

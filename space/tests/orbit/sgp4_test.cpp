@@ -142,6 +142,26 @@ TEST(Sgp4, DependsOnTheEpochAlone) {
   }
 }
 
+// The derivative of the velocity, by differences of sixth order over 30 s. The angles count up to 1e3 rad in
+// ten days, so that a velocity of 1e4 m/s is rounded by some 1e-9 m/s.
+TEST(Sgp4, AccelerationIsTheDerivativeOfTheVelocity) {
+  constexpr double tolerance = 2e-9;  // m/s^2
+  constexpr double h = 5.0;
+  for (const auto& set : sets()) {
+    const Orbit orbit(set, ten_days);
+    for (int k = -20; k <= 20; ++k) {
+      const Epoch t = after(orbit.elements(), 701.0 * k + 13.0);  // min, no multiple of the resonance's 720
+      const auto change = [&](double seconds) -> Eigen::Vector3d {
+        const auto d = seconds * si::second;
+        return orbit.at(t + d).velocity.coordinates() - orbit.at(t - d).velocity.coordinates();
+      };
+      const Eigen::Vector3d a = (45.0 * change(h) - 9.0 * change(2.0 * h) + change(3.0 * h)) / (60.0 * h);
+      EXPECT_LE((orbit.acceleration(t).coordinates() - a).norm(), tolerance)
+          << set.catalogue_number() << ", " << k;
+    }
+  }
+}
+
 TEST(Sgp4, ThreadsShareOne) {
   const Orbit orbit(elements_of(8195), ten_days);
   constexpr int count = 400;

@@ -201,6 +201,23 @@ TEST(TwoBody, RefusesWhatIsNoOrbit) {
   ends_with(refusal(r, v, nan, 1.0), "mu is nan m^3/s^2; it must be finite and positive");
   ends_with(refusal(r, v, 1.0, nan), "dt is nan s");
   ends_with(refusal(r, v, 1e7, 1e308), "dt is 1e+308 s: the motion then is not finite");
+  const auto lost = refusal(r, v, 3.986e14, 1e20);
+  EXPECT_NE(lost.find("dt is 1e+20 s, and its rounding more than the period, "), std::string::npos) << lost;
+}
+
+TEST(TwoBody, AccelerationsRefuseWhatIsNoAttraction) {
+  const auto said = [](double gravity, double r) {
+    const auto given = Quantity<si::gravitational_parameter>::from_value(gravity);
+    const auto motion = orbit({r, 0, 0}, {0, 7e3, 0});
+    const auto acceleration = complaint([&] { (void)two_body_acceleration(given, motion.position); });
+    const auto jerk = complaint([&] { (void)two_body_jerk(given, motion); });
+    EXPECT_EQ(acceleration.substr(acceleration.find('(')), jerk.substr(jerk.find('(')));
+    return acceleration;
+  };
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_NE(said(-1.0, 7e6).find("mu is -1 m^3/s^2 and |r| 7e+06 m; mu must be positive"), std::string::npos);
+  EXPECT_NE(said(1.0, 0.0).find("mu is 1 m^3/s^2 and |r| 0 m"), std::string::npos);
+  EXPECT_NE(said(nan, 7e6).find("mu is nan"), std::string::npos);
 }
 
 }  // namespace

@@ -134,3 +134,28 @@ auto star(const RightAscensionDeclination& place, const Dcm<Itrf, Gcrf>& R_itrf_
 #endif
 }
 }  // namespace star_in_the_earth_frame
+
+namespace geocentric_latitude_for_geodetic {
+// mistake: the geocentric latitude of a place for its geodetic one, which is up to 21 km away
+// expect: GeocentricLatitude
+// expect: GeodeticLatitude
+auto place(const earth::Spherical& spherical) {
+#ifdef REPAIRED
+  return wgs84::geodetic(earth::position(spherical));
+#else
+  return Geodetic{spherical.latitude, spherical.longitude, 0.0 * si::metre};
+#endif
+}
+}  // namespace geocentric_latitude_for_geodetic
+
+namespace latitude_that_does_not_say_which {
+// mistake: an angle for a latitude: geodetic, or geocentric?
+// expect: GeodeticLatitude
+auto place(const Quantity<si::angle>& latitude, const Quantity<si::angle>& longitude) {
+#ifdef REPAIRED
+  return wgs84::position({GeodeticLatitude(latitude), longitude, 0.0 * si::metre});
+#else
+  return wgs84::position(Geodetic{latitude, longitude, 0.0 * si::metre});
+#endif
+}
+}  // namespace latitude_that_does_not_say_which

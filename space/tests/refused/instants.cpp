@@ -70,3 +70,30 @@ auto steps(const TimeSpan& span) {
 #endif
 }
 }  // namespace step_without_a_unit
+
+namespace utc_date_for_tt {
+// mistake: a date in UTC for one in TT
+// expect: scale::Tt\b
+// expect: scale::Utc\b
+Epoch instant(const JulianDate<scale::Utc>& utc) {
+#ifdef REPAIRED
+  const JulianDate<scale::Tt> tt = Epoch::from(utc).julian_date(scale::tt);
+#else
+  const JulianDate<scale::Tt> tt = utc;
+#endif
+  return Epoch::from(tt);
+}
+}  // namespace utc_date_for_tt
+
+namespace ut1_date_without_its_difference {
+// mistake: an instant of a date in UT1, which no clock shows
+// expect: UT1 needs UT1-TAI
+Epoch instant(const JulianDate<scale::Ut1>& ut1, const Quantity<si::time>& ut1_minus_tai) {
+#ifdef REPAIRED
+  return Epoch::from_julian_date(scale::Ut1::minus_tai(ut1_minus_tai), ut1.day, ut1.fraction);
+#else
+  static_cast<void>(ut1_minus_tai);
+  return Epoch::from(ut1);
+#endif
+}
+}  // namespace ut1_date_without_its_difference

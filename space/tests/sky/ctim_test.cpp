@@ -56,7 +56,8 @@ Displacement<Gcrf, Ctim, In<Gcrf>> place(const CsvTable& table, std::size_t row,
   const auto degrees = [&](const char* column) {
     return convert<si::angle>(table.number(row, column) * si::degree);
   };
-  const auto ground = wgs84::position({degrees("surfacelat"), degrees("surfacelon"), 0.0 * si::metre});
+  const auto ground =
+      wgs84::position({GeodeticLatitude(degrees("surfacelat")), degrees("surfacelon"), 0.0 * si::metre});
   const auto ray = R * boresight;
   const auto height = convert<si::length>(table.number(row, "surfacealt") * si::kilometre);
   auto distance = height;

@@ -343,8 +343,8 @@ TEST(Illumination, OfTheGroundInTheEclipseOf2017) {
   const Ephemeris<Sun> sun(span);
   const Ephemeris<Moon> moon(span);
   const auto degrees = [](double x) { return convert<si::angle>(x * si::degree); };
-  const auto r_itrf =
-      wgs84::position({degrees(36.0 + 58.0 / 60.0), degrees(-87.0 - 40.3 / 60.0), 0.0 * si::metre});
+  const auto r_itrf = wgs84::position(
+      {GeodeticLatitude(degrees(36.0 + 58.0 / 60.0)), degrees(-87.0 - 40.3 / 60.0), 0.0 * si::metre});
   const EarthOrientationParameters earth{convert<si::angle>(0.229543 * si::arcsecond),
                                          convert<si::angle>(0.377302 * si::arcsecond),
                                          (0.3399683 - 37.0) * si::second,

@@ -232,7 +232,9 @@ TEST(Stars, RefuseWhatIsNoStar) {
   said([&] { (void)with_cosine(place, 0, 0, -0.21, 0, 2000.0); }, "Star: the parallax -1.0");
   said([&] { (void)with_cosine(place, 0, 0, 1000.1, 0, 2000.0); }, "is not between 0 and 4.85e-6 rad");
   said([&] { (void)with_cosine(place, 0, 0, nan, 0, 2000.0); }, "Star: the parallax nan");
-  said([&] { (void)with_cosine(place, 0, 0, 1, nan, 2000.0); }, "Star: the radial velocity, m/s, nan");
+  said([&] { (void)with_cosine(place, 0, 0, 1, nan, 2000.0); }, "Star: the radial velocity is nan m/s");
+  said([&] { (void)with_cosine(place, 0, 0, 1, 1e6, 2000.0); },
+       "Star: the radial velocity is 1e+09 m/s; it must be below the speed of light");
   said([&] { (void)with_cosine(place, nan, 0, 1, 0, 2000.0); }, "the rate of right ascension, rad/s, nan");
   said([&] { (void)with_cosine(place, 0, nan, 1, 0, 2000.0); }, "the rate of declination, rad/s, nan");
   said([&] { (void)with_cosine(in_degrees(10.0, 91.0), 0, 0, 1, 0, 2000.0); }, "Star: the declination 1.58");

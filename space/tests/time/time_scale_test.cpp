@@ -242,6 +242,42 @@ TEST(TimeScale, RefusesNumbersOutOfRange) {
   EXPECT_THROW((void)scale::Ut1::minus_tai(infinity * si::second), BadInput);
 }
 
+// A text that names its scale is read in it, and in no other.
+TEST(TimeScale, TextsThatNameTheirScale) {
+  const std::string accepted = complaint([] {});
+  for (const char* name : {"UTC", "TAI", "TT", "TDB", "GPS"}) {
+    const auto text = [&](const char* of) { return std::string{"2022-104T10:22:11.25 "} + of; };
+    const auto in = [&](const TimeScale& scale) {
+      return complaint([&] { Epoch::from(scale, text(name)); });
+    };
+    EXPECT_EQ(in(scale::utc) == accepted, std::string{"UTC"} == name) << name;
+    EXPECT_EQ(in(scale::tdb) == accepted, std::string{"TDB"} == name) << name;
+  }
+  EXPECT_EQ(Epoch::from("2022-04-14T10:22:11.25 GPS"), Epoch::from(scale::gps, "2022-04-14T10:22:11.25"));
+  EXPECT_EQ(Epoch::from("2022-04-14T10:22:11.25 TT"), Epoch::from_tt("2022-04-14T10:22:11.25"));
+  std::ostringstream written;
+  const auto t = Epoch::from_utc("2016-12-31T23:59:60.5");
+  written << t;
+  EXPECT_EQ(Epoch::from(written.str()), t);
+  EXPECT_EQ(complaint([] { Epoch::from("2022-04-14T10:22:11.25"); }),
+            "epoch '2022-04-14T10:22:11.25': it does not end with its scale, UTC, TAI, TT, TDB or GPS");
+  EXPECT_EQ(complaint([] { Epoch::from_utc("2022-04-14T10:22:11 TT"); }),
+            "epoch '2022-04-14T10:22:11 TT' in UTC: it is not written as 2022-04-14T10:22:11.874999");
+  EXPECT_THROW(Epoch::from("TT"), BadInput);
+  EXPECT_THROW(Epoch::from("Z UTC"), BadInput);
+}
+
+// A date has its scale in its type: the way back takes no other.
+TEST(TimeScale, EpochOfATypedDate) {
+  const auto t = Epoch::from_utc("2022-04-14T10:22:11.25");
+  EXPECT_LE(apart(Epoch::from(t.julian_date(scale::utc)), t), clock_rounding);
+  EXPECT_LE(apart(Epoch::from(t.julian_date(scale::tt)), t), clock_rounding);
+  EXPECT_LE(apart(Epoch::from(t.julian_date(scale::tdb)), t), clock_rounding);
+  EXPECT_LE(apart(Epoch::from(t.julian_date(scale::gps)), t), clock_rounding);
+  EXPECT_EQ(Epoch::from(t.tai()), t);
+  EXPECT_EQ(Epoch::from(JulianDate<scale::Tt>{2451545.0, 0.0}), Epoch::from_tt("2000-01-01T12:00:00"));
+}
+
 template <class A, class B>
 concept Compares = requires(const A& a, const B& b) {
   a < b;

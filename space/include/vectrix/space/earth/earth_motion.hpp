@@ -5,6 +5,7 @@
 #include <vectrix/frames/export.hpp>
 #include <vectrix/kinematics/rates/moving_dcm.hpp>
 #include <vectrix/space/earth/earth_orientation.hpp>
+#include <vectrix/space/earth/teme.hpp>
 
 namespace vectrix {
 
@@ -41,7 +42,17 @@ class VECTRIX_EXPORT EarthMotion {
   TimeSpan span_;
   double first_day_;  // TAI
   int cells_of_a_day_;
-  std::vector<double> cells_;  // of each X, Y, angle, x, y and 0: their coefficients, degree by degree
+  // Of each X, Y, the angle, x, y and the angle from TEME: their coefficients, degree by degree.
+  std::vector<double> cells_;
+
+  friend VECTRIX_EXPORT AcceleratingDcm<earth::Teme, earth::Itrf> teme_from_itrf(const Epoch&,
+                                                                                 const EarthMotion&);
 };
+
+/// The rotation of the Earth in TEME over the same span: teme_from_itrf(epoch, orientation.parameters(epoch))
+/// to 1 microarcsec, in some 0.1 microseconds, and with the angular acceleration. Throws BadInput for an
+/// epoch outside the span.
+VECTRIX_EXPORT AcceleratingDcm<earth::Teme, earth::Itrf> teme_from_itrf(const Epoch& epoch,
+                                                                        const EarthMotion& earth);
 
 }  // namespace vectrix

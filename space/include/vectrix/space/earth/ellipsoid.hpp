@@ -7,12 +7,40 @@
 
 namespace vectrix {
 
-/// Geodetic coordinates: latitude in [-pi/2, pi/2], positive north; longitude in (-pi, pi], positive east;
-/// height above the ellipsoid.
+/// The angle between the equatorial plane and the normal of the ellipsoid, in [-pi/2, pi/2], positive north:
+/// the latitude of maps, receivers and surveys. Up to 0.19 deg, 21 km, from the geocentric one.
+struct GeodeticLatitude {
+  Quantity<si::angle> angle;
+  explicit constexpr GeodeticLatitude(const Quantity<si::angle>& latitude) : angle(latitude) {}
+};
+/// The angle between the equatorial plane and the line to the centre of the Earth, positive north.
+struct GeocentricLatitude {
+  Quantity<si::angle> angle;
+  explicit constexpr GeocentricLatitude(const Quantity<si::angle>& latitude) : angle(latitude) {}
+};
+
+/// Geodetic coordinates: latitude; longitude in (-pi, pi], positive east; height above the ellipsoid.
 struct Geodetic {
-  Quantity<si::angle> latitude, longitude;
+  GeodeticLatitude latitude;
+  Quantity<si::angle> longitude;
   Quantity<si::length> height;
 };
+
+namespace earth {
+
+/// Spherical coordinates in ITRF: geocentric latitude, longitude as in Geodetic, distance from the centre.
+struct Spherical {
+  GeocentricLatitude latitude;
+  Quantity<si::angle> longitude;
+  Quantity<si::length> distance;
+};
+/// On the axis the longitude is 0. Throws BadInput for the centre of the Earth and what is not finite.
+VECTRIX_EXPORT Spherical spherical(const Vector<Itrf, si::length>& r_itrf);
+/// The inverse. Throws BadInput if a number is not finite, |latitude| exceeds pi/2, or the distance is
+/// negative. The way to the geodetic latitude: wgs84::geodetic(earth::position(spherical)).
+VECTRIX_EXPORT Vector<Itrf, si::length> position(const Spherical& spherical);
+
+}  // namespace earth
 
 /// The reference ellipsoid WGS-84: semi-major axis a = 6378137 m, flattening 1/298.257223563.
 namespace wgs84 {

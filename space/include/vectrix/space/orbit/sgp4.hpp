@@ -3,6 +3,7 @@
 #include <memory>
 #include <string>
 #include <type_traits>
+#include <vectrix/kinematics/points/acceleration.hpp>
 #include <vectrix/space/earth/teme.hpp>
 #include <vectrix/space/orbit/mean_elements.hpp>
 #include <vectrix/space/orbit/orbit_mean_elements_message.hpp>
@@ -37,8 +38,12 @@ class VECTRIX_EXPORT Sgp4Model {
   [[nodiscard]] const MeanElements& elements() const { return elements_; }
   [[nodiscard]] const Quantity<si::time>& longest_age() const { return longest_age_; }
   [[nodiscard]] OrbitNumbers at(const Epoch& epoch) const;
+  [[nodiscard]] Eigen::Vector3d acceleration(const Epoch& epoch) const;
 
  private:
+  /// Throws BadInput if the elements are too old.
+  [[nodiscard]] double minutes_to(const Epoch& epoch) const;
+
   std::string name_;
   MeanElements elements_;
   Quantity<si::time> longest_age_;
@@ -77,6 +82,14 @@ template <Point Q> class Sgp4 {
   /// or the body is below one Earth radius, decayed.
   [[nodiscard]] PointMotion<earth::Teme, Q, earth::Teme> at(const Epoch& epoch) const {
     return detail::point_motion_of<earth::Teme, Q, earth::Teme>(model_.at(epoch));
+  }
+  /// The derivative of this velocity, so that orbit frames have a rate:
+  ///     edge([&](const Epoch& t) { return parallel(orbit.at(t), orbit.acceleration(t)); })
+  /// Throws BadInput as at() does.
+  [[nodiscard]] Acceleration<earth::Teme, Q, ObservedFrom<earth::Teme>, In<earth::Teme>> acceleration(
+      const Epoch& epoch) const {
+    return Acceleration<earth::Teme, Q, ObservedFrom<earth::Teme>, In<earth::Teme>>{
+        detail::trusted, model_.acceleration(epoch)};
   }
 
  private:

@@ -48,7 +48,8 @@ template <class P, class Q, class A> OrbitNumbers numbers_of(const PointMotion<P
 /// (mu - beta r) G_3 with beta = 2 mu/r - v^2 (Battin, section 4.5), and
 ///     r(t) = f r + g v,  f = 1 - mu G_2/r,  g = r G_1 + (r . v) G_2
 /// The error is about what the rounding of mu, r, v and dt may cause. Throws BadInput if mu is not positive
-/// and finite, dt not finite, q at p, or the motion after dt is not finite.
+/// and finite, dt not finite or so long that its rounding is more than a revolution, q at p, or the motion
+/// after dt is not finite.
 template <class P, class Q, class A>
 detail::IfInertial<A, PointMotion<P, Q, A>> two_body(const Quantity<si::gravitational_parameter>& mu,
                                                      const PointMotion<P, Q, A>& motion,
@@ -76,23 +77,33 @@ auto two_body_transition(  // mu in m^3/s^2, a PointMotion observed from an iner
     const Quantity<si::gravitational_parameter>&, const Motion&, const Quantity<si::time>&)
     -> Refused = delete;
 
+namespace detail {
+
+/// mu/|r|^3
+template <class P, class Q, class S> S pull(const char* action, const S& mu, const S& distance) {
+  const S found = mu / (distance * distance * distance);
+  if (!(all(mu > S(0)) && all(found - found == S(0)))) [[unlikely]]
+    throw BadInput(orbit_of<P, Q>(action)() + "mu is " + text(mu) + " m^3/s^2 and |r| " + text(distance) +
+                   " m; mu must be positive, mu/|r|^3 finite");
+  return found;
+}
+
+}  // namespace detail
+
 /// a = -mu r/|r|^3, and its derivative -mu (v - 3 (r . v) r/|r|^2)/|r|^3: what lvlh() and the other orbit
-/// frames take. Throws BadInput if mu/|r|^3 is not finite.
+/// frames take. Throws BadInput if mu is not positive or mu/|r|^3 is not finite.
 template <class P, class Q, class A, class S>
 detail::IfInertial<A, Acceleration<P, Q, ObservedFrom<A>, In<A>, S>> two_body_acceleration(
     const Quantity<si::gravitational_parameter, S>& mu, const Displacement<P, Q, In<A>, S>& r_pq_a) {
-  const S r = norm(r_pq_a).value(), pull = mu.value() / (r * r * r);
-  if (!detail::all(pull - pull == S(0)))
-    throw BadInput(detail::orbit_of<P, Q>("two_body_acceleration")() + "|r| is " + detail::text(r) + " m");
+  const S pull = detail::pull<P, Q, S>("two_body_acceleration", mu.value(), norm(r_pq_a).value());
   return Acceleration<P, Q, ObservedFrom<A>, In<A>, S>{detail::trusted, -pull * r_pq_a.coordinates()};
 }
 template <class P, class Q, class A, class S>
 detail::IfInertial<A, Derivative<A, A, si::acceleration, S>> two_body_jerk(
     const Quantity<si::gravitational_parameter, S>& mu, const PointMotion<P, Q, A, S>& motion) {
   const detail::Column<S>&r = motion.position.coordinates(), &v = motion.velocity.coordinates();
-  const S distance = norm(motion.position).value(), pull = mu.value() / (distance * distance * distance);
-  if (!detail::all(pull - pull == S(0)))
-    throw BadInput(detail::orbit_of<P, Q>("two_body_jerk")() + "|r| is " + detail::text(distance) + " m");
+  const S distance = norm(motion.position).value();
+  const S pull = detail::pull<P, Q, S>("two_body_jerk", mu.value(), distance);
   const S along = S(3) * r.dot(v) / (distance * distance);
   return {detail::trusted, Vector<A, si::jerk, S>{detail::trusted, pull * (along * r - v)}};
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <compare>
+#include <concepts>
 #include <cstdint>
 #include <iosfwd>
 #include <string>
@@ -14,8 +15,8 @@
 namespace vectrix {
 
 /// An instant, stored as a Julian date in International Atomic Time (TAI) to about 1e-11 s. Scales are ways
-/// to read and to write it; TimeScale lists them. Differences are SI seconds and include leap seconds. An
-/// instant of the graph: graph.at(epoch).
+/// to read and to write it; TimeScale lists them. Differences are SI seconds and include leap seconds; as one
+/// double they are rounded, over a century to 5e-7 s. An instant of the graph: graph.at(epoch).
 ///
 /// UTC starts in 1960, and GPS time in 1980; an earlier date is BadInput. In years after the end of the
 /// table of leap seconds, UTC uses its last one; the other scales do not depend on it. See leap_seconds.hpp
@@ -23,18 +24,32 @@ namespace vectrix {
 class VECTRIX_EXPORT Epoch {
  public:
   /// From "2022-04-14T10:22:11.874999" or, by the day of the year, "2022-104T10:22:11.874999", with 0 to 12
-  /// decimals; in UTC with an optional 'Z' at the end. The second 60 is accepted where UTC has a leap second.
-  /// Throws BadInput for any other text and for dates that do not exist.
+  /// decimals; the name of the scale may follow, " UTC", " TT", or in UTC a 'Z'. The second 60 is accepted
+  /// where UTC has a leap second. Throws BadInput for any other text, also if it names another scale, and for
+  /// dates that do not exist.
   static Epoch from(const TimeScale& scale, std::string_view text);
   /// Epoch::from(scale::utc, text), Epoch::from(scale::tt, text)
   static Epoch from_utc(std::string_view text) { return from(scale::utc, text); }
   static Epoch from_tt(std::string_view text) { return from(scale::tt, text); }
+  /// From a text that names its scale, as << writes it: "2022-04-14T10:22:11.874999 TT", or UTC, TAI, TDB,
+  /// GPS.
+  static Epoch from(std::string_view text);
 
   /// From a Julian date in two parts, split in any way: (2459683.5, 0.25) or (2459683.75, 0.0). Nothing is
   /// lost between the parts; a single double is rounded to 40 microseconds, of a modified Julian date to 1.
   /// Throws BadInput if a part is not finite.
   static Epoch from_julian_date(const TimeScale& scale, double day, double fraction = 0.0);
   static Epoch from_modified_julian_date(const TimeScale& scale, double day, double fraction = 0.0);
+  /// From a date that has its scale in its type: Epoch::from(JulianDate<scale::Tt>{2459683.5, 0.25}).
+  template <std::derived_from<TimeScale> Scale>
+    requires std::default_initializable<Scale>
+  static Epoch from(const JulianDate<Scale>& date) {
+    return from_julian_date(Scale{}, date.day, date.fraction);
+  }
+  template <class Scale>
+    requires(!std::default_initializable<Scale>)
+  static Epoch from(  // UT1 needs UT1-TAI: from_julian_date(scale::Ut1::minus_tai(...), day, fraction)
+      const JulianDate<Scale>&) = delete;
   /// From a modified Julian day of UTC and the elapsed fraction of that day, in [0, 1). The fraction is of
   /// the day's own length: a day with a leap second has 86401 s. Throws BadInput if the fraction is outside.
   static Epoch from_utc_mjd(int day, double part = 0.0);
