@@ -51,8 +51,8 @@ Quantity<si::angle> degrees(double angle) {
 void run(const std::filesystem::path& data) {
   const auto orientation = EarthOrientation::read(data / "finals2000A_april_2023.txt");
   const auto set = TwoLineElements::read(data / "CTIM_20230419.tle").front();
-  const auto day = from_until(set.epoch(), convert<si::time>(24.0 * si::hour));
-  const Sgp4<Satellite> orbit(set, at_most(convert<si::time>(24.0 * si::hour)));
+  const auto day = from_until(set.epoch(), convert<si::time>(1.0 * si::day));
+  const Sgp4<Satellite> orbit(set, at_most(1.0 * si::day));
   const EarthMotion earth(orientation, day, subdaily_tides);
   const Ephemeris<sky::Sun> sun(day);
   const Geodetic boulder{GeodeticLatitude(degrees(40.015)), degrees(-105.27), 1650.0 * si::metre};

@@ -40,7 +40,7 @@ struct Lvlh : moving_frame {};
 void run(const std::filesystem::path& data) {
   const auto orientation = EarthOrientation::read(data / "finals2000A_april_2023.txt");
   const auto set = TwoLineElements::read(data / "CTIM_20230419.tle").front();
-  const Sgp4<Satellite> orbit(set, at_most(convert<si::time>(24.0 * si::hour)));
+  const Sgp4<Satellite> orbit(set, at_most(1.0 * si::day));
   const auto graph = frame_graph(
       edge([&](const Epoch& t) { return coincident(orientation.at(t)); }),
       edge([&](const Epoch& t) { return coincident(teme_from_itrf(t, orientation.parameters(t))); }),

@@ -135,7 +135,7 @@ void summarise(const std::vector<Row>& rows) {
 void run(const std::filesystem::path& data) {
   const auto orientation = EarthOrientation::read(data / "finals2000A_april_2023.txt");
   const Sgp4<Satellite> orbit(TwoLineElements::read(data / "CTIM_20230419.tle").front(),
-                              at_most(convert<si::time>(24.0 * si::hour)));
+                              at_most(1.0 * si::day));
   const auto attitude = read_attitude(data / "CTIM_20230420_attitude.csv");
   const auto published = read_pointing(data / "CTIM_20230420_pointing.csv");
 

@@ -59,7 +59,7 @@ template <class... Us> constexpr bool table_as_boost_finds(List<Us...> units) {
 static_assert(table_as_boost_finds(List<si::dimensionless, si::angle, si::time, si::frequency, si::mass,
                                         si::length, si::velocity, si::force, si::energy, si::angular_velocity,
                                         si::moment_of_inertia, si::torque, si::gravitational_parameter>{}));
-static_assert(table_as_boost_finds(List<si::time, si::length, si::kilometre_unit, si::hour_unit,
+static_assert(table_as_boost_finds(List<si::time, si::length, si::kilometre_unit, si::hour_unit, si::day_unit,
                                         si::degree_unit, si::revolution_per_minute_unit>{}));
 
 // A product that has a name takes it, however it came about; one without is short.
@@ -77,6 +77,7 @@ static_assert(Has<decltype(ratio), si::dimensionless> && ratio == 2.5);
 static_assert(Has<decltype(jerk), si::jerk> && jerk.value() == 3.0);
 static_assert(Has<decltype(snap), si::unit<1, 0, -4>> && snap.value() == 3.0);
 static_assert(Has<decltype(drift), si::per<si::degree_unit, si::hour_unit>>);
+static_assert(convert<si::time>(2.0 * si::day).value() == 172800.0);
 static_assert(Has<decltype(distance), si::kilometre_unit> && distance.value() == 100.0);
 static_assert(Has<decltype(rate), si::frequency> && rate.value() == 0.25);
 static_assert(std::same_as<unit_quotient<si::area, si::length>, si::length>);

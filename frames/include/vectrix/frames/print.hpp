@@ -38,6 +38,7 @@ template <> inline constexpr const char* unit_symbol<si::kilometre_unit> = "km";
 template <> inline constexpr const char* unit_symbol<si::millisecond_unit> = "ms";
 template <> inline constexpr const char* unit_symbol<si::minute_unit> = "min";
 template <> inline constexpr const char* unit_symbol<si::hour_unit> = "h";
+template <> inline constexpr const char* unit_symbol<si::day_unit> = "d";
 template <> inline constexpr const char* unit_symbol<si::degree_unit> = "deg";
 template <> inline constexpr const char* unit_symbol<si::arcsecond_unit> = "arcsec";
 template <> inline constexpr const char* unit_symbol<si::revolution_unit> = "rev";

@@ -92,6 +92,8 @@ struct kilometre_unit : detail::UnitTag {};
 struct millisecond_unit : detail::UnitTag {};
 struct minute_unit : detail::UnitTag {};
 struct hour_unit : detail::UnitTag {};
+/// 86400 s; a day of UTC may have 86401.
+struct day_unit : detail::UnitTag {};
 struct degree_unit : detail::UnitTag {};
 struct arcsecond_unit : detail::UnitTag {};
 struct revolution_unit : detail::UnitTag {};
@@ -141,6 +143,7 @@ template <> struct BoostUnit<si::kilometre_unit> { using type = Scaled<BoostUnit
 template <> struct BoostUnit<si::millisecond_unit> { using type = Scaled<BoostUnitOf<si::time>, 10, -3>; };
 template <> struct BoostUnit<si::minute_unit> { using type = Scaled<BoostUnitOf<si::time>, 60, 1>; };
 template <> struct BoostUnit<si::hour_unit> { using type = Scaled<BoostUnitOf<si::time>, 60, 2>; };
+template <> struct BoostUnit<si::day_unit> { using type = Scaled<BoostUnitOf<si::time>, 86400, 1>; };
 template <> struct BoostUnit<si::degree_unit> { using type = Degree::unit_type; };
 template <> struct BoostUnit<si::arcsecond_unit> { using type = Scaled<Degree::unit_type, 60, -2>; };
 template <> struct BoostUnit<si::revolution_unit> { using type = Scaled<Degree::unit_type, 360, 1>; };
@@ -168,8 +171,8 @@ using CoherentTags =
                   si::gravitational_parameter, si::density>;
 template <class... Tags> struct ScaledTable : Row<BoostUnitOf<Tags>, Tags>... {};
 using ScaledTags =
-    ScaledTable<si::kilometre_unit, si::millisecond_unit, si::minute_unit, si::hour_unit, si::degree_unit,
-                si::arcsecond_unit, si::revolution_unit, si::revolution_per_minute_unit,
+    ScaledTable<si::kilometre_unit, si::millisecond_unit, si::minute_unit, si::hour_unit, si::day_unit,
+                si::degree_unit, si::arcsecond_unit, si::revolution_unit, si::revolution_per_minute_unit,
                 si::degree_per_second_unit, si::nanotesla_unit>;
 
 template <class Key, class Table> using EntryOf = decltype(entry<Key>(static_cast<const Table*>(nullptr)));

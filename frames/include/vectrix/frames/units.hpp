@@ -23,6 +23,7 @@ inline constexpr UnitConstant<kilometre_unit> kilometre;
 inline constexpr UnitConstant<millisecond_unit> millisecond;
 inline constexpr UnitConstant<minute_unit> minute;
 inline constexpr UnitConstant<hour_unit> hour;
+inline constexpr UnitConstant<day_unit> day;
 inline constexpr UnitConstant<degree_unit> degree;
 inline constexpr UnitConstant<arcsecond_unit> arcsecond;
 inline constexpr UnitConstant<revolution_unit> revolution;

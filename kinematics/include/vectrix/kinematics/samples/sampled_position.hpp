@@ -20,7 +20,8 @@ template <class I, class A, class Q, class S>
 PositionSample(const I&, const PointMotion<A, Q, A, S>&) -> PositionSample<A, Q, I>;
 
 /// The position between samples: hermite() of the two samples around t. Claims that the axes of q are
-/// parallel to those of a, so that q does not rotate. Its acceleration is not known. Throws BadInput as
+/// parallel to those of a, so that q does not rotate. Its acceleration, which jumps at the samples, is not
+/// given: InterpolatedPosition has one, and with Hermite{3} it is this cubic. Throws BadInput as
 /// SampledAttitude does.
 template <Frame A, Frame Q, Instant I = Quantity<si::time>> class SampledPosition {
   using S = InstantScalar<I>;
