@@ -90,7 +90,7 @@ Cell day_between(const Midnight& start, const Midnight& end) {
   const double turned = end.terrestrial_locator - start.terrestrial_locator;
   moved[2] =
       detail::earth_rotation_rate * day_of_ut1 + (turned - (end.celestial_locator - start.celestial_locator));
-  // Exact, because the rate is linear in the day but for 1e-25 rad.
+  // The rate is linear in UT1, but for 1e-25 rad.
   moved[5] = 0.5 * (start.sidereal_rate + end.sidereal_rate) * day_of_ut1 + turned;
   return quintic(start.node, end.node, moved);
 }

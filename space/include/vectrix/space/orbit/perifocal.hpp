@@ -50,7 +50,7 @@ auto perifocal_of(const Quantity<si::gravitational_parameter, S>& mu, const Orbi
   require_orbital_plane<PerifocalAxes, B, P, Q>(path.r[0], path.r[1]);
   const auto e = eccentricity_of(m, path.r);
   const S size = scaled_norm(e[0]);
-  if (!(all(size > number<S>(nearly_circular)) && all(size - size == S(0)))) [[unlikely]]
+  if (!(all(size > number<S>(door_tolerance<S>(nearly_circular))) && all(size - size == S(0)))) [[unlikely]]
     throw BadInput(perifocal_place<B, P, Q>() + "the eccentricity is " + text(size) +
                    "; a circle has no periapsis");
   return frame_of<PerifocalAxes, A, B>(FollowingTriad<S, N - 1>(e, normal_of(path.r)));
