@@ -15,6 +15,7 @@
 #include <vectrix/space/fields/gravity_gradient.hpp>
 #include <vectrix/space/fields/harris_priester.hpp>
 #include <vectrix/space/fields/magnetic_field.hpp>
+#include <vectrix/space/files/attitude_ephemeris_message.hpp>
 #include <vectrix/space/files/csv_table.hpp>
 #include <vectrix/space/files/orbit_ephemeris_message.hpp>
 #include <vectrix/space/orbit/elements.hpp>

@@ -149,6 +149,21 @@ EphemerisMetadata metadata_of(const KvnEntries& entries, std::string_view interp
   return metadata;
 }
 
+void require_same_system(const KvnEntries& entries, const EphemerisMetadata& metadata,
+                         const EphemerisMetadata& first) {
+  if (metadata.time_system.kind() != first.time_system.kind())
+    entries.fail(
+        entries.line("TIME_SYSTEM"),
+        "the first segment has " + std::string{first.time_system.name()} + "; a message has one time system");
+}
+
+void require_same_system(const std::string& place, const EphemerisMetadata& metadata,
+                         const EphemerisMetadata& first) {
+  if (metadata.time_system.kind() != first.time_system.kind())
+    throw BadInput(place + ": the time system is " + metadata.time_system.name() + ", of the first segment " +
+                   first.time_system.name() + "; a message has one");
+}
+
 Epoch read_epoch(const KvnReader& reader, const KvnWord& word, const TimeScale& scale) {
   constexpr std::size_t longest = 40;
   if (word.text.size() > longest) reader.fail(word, "EPOCH", "too long for an epoch");

@@ -33,6 +33,12 @@ KvnEntries read_entries(KvnReader& reader, const std::string& version,
                         const std::vector<EphemerisKeyword>& keywords, std::vector<std::string>& comments);
 EphemerisMetadata metadata_of(const KvnEntries& entries, std::string_view interpolation_keyword);
 
+/// Throws BadInput if the time system is not that of the first segment, with the line or after `place`.
+void require_same_system(const KvnEntries& entries, const EphemerisMetadata& metadata,
+                         const EphemerisMetadata& first);
+void require_same_system(const std::string& place, const EphemerisMetadata& metadata,
+                         const EphemerisMetadata& first);
+
 Epoch read_epoch(const KvnReader& reader, const KvnWord& word, const TimeScale& scale);
 /// The number times 10^shift.
 double read_number(const KvnReader& reader, const KvnWord& word, std::string_view name, int shift = 0);

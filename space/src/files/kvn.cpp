@@ -77,31 +77,33 @@ std::string upper_case(std::string text) {
   return text;
 }
 
-KvnReader::KvnReader(std::string place, std::vector<std::string> lines)
-    : place_(std::move(place)), lines_(std::move(lines)) {}
+KvnReader::KvnReader(std::string place, TextFile file) : place_(std::move(place)), file_(std::move(file)) {}
 
 bool KvnReader::next() {
   for (content_ = {}; content_.empty();) {
-    if (number_ >= lines_.size()) return false;
-    content_ = trimmed(lines_[number_++]);
+    if (number_ >= file_.lines.size()) return false;
+    content_ = trimmed(file_.lines[number_++]);
   }
   comment_ = detail::is_comment(content_);
-  require_characters(place_, number_, lines_[number_ - 1], comment_);
+  require_characters(place_, number_, file_.lines[number_ - 1], comment_);
+  const bool may_be_cut = !comment_ && !is("DATA_STOP") && !is("COVARIANCE_STOP");
+  if (number_ == file_.lines.size() && !file_.whole && may_be_cut)
+    throw BadInput(place_ + ", line " + text(number_) + ": " + truncated);
   return true;
 }
 
 std::string KvnReader::comment() const {
-  const std::string_view line = lines_[number_ - 1];
+  const std::string_view line = file_.lines[number_ - 1];
   const auto behind = static_cast<std::size_t>(content_.data() - line.data()) + comment_word.size();
   return std::string{line.substr(std::min(behind + 1, line.size()))};
 }
 
 KvnLine KvnReader::keyword() const {
-  return keyword_line(place_, number_, lines_[number_ - 1], content_);
+  return keyword_line(place_, number_, file_.lines[number_ - 1], content_);
 }
 
 std::size_t KvnReader::words(std::array<KvnWord, most_words>& words) const {
-  const char* const line = lines_[number_ - 1].data();
+  const char* const line = file_.lines[number_ - 1].data();
   std::string_view rest = content_;
   std::size_t count = 0;
   while (!rest.empty()) {
@@ -114,7 +116,7 @@ std::size_t KvnReader::words(std::array<KvnWord, most_words>& words) const {
 }
 
 void KvnReader::fail(const std::string& reason) const {
-  const auto first = static_cast<std::size_t>(content_.data() - lines_[number_ - 1].data());
+  const auto first = static_cast<std::size_t>(content_.data() - file_.lines[number_ - 1].data());
   throw BadInput(line_place(place_, number_, first + 1) + ": '" + excerpt(content_) + "': " + reason);
 }
 

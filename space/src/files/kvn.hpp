@@ -6,7 +6,8 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <vector>
+
+#include "text_file.hpp"
 
 namespace vectrix::detail {
 
@@ -39,9 +40,10 @@ struct KvnWord {
 /// BadInput with place, line and column.
 class KvnReader {
  public:
-  KvnReader(std::string place, std::vector<std::string> lines);
+  KvnReader(std::string place, TextFile file);
 
-  /// To the next line. False at the end.
+  /// To the next line. False at the end. Refuses a last line without a line end, for it may have been cut
+  /// within a number; a comment or a word such as DATA_STOP may stand there.
   bool next();
 
   /// What the line is: a comment, one word such as META_START, keyword = value, or data.
@@ -58,7 +60,7 @@ class KvnReader {
   [[nodiscard]] std::size_t words(std::array<KvnWord, most_words>& words) const;
 
   /// The number of the line; at the end, of the last one.
-  [[nodiscard]] std::size_t line() const { return std::min(number_, lines_.size()); }
+  [[nodiscard]] std::size_t line() const { return std::min(number_, file_.lines.size()); }
   [[nodiscard]] const std::string& place() const { return place_; }
   /// Refuses the line as it stands.
   [[noreturn]] void fail(const std::string& reason) const;
@@ -67,7 +69,7 @@ class KvnReader {
 
  private:
   std::string place_;
-  std::vector<std::string> lines_;
+  TextFile file_;
   std::size_t number_ = 0;
   std::string_view content_;
   bool comment_ = false;

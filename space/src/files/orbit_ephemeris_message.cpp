@@ -54,7 +54,7 @@ class SegmentReader {
     lines.ref_frame = entries.filled("REF_FRAME").value;
     if (const auto* epoch = entries.find("REF_FRAME_EPOCH"))
       lines.ref_frame_epoch = entries.epoch(*epoch, metadata.time_system);
-    require_one_time_system(metadata, entries);
+    if (!segments_.empty()) detail::require_same_system(entries, metadata, segments_.front().metadata());
 
     bool more = reader_.next();
     for (; more && !reader_.is("META_START") && !reader_.is("COVARIANCE_START"); more = reader_.next()) {
@@ -83,14 +83,6 @@ class SegmentReader {
   std::vector<OrbitEphemerisSegment> segments() && { return std::move(segments_); }
 
  private:
-  void require_one_time_system(const EphemerisMetadata& metadata, const detail::KvnEntries& entries) const {
-    if (segments_.empty()) return;
-    const TimeScale& first = segments_.front().metadata().time_system;
-    if (metadata.time_system.kind() != first.kind())
-      entries.fail(entries.line("TIME_SYSTEM"),
-                   "the first segment has " + std::string{first.name()} + "; a message has one time system");
-  }
-
   detail::OrbitLine line(const EphemerisMetadata& metadata, const Epoch* before) const {
     if (reader_.has_keyword()) reader_.fail("no line of data, and not META_START or COVARIANCE_START");
     std::array<KvnWord, KvnReader::most_words> words{};
@@ -165,8 +157,8 @@ class SegmentReader {
   std::vector<OrbitEphemerisSegment> segments_;
 };
 
-OrbitEphemerisMessage message(const std::string& place, std::vector<std::string> lines) {
-  KvnReader reader(place, std::move(lines));
+OrbitEphemerisMessage message(const std::string& place, detail::TextFile file) {
+  KvnReader reader(place, std::move(file));
   const MessageHeader header = detail::read_header(reader, kind);
   SegmentReader segments(reader, header.version);
   while (segments.read()) continue;
@@ -222,12 +214,9 @@ OrbitEphemerisMessage::OrbitEphemerisMessage(MessageHeader header,
     : header_(std::move(header)), segments_(std::move(segments)) {
   detail::require_header(header_, kind);
   if (segments_.empty()) throw BadInput(std::string{kind.name} + ": there are no segments");
-  const TimeScale& first = segments_.front().metadata().time_system;
   for (const OrbitEphemerisSegment& segment : segments_) {
     const detail::OrbitLines& lines = segment.lines(detail::trusted);
-    if (segment.metadata().time_system.kind() != first.kind())
-      throw BadInput(lines.place + ": the time system is " + segment.metadata().time_system.name() +
-                     ", of the first segment " + first.name() + "; a message has one");
+    detail::require_same_system(lines.place, segment.metadata(), segments_.front().metadata());
     const bool is_newer = lines.ref_frame_epoch || !lines.covariances.empty() ||
                           std::any_of(lines.lines.begin(), lines.lines.end(),
                                       [](const auto& line) { return line.acceleration.has_value(); });
@@ -237,12 +226,16 @@ OrbitEphemerisMessage::OrbitEphemerisMessage(MessageHeader header,
 }
 
 OrbitEphemerisMessage OrbitEphemerisMessage::parse(std::string_view text) {
-  return message(kind.name, detail::lines_of(text).lines);
+  detail::TextFile file = detail::lines_of(text);
+  file.whole = true;
+  return message(kind.name, std::move(file));
 }
 
 OrbitEphemerisMessage OrbitEphemerisMessage::read(const std::filesystem::path& file) {
   const std::string place = std::string{kind.name} + " " + file.string();
-  return message(place, detail::whole_lines(place, file));
+  auto content = detail::read_lines(file);
+  if (!content) throw BadInput(place + ": cannot be read");
+  return message(place, std::move(*content));
 }
 
 std::string OrbitEphemerisMessage::text() const {

@@ -41,14 +41,6 @@ std::optional<TextFile> read_lines(const std::filesystem::path& file) {
   return in.bad() ? std::nullopt : std::optional{std::move(result)};
 }
 
-std::vector<std::string> whole_lines(const std::string& place, const std::filesystem::path& file) {
-  auto content = read_lines(file);
-  if (!content) throw BadInput(place + ": cannot be read");
-  if (!content->whole)
-    throw BadInput(place + ", line " + detail::text(content->lines.size()) + ": " + truncated);
-  return std::move(content->lines);
-}
-
 void write_file(const std::string& place, const std::filesystem::path& file, const std::string& text) {
   std::ofstream out(file, std::ios::binary);
   if (!out) throw BadInput(place + ": cannot be written");

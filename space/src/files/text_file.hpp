@@ -23,8 +23,6 @@ TextFile lines_of(std::string_view text);
 /// The lines of a file. Nothing if it cannot be read.
 std::optional<TextFile> read_lines(const std::filesystem::path& file);
 
-/// The lines of a file. Throws BadInput that begins with `place` if it cannot be read or is not whole.
-std::vector<std::string> whole_lines(const std::string& place, const std::filesystem::path& file);
 /// Throws BadInput that begins with `place` if it cannot be written.
 void write_file(const std::string& place, const std::filesystem::path& file, const std::string& text);
 

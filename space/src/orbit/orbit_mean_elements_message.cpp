@@ -181,7 +181,11 @@ OrbitMeanElementsMessage OrbitMeanElementsMessage::parse(std::string_view text) 
 
 std::vector<OrbitMeanElementsMessage> OrbitMeanElementsMessage::read(const std::filesystem::path& file) {
   const std::string place = "orbit mean-elements message " + file.string();
-  return messages(place, detail::whole_lines(place, file));
+  const auto content = detail::read_lines(file);
+  if (!content) throw BadInput(place + ": cannot be read");
+  if (!content->whole)
+    throw BadInput(place + ", line " + detail::text(content->lines.size()) + ": " + detail::truncated);
+  return messages(place, content->lines);
 }
 
 }  // namespace vectrix

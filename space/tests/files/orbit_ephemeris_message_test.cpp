@@ -416,6 +416,12 @@ TEST(OrbitEphemerisMessage, TheFileIsNamedAndMustBeWhole) {
   const TemporaryFile cut(topo.substr(0, topo.size() - 4));
   EXPECT_EQ(complaint([&] { Message::read(cut.path()); }, cut.path()),
             "orbit ephemeris message FILE, line 22: the file stops within this line; it was truncated");
+  // What stands before the end is named first, and after COVARIANCE_STOP nothing can be missing.
+  const TemporaryFile cut_and_wrong(replaced(topo.substr(0, topo.size() - 4), "UTC", "TCG"));
+  EXPECT_NE(complaint([&] { Message::read(cut_and_wrong.path()); }).find("line 10, column 24 (TIME_SYSTEM)"),
+            std::string::npos);
+  const TemporaryFile whole(full.substr(0, full.find("COVARIANCE_STOP") + 15));
+  EXPECT_EQ(Message::read(whole.path()).segments().size(), 1U);
   EXPECT_EQ(complaint([] { return Message::read("/no/such/file"); }),
             "orbit ephemeris message /no/such/file: cannot be read");
   EXPECT_EQ(complaint_of(""), "orbit ephemeris message: there is no message");

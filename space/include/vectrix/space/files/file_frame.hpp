@@ -65,6 +65,34 @@ template <Frame F> FrameClaim claim_of(const Called<F>& called) {
   return {frame_name<F>(), standard_frame<F>, called.name(), called.center()};
 }
 
+/// Whether each of the claims is of a or of b, and the frames without a claim have standard names.
+template <class A, class B, class... Given>
+inline constexpr bool are_claims =
+    !std::is_same_v<A, B> && ((std::is_same_v<Given, Called<A>> || std::is_same_v<Given, Called<B>>)&&...) &&
+    (0 + ... + int{std::is_same_v<Given, Called<A>>}) <= 1 &&
+    (0 + ... + int{std::is_same_v<Given, Called<B>>}) <= 1 &&
+    (is_claim<A> || (std::is_same_v<Given, Called<A>> || ...)) &&
+    (is_claim<B> || (std::is_same_v<Given, Called<B>> || ...));
+
+/// The result of a door that takes two frames by their standard names, or by called<F>("NAME").
+template <class A, class B, class Result, class... Given>
+using ClaimedPair = std::enable_if_t<are_claims<A, B, Given...>, Result>;
+template <class A, class B, class... Given>
+using UnclaimedPair = std::enable_if_t<!are_claims<A, B, Given...>, Refused>;
+
+/// The claim of F among those of several frames.
+template <Frame F> FrameClaim claim_among() {
+  return claim_of<F>();
+}
+template <Frame F, class First, class... Rest>
+FrameClaim claim_among(const First& first, const Rest&... rest) {
+  if constexpr (std::is_same_v<First, Called<F>>) {
+    return claim_of<F>(first);
+  } else {
+    return claim_among<F>(rest...);
+  }
+}
+
 /// The name that is written for the claimed frame.
 VECTRIX_EXPORT std::string name_of(const FrameClaim& claim);
 /// Whether the name in a file is that of the claim.
