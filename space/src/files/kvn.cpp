@@ -1,5 +1,8 @@
 #include "kvn.hpp"
 
+#include <algorithm>
+#include <utility>
+
 #include <vectrix/frames/errors.hpp>
 
 #include "text_file.hpp"
@@ -7,43 +10,119 @@
 namespace vectrix::detail {
 namespace {
 
+constexpr std::string_view comment_word = "COMMENT";
+
 bool is_control(char c) {
   const auto code = static_cast<unsigned char>(c);
   return (code < ' ' && c != '\t') || code == 127;
 }
 bool is_comment(std::string_view text) {
-  constexpr std::string_view word = "COMMENT";
-  return text.starts_with(word) &&
-         (text.size() == word.size() || text[word.size()] == ' ' || text[word.size()] == '\t');
+  return text.starts_with(comment_word) &&
+         (text.size() == comment_word.size() || text[comment_word.size()] == ' ' ||
+          text[comment_word.size()] == '\t');
+}
+bool is_keyword(std::string_view text) {
+  return !text.empty() &&
+         text.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_") == std::string_view::npos;
 }
 
-}  // namespace
+std::string line_place(const std::string& place, std::size_t line, std::size_t column) {
+  return place + ", line " + text(line) + ", column " + text(column);
+}
 
-std::optional<KvnLine> read_kvn_line(const std::string& place, std::size_t number, std::string_view line) {
-  const auto refuse = [&](std::size_t index, const std::string& reason) {
-    throw BadInput(place + ", line " + text(number) + ", column " + text(index + 1) + ": " + reason);
-  };
-  const std::string_view content = trimmed(line);
-  const bool comment = is_comment(content);
+void require_characters(const std::string& place, std::size_t number, std::string_view line, bool comment) {
   for (std::size_t i = 0; i < line.size(); ++i) {
     const auto code = static_cast<unsigned char>(line[i]);
     if (is_control(line[i]) || (code > 127 && !comment))
-      refuse(i, "the byte " + text(static_cast<int>(code)) + " is no printable character of ASCII");
+      throw BadInput(line_place(place, number, i + 1) + ": the byte " + text(static_cast<int>(code)) +
+                     " is no printable character of ASCII");
   }
-  if (content.empty() || comment) return std::nullopt;
+}
 
+KvnLine keyword_line(const std::string& place, std::size_t number, std::string_view line,
+                     std::string_view content) {
   const auto first = static_cast<std::size_t>(content.data() - line.data());
+  const std::string here = line_place(place, number, first + 1);
   const auto equals = content.find('=');
-  if (equals == std::string_view::npos) refuse(first, "'" + excerpt(content) + "': expected keyword = value");
+  if (equals == std::string_view::npos)
+    throw BadInput(here + ": '" + excerpt(content) + "': expected keyword = value");
   const std::string_view keyword = trimmed(content.substr(0, equals));
-  if (keyword.empty() ||
-      keyword.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_") != std::string_view::npos)
-    refuse(first, "'" + excerpt(keyword) + "' is no keyword");
+  if (!is_keyword(keyword)) throw BadInput(here + ": '" + excerpt(keyword) + "' is no keyword");
 
   const std::string_view value = trimmed(content.substr(equals + 1));
   const std::size_t column =
       value.empty() ? first + equals + 1 : static_cast<std::size_t>(value.data() - line.data());
   return KvnLine{std::string{keyword}, std::string{value}, number, column + 1};
+}
+
+}  // namespace
+
+std::optional<KvnLine> read_kvn_line(const std::string& place, std::size_t number, std::string_view line) {
+  const std::string_view content = trimmed(line);
+  const bool comment = is_comment(content);
+  require_characters(place, number, line, comment);
+  if (content.empty() || comment) return std::nullopt;
+  return keyword_line(place, number, line, content);
+}
+
+void refuse(const std::string& place, const KvnLine& line, const std::string& reason) {
+  throw BadInput(line_place(place, line.line, line.column) + " (" + excerpt(line.keyword) + "): '" +
+                 excerpt(line.value) + "': " + reason);
+}
+
+std::string upper_case(std::string text) {
+  for (char& c : text) {
+    if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
+  }
+  return text;
+}
+
+KvnReader::KvnReader(std::string place, TextFile file) : place_(std::move(place)), file_(std::move(file)) {}
+
+bool KvnReader::next() {
+  for (content_ = {}; content_.empty();) {
+    if (number_ >= file_.lines.size()) return false;
+    content_ = trimmed(file_.lines[number_++]);
+  }
+  comment_ = detail::is_comment(content_);
+  require_characters(place_, number_, file_.lines[number_ - 1], comment_);
+  const bool may_be_cut = !comment_ && !is("DATA_STOP") && !is("COVARIANCE_STOP");
+  if (number_ == file_.lines.size() && !file_.whole && may_be_cut)
+    throw BadInput(place_ + ", line " + text(number_) + ": " + truncated);
+  return true;
+}
+
+std::string KvnReader::comment() const {
+  const std::string_view line = file_.lines[number_ - 1];
+  const auto behind = static_cast<std::size_t>(content_.data() - line.data()) + comment_word.size();
+  return std::string{line.substr(std::min(behind + 1, line.size()))};
+}
+
+KvnLine KvnReader::keyword() const {
+  return keyword_line(place_, number_, file_.lines[number_ - 1], content_);
+}
+
+std::size_t KvnReader::words(std::array<KvnWord, most_words>& words) const {
+  const char* const line = file_.lines[number_ - 1].data();
+  std::string_view rest = content_;
+  std::size_t count = 0;
+  while (!rest.empty()) {
+    const auto end = count + 1 < most_words ? rest.find_first_of(" \t") : std::string_view::npos;
+    const std::string_view word = rest.substr(0, end);
+    words[count++] = {word, static_cast<std::size_t>(word.data() - line) + 1};
+    rest = end == std::string_view::npos ? std::string_view{} : trimmed(rest.substr(end));
+  }
+  return count;
+}
+
+void KvnReader::fail(const std::string& reason) const {
+  const auto first = static_cast<std::size_t>(content_.data() - file_.lines[number_ - 1].data());
+  throw BadInput(line_place(place_, number_, first + 1) + ": '" + excerpt(content_) + "': " + reason);
+}
+
+void KvnReader::fail(const KvnWord& word, std::string_view name, const std::string& reason) const {
+  throw BadInput(line_place(place_, number_, word.column) + " (" + std::string{name} + "): '" +
+                 excerpt(word.text) + "': " + reason);
 }
 
 }  // namespace vectrix::detail

@@ -7,6 +7,8 @@
 #include <system_error>
 #include <utility>
 
+#include <vectrix/frames/errors.hpp>
+
 namespace vectrix::detail {
 
 namespace {
@@ -37,6 +39,14 @@ std::optional<TextFile> read_lines(const std::filesystem::path& file) {
   if (!in) return std::nullopt;
   auto result = lines_from(in);
   return in.bad() ? std::nullopt : std::optional{std::move(result)};
+}
+
+void write_file(const std::string& place, const std::filesystem::path& file, const std::string& text) {
+  std::ofstream out(file, std::ios::binary);
+  if (!out) throw BadInput(place + ": cannot be written");
+  out << text;
+  out.close();
+  if (!out) throw BadInput(place + ": was not written to its end");
 }
 
 std::string_view trimmed(std::string_view text) {

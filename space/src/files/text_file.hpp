@@ -23,6 +23,9 @@ TextFile lines_of(std::string_view text);
 /// The lines of a file. Nothing if it cannot be read.
 std::optional<TextFile> read_lines(const std::filesystem::path& file);
 
+/// Throws BadInput that begins with `place` if it cannot be written.
+void write_file(const std::string& place, const std::filesystem::path& file, const std::string& text);
+
 /// The text without the blanks around it.
 std::string_view trimmed(std::string_view text);
 

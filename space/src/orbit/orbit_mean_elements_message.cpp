@@ -2,13 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
-#include <cmath>
 #include <set>
 
 #include <vectrix/frames/errors.hpp>
 
-#include "../files/kvn.hpp"
+#include "../files/kvn_entries.hpp"
 #include "../files/text_file.hpp"
 #include "mean_motion.hpp"
 
@@ -71,13 +69,6 @@ bool of_the_standard(std::string_view keyword) {
   return keywords.count(keyword) > 0 || keyword.starts_with("USER_DEFINED_") || of_covariance(keyword);
 }
 
-std::string upper_case(std::string text) {
-  for (char& c : text) {
-    if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
-  }
-  return text;
-}
-
 }  // namespace
 
 namespace detail {
@@ -85,16 +76,15 @@ namespace detail {
 /// The lines of one message. Every error is a BadInput with the place.
 class OrbitMeanElementsReader {
  public:
-  OrbitMeanElementsReader(std::string place, KvnLine version)
-      : place_(std::move(place)), version_(std::move(version)) {
+  OrbitMeanElementsReader(const std::string& place, KvnLine version)
+      : version_(std::move(version)),
+        entries_(place, "the message from line " + detail::text(version_.line) + " on") {
     if (version_.value != "2.0" && version_.value != "3.0") fail(version_, "the versions are 2.0 and 3.0");
   }
 
   void add(KvnLine line) {
     if (!of_the_standard(line.keyword)) fail(line, "the keyword is not of an orbit mean-elements message");
-    const auto [entry, is_new] = lines_.try_emplace(line.keyword, line);
-    if (!is_new)
-      fail(line, "the keyword is there for the second time, after line " + detail::text(entry->second.line));
+    entries_.add(std::move(line));
   }
 
   OrbitMeanElementsMessage message() const {
@@ -102,96 +92,52 @@ class OrbitMeanElementsReader {
     require("REF_FRAME", {"TEME"});
     require("TIME_SYSTEM", {"UTC"});
     require("MEAN_ELEMENT_THEORY", {"SGP4", "SGP/SGP4"});
-    if (const KvnLine* type = find("EPHEMERIS_TYPE");
+    if (const KvnLine* type = entries_.find("EPHEMERIS_TYPE");
         type && type->value != "0" && type->value != "2" && !(type->value == "3" && version_.value == "2.0"))
       fail(*type, "the elements are of another theory than SGP4");
-    if (const KvnLine* axis = find("SEMI_MAJOR_AXIS"))
+    if (const KvnLine* axis = entries_.find("SEMI_MAJOR_AXIS"))
       fail(*axis, "the elements of SGP4 have MEAN_MOTION instead");
     constexpr double wgs72 = 398600.8;
-    if (const KvnLine* gm = find("GM"); gm && number(*gm, "km**3/s**2") != wgs72)
+    if (const KvnLine* gm = entries_.find("GM"); gm && entries_.number(*gm, "km**3/s**2") != wgs72)
       fail(*gm, "SGP4 has 398600.8 km^3/s^2, of WGS-72");
 
-    const KvnLine& motion = line("MEAN_MOTION");
-    const double revolutions = number(motion, "rev/day");
+    const KvnLine& motion = entries_.line("MEAN_MOTION");
+    const double revolutions = entries_.number(motion, "rev/day");
     if (!(revolutions > 0.0 && revolutions <= detail::fastest_mean_motion))
       fail(motion, "not in (0, " + detail::text(detail::fastest_mean_motion) + "] rev/day");
-    const KvnLine& ellipse = line("ECCENTRICITY");
-    const double e = number(ellipse, "");
+    const KvnLine& ellipse = entries_.line("ECCENTRICITY");
+    const double e = entries_.number(ellipse, "");
     if (!(e >= 0.0 && e < 1.0)) fail(ellipse, "not in [0, 1)");
-    OrbitMeanElementsMessage message({epoch(), detail::mean_motion(revolutions), e,
-                                      degrees("INCLINATION", 180.0), degrees("RA_OF_ASC_NODE", 360.0),
-                                      degrees("ARG_OF_PERICENTER", 360.0), degrees("MEAN_ANOMALY", 360.0),
-                                      number(line("BSTAR"), "1/ER") * bstar_unit});
-    for (const char* keyword : {"OBJECT_NAME", "OBJECT_ID"}) static_cast<void>(line(keyword));
-    if (const KvnLine* catalogue = find("NORAD_CAT_ID")) message.catalogue_number_ = whole(*catalogue);
-    for (const auto& [keyword, entry] : lines_) message.values_.emplace(keyword, entry.value);
+    OrbitMeanElementsMessage message(
+        {entries_.epoch(entries_.line("EPOCH"), scale::utc), detail::mean_motion(revolutions), e,
+         degrees("INCLINATION", 180.0), degrees("RA_OF_ASC_NODE", 360.0), degrees("ARG_OF_PERICENTER", 360.0),
+         degrees("MEAN_ANOMALY", 360.0), entries_.number(entries_.line("BSTAR"), "1/ER") * bstar_unit});
+    for (const char* keyword : {"OBJECT_NAME", "OBJECT_ID"}) static_cast<void>(entries_.line(keyword));
+    if (const KvnLine* catalogue = entries_.find("NORAD_CAT_ID"))
+      message.catalogue_number_ = entries_.whole(*catalogue);
+    for (const auto& [keyword, entry] : entries_.all()) message.values_.emplace(keyword, entry.value);
     message.values_.emplace(version_keyword, version_.value);
     return message;
   }
 
-  [[noreturn]] static void fail(const std::string& place, const KvnLine& line, const std::string& reason) {
-    throw BadInput(place + ", line " + detail::text(line.line) + ", column " + detail::text(line.column) +
-                   " (" + detail::excerpt(line.keyword) + "): '" + detail::excerpt(line.value) +
-                   "': " + reason);
-  }
-
  private:
-  [[noreturn]] void fail(const KvnLine& line, const std::string& reason) const { fail(place_, line, reason); }
+  [[noreturn]] void fail(const KvnLine& line, const std::string& reason) const {
+    entries_.fail(line, reason);
+  }
 
-  [[nodiscard]] const KvnLine* find(const char* keyword) const {
-    const auto found = lines_.find(keyword);
-    return found == lines_.end() ? nullptr : &found->second;
-  }
-  [[nodiscard]] const KvnLine& line(const char* keyword) const {
-    if (const KvnLine* found = find(keyword)) return *found;
-    throw BadInput(place_ + ", the message from line " + detail::text(version_.line) + " on: there is no " +
-                   keyword);
-  }
   void require(const char* keyword, std::initializer_list<std::string_view> allowed) const {
-    const KvnLine& given = line(keyword);
-    if (std::find(allowed.begin(), allowed.end(), upper_case(given.value)) == allowed.end())
+    const KvnLine& given = entries_.line(keyword);
+    if (std::find(allowed.begin(), allowed.end(), detail::upper_case(given.value)) == allowed.end())
       fail(given, "it must be " + std::string{*allowed.begin()} + " for the elements of SGP4");
   }
-  /// The number, with this unit or without.
-  [[nodiscard]] double number(const KvnLine& line, std::string_view unit) const {
-    std::string_view written = line.value;
-    if (const auto bracket = written.find('['); bracket != std::string_view::npos) {
-      if (unit.empty() ||
-          upper_case(std::string{written.substr(bracket)}) != upper_case("[" + std::string{unit} + "]"))
-        fail(line, unit.empty() ? "it has no unit" : "the unit is [" + std::string{unit} + "]");
-      written = detail::trimmed(written.substr(0, bracket));
-    }
-    const auto value = detail::parse_number(written);
-    if (!value || !std::isfinite(*value)) fail(line, "not a finite number");
-    return *value;
-  }
   [[nodiscard]] Quantity<si::angle> degrees(const char* keyword, double most) const {
-    const KvnLine& given = line(keyword);
-    const double value = number(given, "deg");
+    const KvnLine& given = entries_.line(keyword);
+    const double value = entries_.number(given, "deg");
     if (!(value >= 0.0 && value <= most)) fail(given, "not in [0, " + detail::text(most) + "] deg");
     return convert<si::angle>(value * si::degree);
   }
-  [[nodiscard]] std::int64_t whole(const KvnLine& line) const {
-    std::int64_t value = 0;
-    const char *begin = line.value.data(), *end = begin + line.value.size();
-    const auto [stop, error] = std::from_chars(begin, end, value);
-    if (error != std::errc{} || stop != end || value < 0) fail(line, "not a whole number");
-    return value;
-  }
-  [[nodiscard]] Epoch epoch() const {
-    const KvnLine& given = line("EPOCH");
-    constexpr std::size_t longest = 40;
-    if (given.value.size() > longest) fail(given, "too long for an epoch");
-    try {
-      return Epoch::from_utc(given.value);
-    } catch (const BadInput& error) {
-      fail(given, error.what());
-    }
-  }
-
-  std::string place_;
   KvnLine version_;
-  std::map<std::string, KvnLine, std::less<>> lines_;
+  KvnEntries entries_;
 };
 
 }  // namespace detail
@@ -216,7 +162,7 @@ std::vector<OrbitMeanElementsMessage> messages(const std::string& place,
     } else if (reader) {
       reader->add(std::move(*line));
     } else {
-      OrbitMeanElementsReader::fail(place, *line, "a message begins with " + std::string{version_keyword});
+      detail::refuse(place, *line, "a message begins with " + std::string{version_keyword});
     }
   }
   if (!reader) throw BadInput(place + ": there is no message");

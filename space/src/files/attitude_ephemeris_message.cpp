@@ -1,0 +1,290 @@
+#include <vectrix/space/files/attitude_ephemeris_message.hpp>
+
+#include <cmath>
+
+#include <vectrix/frames/errors.hpp>
+
+#include "attitude_lines.hpp"
+#include "ephemeris_text.hpp"
+#include "epoch_text.hpp"
+#include "shifted_number.hpp"
+#include "text_file.hpp"
+
+namespace vectrix {
+namespace {
+
+using detail::KvnEntries, detail::KvnLine, detail::KvnReader, detail::KvnWord;
+
+const detail::MessageKind kind{"attitude ephemeris message", "CCSDS_AEM_VERS", {"1.0", "2.0"}};
+constexpr const char* interpolation_keyword = "INTERPOLATION_METHOD";
+const std::vector<detail::EphemerisKeyword> keywords{{"OBJECT_NAME"},
+                                                     {"OBJECT_ID"},
+                                                     {"CENTER_NAME"},
+                                                     {"REF_FRAME_A"},
+                                                     {"REF_FRAME_B"},
+                                                     {"ATTITUDE_DIR", "1.0", "1.0"},
+                                                     {"TIME_SYSTEM"},
+                                                     {"START_TIME"},
+                                                     {"USEABLE_START_TIME"},
+                                                     {"USEABLE_STOP_TIME"},
+                                                     {"STOP_TIME"},
+                                                     {"ATTITUDE_TYPE"},
+                                                     {"QUATERNION_TYPE", "1.0", "1.0"},
+                                                     {"EULER_ROT_SEQ"},
+                                                     {"RATE_FRAME", "1.0", "1.0"},
+                                                     {"ANGVEL_FRAME", "2.0"},
+                                                     {"INTERPOLATION_METHOD"},
+                                                     {"INTERPOLATION_DEGREE"}};
+constexpr double most_norm_error = 0.01;  // of quaternions with two decimals
+
+bool is_oldest(const std::string& version) {
+  return version == *kind.versions.begin();
+}
+const char* rate_keyword(const std::string& version) {
+  return is_oldest(version) ? "RATE_FRAME" : "ANGVEL_FRAME";
+}
+std::string type_name(AttitudeType type, const std::string& version) {
+  if (type == AttitudeType::quaternion) return "QUATERNION";
+  if (type == AttitudeType::euler_angle) return "EULER_ANGLE";
+  return is_oldest(version) ? "QUATERNION/RATE" : "QUATERNION/ANGVEL";
+}
+
+/// One of two words, whatever their capitals.
+bool is_first(const KvnEntries& entries, const KvnLine& line, const char* first, const char* second) {
+  const std::string word = detail::upper_case(line.value);
+  if (word != first && word != second) entries.fail(line, "it is " + std::string{first} + " or " + second);
+  return word == first;
+}
+
+AttitudeType type_of(const KvnEntries& entries, const std::string& version) {
+  const KvnLine& line = entries.filled("ATTITUDE_TYPE");
+  std::string names;
+  for (const AttitudeType type :
+       {AttitudeType::quaternion, AttitudeType::quaternion_rate, AttitudeType::euler_angle}) {
+    const std::string name = type_name(type, version);
+    if (detail::upper_case(line.value) == name) return type;
+    names += (names.empty() ? "" : ", ") + name;
+  }
+  entries.fail(line, "the attitude types that are read in version " + version + " are " + names);
+}
+
+void read_rate_frame(const KvnEntries& entries, const std::string& version, detail::AttitudeLines& lines) {
+  const char* keyword = rate_keyword(version);
+  const KvnLine* line = entries.find(keyword);
+  if (!line && lines.type == AttitudeType::quaternion_rate) line = &entries.line(keyword);
+  if (!line) return;
+  const std::string word = detail::upper_case(line->value);
+  const bool in_a = word == "REF_FRAME_A" || word == detail::upper_case(lines.ref_frame_a);
+  if (!in_a && word != "REF_FRAME_B" && word != detail::upper_case(lines.ref_frame_b))
+    entries.fail(*line, "it is REF_FRAME_A or REF_FRAME_B");
+  lines.rate_frame = in_a ? "REF_FRAME_A" : "REF_FRAME_B";
+}
+
+/// What the metadata say of the data lines.
+detail::AttitudeLines read_type(const KvnEntries& entries, const std::string& version) {
+  detail::AttitudeLines lines;
+  lines.ref_frame_a = entries.filled("REF_FRAME_A").value;
+  lines.ref_frame_b = entries.filled("REF_FRAME_B").value;
+  if (detail::upper_case(lines.ref_frame_a) == detail::upper_case(lines.ref_frame_b))
+    entries.fail(entries.line("REF_FRAME_B"), "it is REF_FRAME_A, too");
+  lines.type = type_of(entries, version);
+  if (is_oldest(version)) {
+    lines.is_b_to_a = !is_first(entries, entries.line("ATTITUDE_DIR"), "A2B", "B2A");
+    const bool needed = lines.type != AttitudeType::euler_angle;
+    if (const KvnLine* order = needed ? &entries.line("QUATERNION_TYPE") : entries.find("QUATERNION_TYPE"))
+      lines.is_scalar_first = is_first(entries, *order, "FIRST", "LAST");
+  }
+  const KvnLine* sequence = lines.type == AttitudeType::euler_angle ? &entries.line("EULER_ROT_SEQ")
+                                                                    : entries.find("EULER_ROT_SEQ");
+  if (sequence) {
+    if (!detail::parse_euler_sequence(sequence->value))
+      entries.fail(*sequence, "no sequence of three axes such as 321 or ZYX, none twice in a row");
+    lines.euler_sequence = sequence->value;
+  }
+  read_rate_frame(entries, version, lines);
+  return lines;
+}
+
+const char* column(const detail::AttitudeLines& lines, std::size_t number) {
+  static constexpr const char *angles[] = {"ANGLE_1", "ANGLE_2", "ANGLE_3"},
+                              *first[] = {"QC", "Q1", "Q2", "Q3", "X_RATE", "Y_RATE", "Z_RATE"},
+                              *last[] = {"Q1", "Q2", "Q3", "QC", "X_RATE", "Y_RATE", "Z_RATE"};
+  if (lines.type == AttitudeType::euler_angle) return angles[number];
+  return lines.is_scalar_first ? first[number] : last[number];
+}
+
+/// One segment after the other.
+class SegmentReader {
+ public:
+  SegmentReader(KvnReader& reader, const std::string& version) : reader_(reader), version_(version) {}
+
+  /// The reader is at META_START, and then at the next one or at the end, which gives false.
+  bool read() {
+    const std::size_t start = reader_.line();
+    std::vector<std::string> comments = std::move(between_);
+    between_.clear();
+    const KvnEntries entries = detail::read_entries(reader_, version_, keywords, comments);
+    EphemerisMetadata metadata = detail::metadata_of(entries, interpolation_keyword);
+    metadata.comments = std::move(comments);
+    if (!segments_.empty()) detail::require_same_system(entries, metadata, segments_.front().metadata());
+    detail::AttitudeLines lines = read_type(entries, version_);
+    lines.place = reader_.place() + ", the segment from line " + detail::text(start) + " on";
+    read_data(metadata, lines);
+    const bool more = next_segment();
+    if (!more) lines.comments.insert(lines.comments.end(), between_.begin(), between_.end());
+    segments_.emplace_back(detail::trusted, std::move(metadata), std::move(lines));
+    return more;
+  }
+
+  std::vector<AttitudeEphemerisSegment> segments() && { return std::move(segments_); }
+
+ private:
+  /// From META_STOP to DATA_STOP.
+  void read_data(const EphemerisMetadata& metadata, detail::AttitudeLines& lines) {
+    bool started = false;
+    while (reader_.next()) {
+      if (reader_.is_comment()) {
+        lines.comments.push_back(reader_.comment());
+      } else if (!started) {
+        if (!reader_.is("DATA_START")) reader_.fail("expected DATA_START");
+        started = true;
+      } else if (reader_.is("DATA_STOP")) {
+        if (lines.times.empty()) throw BadInput(lines.place + ": there are no data lines");
+        return;
+      } else {
+        read_line(metadata, lines);
+      }
+    }
+    throw BadInput(lines.place + ": there is no " + (started ? "DATA_STOP" : "DATA_START"));
+  }
+  void read_line(const EphemerisMetadata& metadata, detail::AttitudeLines& lines) const {
+    if (reader_.has_keyword() || reader_.is("META_START")) reader_.fail("no line of data, and not DATA_STOP");
+    std::array<KvnWord, KvnReader::most_words> words{};
+    const std::size_t size = reader_.words(words), numbers = detail::numbers_in_line(lines.type);
+    if (size != numbers + 1)
+      reader_.fail(detail::text(size) + " fields; a line of " + type_name(lines.type, version_) +
+                   " has an epoch and " + detail::text(numbers) + " numbers");
+    lines.times.push_back(
+        detail::read_time(reader_, words[0], metadata, lines.times.empty() ? nullptr : &lines.times.back()));
+    for (std::size_t i = 0; i < numbers; ++i)
+      lines.numbers.push_back(detail::read_number(reader_, words[i + 1], column(lines, i)));
+    if (lines.type != AttitudeType::euler_angle) check_norm(words[1], lines, numbers);
+  }
+  void check_norm(const KvnWord& first, detail::AttitudeLines& lines, std::size_t numbers) const {
+    const double* q = lines.numbers.data() + lines.numbers.size() - numbers;
+    const double norm = std::hypot(std::hypot(q[0], q[1]), std::hypot(q[2], q[3]));
+    const double error = std::abs(norm - 1.0);
+    if (!(error <= most_norm_error))
+      reader_.fail(first, column(lines, 0), "of a quaternion whose norm is " + detail::text(norm));
+    if (error <= lines.norm_error) return;
+    lines.norm_error = error;
+    lines.norm_line = reader_.line();
+  }
+  bool next_segment() {
+    while (reader_.next()) {
+      if (reader_.is("META_START")) return true;
+      if (!reader_.is_comment()) reader_.fail("expected META_START after DATA_STOP");
+      between_.push_back(reader_.comment());
+    }
+    return false;
+  }
+
+  KvnReader& reader_;
+  const std::string& version_;
+  std::vector<std::string> between_;  // comments before META_START, kept in the segment that follows
+  std::vector<AttitudeEphemerisSegment> segments_;
+};
+
+AttitudeEphemerisMessage message(const std::string& place, detail::TextFile file) {
+  KvnReader reader(place, std::move(file));
+  const MessageHeader header = detail::read_header(reader, kind);
+  SegmentReader segments(reader, header.version);
+  while (segments.read()) continue;
+  return {header, std::move(segments).segments()};
+}
+
+void write_type(std::string& out, const detail::AttitudeLines& lines, const std::string& version) {
+  detail::write_line(out, "ATTITUDE_TYPE", type_name(lines.type, version));
+  if (is_oldest(version) && lines.type != AttitudeType::euler_angle)
+    detail::write_line(out, "QUATERNION_TYPE", lines.is_scalar_first ? "FIRST" : "LAST");
+  if (!lines.euler_sequence.empty()) detail::write_line(out, "EULER_ROT_SEQ", lines.euler_sequence);
+  if (!lines.rate_frame.empty()) detail::write_line(out, rate_keyword(version), lines.rate_frame);
+}
+
+void write_segment(std::string& out, const AttitudeEphemerisSegment& segment, const std::string& version) {
+  const EphemerisMetadata& metadata = segment.metadata();
+  const detail::AttitudeLines& lines = segment.lines(detail::trusted);
+  out.append("\nMETA_START\n");
+  detail::write_object(out, metadata);
+  detail::write_line(out, "REF_FRAME_A", lines.ref_frame_a);
+  detail::write_line(out, "REF_FRAME_B", lines.ref_frame_b);
+  if (is_oldest(version)) detail::write_line(out, "ATTITUDE_DIR", lines.is_b_to_a ? "B2A" : "A2B");
+  detail::write_span(out, metadata);
+  write_type(out, lines, version);
+  detail::write_interpolation(out, metadata, interpolation_keyword);
+  out.append("META_STOP\n\nDATA_START\n");
+  detail::write_comments(out, lines.comments);
+  auto number = lines.numbers.begin();
+  for (const Epoch& time : lines.times) {
+    out.append(detail::exact_text(time, metadata.time_system));
+    for (std::size_t i = 0; i < detail::numbers_in_line(lines.type); ++i)
+      out.append(" ").append(detail::shifted_text(*number++, 0));
+    out.append("\n");
+  }
+  out.append("DATA_STOP\n");
+}
+
+}  // namespace
+
+std::optional<std::array<int, 3>> detail::parse_euler_sequence(const std::string& text) {
+  if (text.size() != 3) return std::nullopt;
+  std::array<int, 3> axes{};
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    const auto digit = std::string_view{"123"}.find(text[i]), letter = std::string_view{"XYZ"}.find(text[i]);
+    if (digit == std::string_view::npos && letter == std::string_view::npos) return std::nullopt;
+    axes[i] = static_cast<int>(std::min(digit, letter));
+    if (i > 0 && axes[i] == axes[i - 1]) return std::nullopt;
+  }
+  return axes;
+}
+
+AttitudeEphemerisMessage::AttitudeEphemerisMessage(MessageHeader header,
+                                                   std::vector<AttitudeEphemerisSegment> segments)
+    : header_(std::move(header)), segments_(std::move(segments)) {
+  detail::require_header(header_, kind);
+  if (segments_.empty()) throw BadInput(std::string{kind.name} + ": there are no segments");
+  for (const AttitudeEphemerisSegment& segment : segments_) {
+    const detail::AttitudeLines& lines = segment.lines(detail::trusted);
+    detail::require_same_system(lines.place, segment.metadata(), segments_.front().metadata());
+    if (!is_oldest(header_.version) && (lines.is_b_to_a || lines.is_scalar_first))
+      throw BadInput(lines.place +
+                     ": version 2.0 has the direction A2B and the scalar last; the segment has " +
+                     (lines.is_b_to_a ? "B2A" : "QUATERNION_TYPE FIRST"));
+  }
+}
+
+AttitudeEphemerisMessage AttitudeEphemerisMessage::parse(std::string_view text) {
+  detail::TextFile file = detail::lines_of(text);
+  file.whole = true;
+  return message(kind.name, std::move(file));
+}
+
+AttitudeEphemerisMessage AttitudeEphemerisMessage::read(const std::filesystem::path& file) {
+  const std::string place = std::string{kind.name} + " " + file.string();
+  auto content = detail::read_lines(file);
+  if (!content) throw BadInput(place + ": cannot be read");
+  return message(place, std::move(*content));
+}
+
+std::string AttitudeEphemerisMessage::text() const {
+  std::string out;
+  detail::write_header(out, header_, kind);
+  for (const AttitudeEphemerisSegment& segment : segments_) write_segment(out, segment, header_.version);
+  return out;
+}
+
+void AttitudeEphemerisMessage::write(const std::filesystem::path& file) const {
+  detail::write_file(std::string{kind.name} + " " + file.string(), file, text());
+}
+
+}  // namespace vectrix

@@ -1,0 +1,106 @@
+#include <vectrix/space/files/attitude_ephemeris_segment.hpp>
+
+#include <cmath>
+
+#include <vectrix/frames/errors.hpp>
+
+#include "attitude_lines.hpp"
+#include "ephemeris_text.hpp"
+#include "text_file.hpp"
+
+namespace vectrix {
+namespace {
+
+constexpr double degree = std::numbers::pi / 180.0;
+
+Eigen::Quaterniond hamilton(const detail::AttitudeLines& lines, const double* x) {
+  if (lines.type == AttitudeType::euler_angle) {
+    Eigen::Quaterniond q = Eigen::Quaterniond::Identity();
+    for (const int axis : detail::euler_axes(lines.euler_sequence)) {
+      const double half = 0.5 * degree * *x++;
+      Eigen::Quaterniond turn(std::cos(half), 0.0, 0.0, 0.0);
+      turn.coeffs()[axis] = std::sin(half);
+      q = q * turn;
+    }
+    return q;
+  }
+  if (lines.is_scalar_first) return {x[0], x[1], x[2], x[3]};
+  return {x[3], x[0], x[1], x[2]};
+}
+
+}  // namespace
+
+AttitudeEphemerisSegment::AttitudeEphemerisSegment(detail::Trusted, EphemerisMetadata metadata,
+                                                   detail::AttitudeLines lines)
+    : metadata_(std::move(metadata)), lines_(std::move(lines)) {}
+
+AttitudeEphemerisSegment::AttitudeEphemerisSegment(detail::Trusted, EphemerisMetadata metadata,
+                                                   detail::AttitudeLines lines, const detail::FrameClaim& a,
+                                                   const detail::FrameClaim& b)
+    : lines_(std::move(lines)) {
+  lines_.place = "attitude ephemeris segment of '" + detail::excerpt(metadata.object_name) + "'";
+  lines_.ref_frame_a = detail::name_of(a);
+  lines_.ref_frame_b = detail::name_of(b);
+  detail::require_text(lines_.place, "REF_FRAME_A", lines_.ref_frame_a);
+  detail::require_text(lines_.place, "REF_FRAME_B", lines_.ref_frame_b);
+  if (detail::upper_case(lines_.ref_frame_a) == detail::upper_case(lines_.ref_frame_b))
+    throw BadInput(lines_.place + ": both frames have the name '" + detail::excerpt(lines_.ref_frame_a) +
+                   "'");
+  metadata_ = detail::checked_metadata(lines_.place, std::move(metadata), lines_.times);
+  for (const double number : lines_.numbers) {
+    if (!std::isfinite(number))
+      throw BadInput(lines_.place + ": a sample has the number " + detail::text(number));
+  }
+  static_cast<void>(is_reversed(a, b));
+}
+
+void AttitudeEphemerisSegment::require_unit_norms() const {
+  if (lines_.norm_error > unit_norm_tolerance)
+    throw BadInput(lines_.place + ", line " + detail::text(lines_.norm_line) +
+                   ": the norm of the quaternion differs from 1 by " + detail::text(lines_.norm_error) +
+                   ", tolerance " + detail::text(unit_norm_tolerance) + "; nearest_samples() projects");
+}
+
+bool AttitudeEphemerisSegment::is_reversed(const detail::FrameClaim& a, const detail::FrameClaim& b) const {
+  const bool straight = detail::names(a, ref_frame_a()) && detail::names(b, ref_frame_b());
+  if (!straight && !(detail::names(a, ref_frame_b()) && detail::names(b, ref_frame_a())))
+    throw BadInput(lines_.place + ": REF_FRAME_A is '" + detail::excerpt(ref_frame_a()) +
+                   "', REF_FRAME_B is '" + detail::excerpt(ref_frame_b()) + "'; asked for " +
+                   detail::shown(b) + " relative to " + detail::shown(a));
+  detail::require_named(lines_.place, straight ? "REF_FRAME_A" : "REF_FRAME_B",
+                        straight ? ref_frame_a() : ref_frame_b(), a);
+  detail::require_named(lines_.place, straight ? "REF_FRAME_B" : "REF_FRAME_A",
+                        straight ? ref_frame_b() : ref_frame_a(), b);
+  return !straight;
+}
+
+Eigen::Quaterniond AttitudeEphemerisSegment::quaternion(std::size_t line, bool reversed) const {
+  const Eigen::Quaterniond q =
+      hamilton(lines_, lines_.numbers.data() + line * detail::numbers_in_line(lines_.type));
+  return lines_.is_b_to_a == reversed ? q : q.conjugate();
+}
+
+std::vector<Eigen::Vector3d> AttitudeEphemerisSegment::rates(const detail::FrameClaim& a,
+                                                             const detail::FrameClaim& b, bool in_a) const {
+  const bool reversed = is_reversed(a, b);
+  if (lines_.type != AttitudeType::quaternion_rate)
+    throw BadInput(lines_.place + ": the attitude type has no rates");
+  if (lines_.is_b_to_a)
+    throw BadInput(lines_.place + ": with ATTITUDE_DIR B2A it is not said whether the rates are of " +
+                   ref_frame_a() + " or of " + ref_frame_b());
+  const bool are_in_a = lines_.rate_frame == "REF_FRAME_A";
+  if (are_in_a != (in_a != reversed))
+    throw BadInput(lines_.place + ": the rates are in " + lines_.rate_frame + ", '" +
+                   detail::excerpt(are_in_a ? ref_frame_a() : ref_frame_b()) + "'; asked for " +
+                   detail::shown(in_a ? a : b));
+  std::vector<Eigen::Vector3d> all;
+  all.reserve(size());
+  const double scale = reversed ? -degree : degree;  // w_ba = -w_ab
+  for (std::size_t line = 0; line < size(); ++line) {
+    const double* w = lines_.numbers.data() + line * detail::numbers_in_line(lines_.type) + 4;
+    all.emplace_back(scale * w[0], scale * w[1], scale * w[2]);
+  }
+  return all;
+}
+
+}  // namespace vectrix

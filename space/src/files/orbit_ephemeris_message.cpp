@@ -1,0 +1,252 @@
+#include <vectrix/space/files/orbit_ephemeris_message.hpp>
+
+#include <array>
+
+#include <vectrix/frames/errors.hpp>
+
+#include "ephemeris_text.hpp"
+#include "epoch_text.hpp"
+#include "shifted_number.hpp"
+#include "text_file.hpp"
+
+namespace vectrix {
+namespace {
+
+using detail::KvnReader, detail::KvnWord;
+
+const detail::MessageKind kind{"orbit ephemeris message", "CCSDS_OEM_VERS", {"1.0", "2.0", "3.0"}};
+constexpr const char* interpolation_keyword = "INTERPOLATION";
+const std::vector<detail::EphemerisKeyword> keywords{{"OBJECT_NAME"},
+                                                     {"OBJECT_ID"},
+                                                     {"CENTER_NAME"},
+                                                     {"REF_FRAME"},
+                                                     {"REF_FRAME_EPOCH", "2.0"},
+                                                     {"TIME_SYSTEM"},
+                                                     {"START_TIME"},
+                                                     {"USEABLE_START_TIME"},
+                                                     {"USEABLE_STOP_TIME"},
+                                                     {"STOP_TIME"},
+                                                     {"INTERPOLATION"},
+                                                     {"INTERPOLATION_DEGREE"}};
+constexpr int kilo = 3;  // kilometres are read as metres
+
+constexpr std::array<const char*, 10> columns{"EPOCH", "X",     "Y",      "Z",      "X_DOT",
+                                              "Y_DOT", "Z_DOT", "X_DDOT", "Y_DDOT", "Z_DDOT"};
+
+bool is_oldest(const std::string& version) {
+  return version == *kind.versions.begin();
+}
+
+/// One segment after the other.
+class SegmentReader {
+ public:
+  SegmentReader(KvnReader& reader, const std::string& version) : reader_(reader), version_(version) {}
+
+  /// The reader is at META_START, and then at the next one or at the end, which gives false.
+  bool read() {
+    detail::OrbitLines lines;
+    lines.place = reader_.place() + ", the segment from line " + detail::text(reader_.line()) + " on";
+    std::vector<std::string> comments;
+    const detail::KvnEntries entries = detail::read_entries(reader_, version_, keywords, comments);
+    EphemerisMetadata metadata = detail::metadata_of(entries, interpolation_keyword);
+    static_cast<void>(entries.filled("CENTER_NAME"));
+    metadata.comments = std::move(comments);
+    lines.ref_frame = entries.filled("REF_FRAME").value;
+    if (const auto* epoch = entries.find("REF_FRAME_EPOCH"))
+      lines.ref_frame_epoch = entries.epoch(*epoch, metadata.time_system);
+    if (!segments_.empty()) detail::require_same_system(entries, metadata, segments_.front().metadata());
+
+    bool more = reader_.next();
+    for (; more && !reader_.is("META_START") && !reader_.is("COVARIANCE_START"); more = reader_.next()) {
+      if (reader_.is_comment()) {
+        lines.comments.push_back(reader_.comment());
+      } else {
+        lines.lines.push_back(line(metadata, lines.lines.empty() ? nullptr : &lines.lines.back().time));
+      }
+    }
+    if (lines.lines.empty()) throw BadInput(lines.place + ": there are no data lines");
+    while (more && !reader_.is("META_START")) {
+      if (reader_.is("COVARIANCE_START")) {
+        if (is_oldest(version_)) reader_.fail("version 1.0 has no covariance");
+        read_covariances(metadata.time_system, lines);
+      } else if (reader_.is_comment()) {
+        lines.comments.push_back(reader_.comment());
+      } else {
+        reader_.fail("expected META_START after the covariances");
+      }
+      more = reader_.next();
+    }
+    segments_.emplace_back(detail::trusted, std::move(metadata), std::move(lines));
+    return more;
+  }
+
+  std::vector<OrbitEphemerisSegment> segments() && { return std::move(segments_); }
+
+ private:
+  detail::OrbitLine line(const EphemerisMetadata& metadata, const Epoch* before) const {
+    if (reader_.has_keyword()) reader_.fail("no line of data, and not META_START or COVARIANCE_START");
+    std::array<KvnWord, KvnReader::most_words> words{};
+    const std::size_t size = reader_.words(words);
+    constexpr std::size_t without = 7, with = columns.size();
+    if (size != without && size != with)
+      reader_.fail(detail::text(size) + " fields; a line of data has an epoch and 6 numbers, or 9");
+    if (size == with && is_oldest(version_))
+      reader_.fail(words[without], columns[without], "version 1.0 has no acceleration");
+    const auto vector = [&](std::size_t first) {
+      Eigen::Vector3d v;
+      for (std::size_t i = 0; i < 3; ++i)
+        v[static_cast<Eigen::Index>(i)] =
+            detail::read_number(reader_, words[first + i], columns[first + i], kilo);
+      return v;
+    };
+    detail::OrbitLine line{detail::read_time(reader_, words[0], metadata, before), vector(1), vector(4), {}};
+    if (size == with) line.acceleration = vector(without);
+    return line;
+  }
+
+  /// From COVARIANCE_START to COVARIANCE_STOP.
+  void read_covariances(const TimeScale& scale, detail::OrbitLines& lines) {
+    std::size_t row = 6;  // of the last one; 6 if it is whole
+    const auto require_whole = [&] {
+      if (row < 6) reader_.fail("the covariance before has " + detail::text(row) + " of 6 rows");
+    };
+    while (true) {
+      if (!reader_.next()) throw BadInput(lines.place + ": there is no COVARIANCE_STOP");
+      if (reader_.is("COVARIANCE_STOP")) return require_whole();
+      if (reader_.is("META_START")) reader_.fail("expected COVARIANCE_STOP");
+      if (reader_.is_comment()) {
+        lines.comments.push_back(reader_.comment());
+      } else if (!reader_.has_keyword()) {
+        if (row == 6) reader_.fail("a row of a covariance, of which there is no EPOCH");
+        read_row(lines.covariances.back(), row++);
+      } else if (const detail::KvnLine line = reader_.keyword(); line.keyword == "EPOCH") {
+        require_whole();
+        const Epoch epoch = entry_epoch(line, scale);
+        if (!lines.covariances.empty() && !(lines.covariances.back().epoch < epoch))
+          detail::refuse(reader_.place(), line, "not later than the covariance before");
+        lines.covariances.push_back({epoch, "", {}});
+        row = 0;
+      } else if (line.keyword == "COV_REF_FRAME") {
+        if (row != 0 || !lines.covariances.back().ref_frame.empty())
+          detail::refuse(reader_.place(), line, "it must be once behind the EPOCH");
+        if (line.value.empty()) detail::refuse(reader_.place(), line, "it is empty");
+        lines.covariances.back().ref_frame = line.value;
+      } else {
+        detail::refuse(reader_.place(), line, "the keyword is not of a covariance");
+      }
+    }
+  }
+  [[nodiscard]] Epoch entry_epoch(const detail::KvnLine& line, const TimeScale& scale) const {
+    return detail::KvnEntries(reader_.place(), "").epoch(line, scale);
+  }
+  void read_row(OrbitCovariance& covariance, std::size_t row) const {
+    std::array<KvnWord, KvnReader::most_words> words{};
+    const std::size_t size = reader_.words(words);
+    if (size != row + 1)
+      reader_.fail(detail::text(size) + " numbers; row " + detail::text(row + 1) + " has " +
+                   detail::text(row + 1));
+    const std::size_t first = row * (row + 1) / 2;
+    for (std::size_t i = 0; i <= row; ++i)
+      covariance.lower_triangle[first + i] = detail::read_number(reader_, words[i], "covariance");
+    if (covariance.lower_triangle[first + row] < 0.0)
+      reader_.fail(words[row], "covariance", "a variance that is negative");
+  }
+
+  KvnReader& reader_;
+  const std::string& version_;
+  std::vector<OrbitEphemerisSegment> segments_;
+};
+
+OrbitEphemerisMessage message(const std::string& place, detail::TextFile file) {
+  KvnReader reader(place, std::move(file));
+  const MessageHeader header = detail::read_header(reader, kind);
+  SegmentReader segments(reader, header.version);
+  while (segments.read()) continue;
+  return {header, std::move(segments).segments()};
+}
+
+void write_numbers(std::string& out, const Eigen::Vector3d& v) {
+  for (const double x : v) out.append(" ").append(detail::shifted_text(x, kilo));
+}
+
+void write_covariance(std::string& out, const OrbitCovariance& covariance, const TimeScale& scale) {
+  detail::write_line(out, "EPOCH", detail::exact_text(covariance.epoch, scale));
+  if (!covariance.ref_frame.empty()) detail::write_line(out, "COV_REF_FRAME", covariance.ref_frame);
+  std::size_t next = 0;
+  for (std::size_t row = 0; row < 6; ++row) {
+    for (std::size_t i = 0; i <= row; ++i)
+      out.append(i == 0 ? "" : " ").append(detail::shifted_text(covariance.lower_triangle[next++], 0));
+    out.append("\n");
+  }
+}
+
+void write_segment(std::string& out, const OrbitEphemerisSegment& segment) {
+  const EphemerisMetadata& metadata = segment.metadata();
+  const detail::OrbitLines& lines = segment.lines(detail::trusted);
+  out.append("\nMETA_START\n");
+  detail::write_object(out, metadata);
+  detail::write_line(out, "REF_FRAME", lines.ref_frame);
+  if (lines.ref_frame_epoch)
+    detail::write_line(out, "REF_FRAME_EPOCH",
+                       detail::exact_text(*lines.ref_frame_epoch, metadata.time_system));
+  detail::write_span(out, metadata);
+  detail::write_interpolation(out, metadata, interpolation_keyword);
+  out.append("META_STOP\n\n");
+  detail::write_comments(out, lines.comments);
+  for (const detail::OrbitLine& line : lines.lines) {
+    out.append(detail::exact_text(line.time, metadata.time_system));
+    write_numbers(out, line.position);
+    write_numbers(out, line.velocity);
+    if (line.acceleration) write_numbers(out, *line.acceleration);
+    out.append("\n");
+  }
+  if (lines.covariances.empty()) return;
+  out.append("\nCOVARIANCE_START\n");
+  for (const OrbitCovariance& covariance : lines.covariances)
+    write_covariance(out, covariance, metadata.time_system);
+  out.append("COVARIANCE_STOP\n");
+}
+
+}  // namespace
+
+OrbitEphemerisMessage::OrbitEphemerisMessage(MessageHeader header,
+                                             std::vector<OrbitEphemerisSegment> segments)
+    : header_(std::move(header)), segments_(std::move(segments)) {
+  detail::require_header(header_, kind);
+  if (segments_.empty()) throw BadInput(std::string{kind.name} + ": there are no segments");
+  for (const OrbitEphemerisSegment& segment : segments_) {
+    const detail::OrbitLines& lines = segment.lines(detail::trusted);
+    detail::require_same_system(lines.place, segment.metadata(), segments_.front().metadata());
+    const bool is_newer = lines.ref_frame_epoch || !lines.covariances.empty() ||
+                          std::any_of(lines.lines.begin(), lines.lines.end(),
+                                      [](const auto& line) { return line.acceleration.has_value(); });
+    if (is_oldest(header_.version) && is_newer)
+      throw BadInput(lines.place + ": version 1.0 has no acceleration, covariance or REF_FRAME_EPOCH");
+  }
+}
+
+OrbitEphemerisMessage OrbitEphemerisMessage::parse(std::string_view text) {
+  detail::TextFile file = detail::lines_of(text);
+  file.whole = true;
+  return message(kind.name, std::move(file));
+}
+
+OrbitEphemerisMessage OrbitEphemerisMessage::read(const std::filesystem::path& file) {
+  const std::string place = std::string{kind.name} + " " + file.string();
+  auto content = detail::read_lines(file);
+  if (!content) throw BadInput(place + ": cannot be read");
+  return message(place, std::move(*content));
+}
+
+std::string OrbitEphemerisMessage::text() const {
+  std::string out;
+  detail::write_header(out, header_, kind);
+  for (const OrbitEphemerisSegment& segment : segments_) write_segment(out, segment);
+  return out;
+}
+
+void OrbitEphemerisMessage::write(const std::filesystem::path& file) const {
+  detail::write_file(std::string{kind.name} + " " + file.string(), file, text());
+}
+
+}  // namespace vectrix

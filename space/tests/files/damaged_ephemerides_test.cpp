@@ -1,0 +1,94 @@
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include <vectrix/space.hpp>
+
+#include "damage.hpp"
+
+// Damaged ephemerides: a reader accepts them, and then what it writes reads back as the same, or throws a
+// BadInput with the place and a reason.
+namespace vectrix::damaged_ephemerides_test {
+namespace {
+
+const std::string orbit = R"(CCSDS_OEM_VERS = 3.0
+CREATION_DATE = 2026-01-01T00:00:00
+ORIGINATOR = HERE
+META_START
+OBJECT_NAME = A
+OBJECT_ID = B
+CENTER_NAME = EARTH
+REF_FRAME = GCRF
+TIME_SYSTEM = UTC
+START_TIME = 2026-01-01T00:00:00
+STOP_TIME = 2026-01-01T00:02:00
+META_STOP
+COMMENT C
+2026-01-01T00:00:00.000 6789.5 -1.25e2 .5 0 7.5 1 0.1 0.2 0.3
+2026-01-01T00:01:00.000 6789.5 -1.25e2 .5 0 7.5 1
+COVARIANCE_START
+EPOCH = 2026-01-01T00:00:00
+COV_REF_FRAME = RTN
+1
+1 2
+1 2 3
+1 2 3 4
+1 2 3 4 5
+1 2 3 4 5 6
+COVARIANCE_STOP
+)";
+const std::string attitude = R"(CCSDS_AEM_VERS = 1.0
+CREATION_DATE = 2026-01-01T00:00:00
+ORIGINATOR = HERE
+META_START
+OBJECT_NAME = A
+OBJECT_ID = B
+REF_FRAME_A = GCRF
+REF_FRAME_B = SC_BODY_1
+ATTITUDE_DIR = A2B
+TIME_SYSTEM = TAI
+START_TIME = 2026-01-01T00:00:00
+STOP_TIME = 2026-01-01T00:02:00
+ATTITUDE_TYPE = QUATERNION/RATE
+QUATERNION_TYPE = FIRST
+RATE_FRAME = REF_FRAME_B
+META_STOP
+DATA_START
+COMMENT C
+2026-01-01T00:00:00.000 1 0 0 0 0.1 -2e-1 .3
+2026-001T00:01:00.000 .8 .6 0 0 0.1 -2e-1 .3
+DATA_STOP
+)";
+
+template <class Message> void run(const std::string& text, const std::string& place, std::uint64_t seed) {
+  Damage damage(seed);
+  int accepted = 0, refused = 0;
+  for (int i = 0; i < 4000; ++i) {
+    const std::string damaged = damage.of(text);
+    try {
+      const std::string written = Message::parse(damaged).text();
+      ++accepted;
+      EXPECT_EQ(Message::parse(written).text(), written) << damaged;
+    } catch (const BadInput& error) {
+      ++refused;
+      EXPECT_TRUE(std::string{error.what()}.starts_with(place)) << error.what() << damaged;
+      EXPECT_NE(std::string{error.what()}.back(), '\'') << error.what();
+      EXPECT_LT(std::string{error.what()}.size(), place.size() + 500);
+    } catch (const std::exception& error) {
+      ADD_FAILURE() << error.what() << " of\n" << damaged;
+    }
+  }
+  EXPECT_GT(accepted, 50);
+  EXPECT_GT(refused, 3000);
+}
+
+TEST(DamagedEphemerides, OfOrbits) {
+  run<OrbitEphemerisMessage>(orbit, "orbit ephemeris message", 20261129);
+}
+
+TEST(DamagedEphemerides, OfAttitudes) {
+  run<AttitudeEphemerisMessage>(attitude, "attitude ephemeris message", 20261130);
+}
+
+}  // namespace
+}  // namespace vectrix::damaged_ephemerides_test
