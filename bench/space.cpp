@@ -260,7 +260,7 @@ int run() {
                   0.0,
                   nullptr,
                   0.0});
-  rows.push_back({{"its acceleration", [&](std::size_t i) { keep(orbit.acceleration(epochs[i])); }},
+  rows.push_back({{"its r and three derivatives", [&](std::size_t i) { keep(orbit.path(epochs[i])); }},
                   {"its r and v", [&](std::size_t i) { keep(orbit.at(epochs[i])); }},
                   0.0,
                   nullptr,

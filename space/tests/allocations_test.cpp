@@ -104,7 +104,7 @@ TEST(Allocations, ChainsOfTwoLineElementsNeedNone) {
     const Sgp4<Satellite> orbit(elements, at_most(convert<si::time>(24.0 * si::hour)));
     const auto t = near.epoch + 5000.0 * si::second;
     EXPECT_EQ(allocations_of([&] { return orbit.at(t); }), 0U);
-    EXPECT_EQ(allocations_of([&] { return orbit.acceleration(t); }), 0U);
+    EXPECT_EQ(allocations_of([&] { return orbit.path(t); }), 0U);
     const auto graph = frame_graph(
         edge([&](const Epoch& e) { return coincident(teme_from_itrf(e, earth)); }),
         edge([&](const Epoch& e) { return parallel(orbit.at(e)); }),

@@ -3,6 +3,7 @@
 #include <erfa.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <concepts>
 #include <numbers>
@@ -16,8 +17,8 @@
 namespace vectrix::detail {
 namespace {
 
-using sgp4::Elements, sgp4::Moving, sgp4::angle_of, sgp4::less_turns, sgp4::value_of, sgp4::J2, sgp4::J3,
-    sgp4::J4, sgp4::ke, sgp4::earth_radius;
+using sgp4::Elements, sgp4::Moving, sgp4::less_turns, sgp4::value_of, sgp4::J2, sgp4::J3, sgp4::J4, sgp4::ke,
+    sgp4::earth_radius;
 
 constexpr double two_pi = 2.0 * std::numbers::pi;
 constexpr double least_eccentricity = 1e-6;      // a smaller one is raised to it
@@ -150,9 +151,7 @@ template <class T> struct Mean {
   T a;
   sgp4::Inclination<T> inclination;
 };
-template <class T> struct Motion {
-  Eigen::Matrix<T, 3, 1> r, v;  // m, m/s
-};
+template <class T> struct Motion { std::array<T, 3> r, v; };  // m, m/s
 
 // For messages: a millionth is more than the clock's rounding.
 double rounded(double time) {
@@ -221,16 +220,18 @@ double eccentric_longitude(double mean, double e_cos, double e_sin) {
   }
   return u;
 }
+// Each coefficient of u follows from those before it.
 Moving eccentric_longitude(const Moving& mean, const Moving& e_cos, const Moving& e_sin) {
-  const double u = eccentric_longitude(mean.value(), e_cos.value(), e_sin.value());
-  const double c = std::cos(u), s = std::sin(u);
-  return {u, (mean.derivatives() - e_sin.derivatives() * c + e_cos.derivatives() * s) /
-                 (1.0 - e_cos.value() * c - e_sin.value() * s)};
+  Moving u = eccentric_longitude(mean.c[0], e_cos.c[0], e_sin.c[0]);
+  const double slope = 1.0 - e_cos.c[0] * std::cos(u.c[0]) - e_sin.c[0] * std::sin(u.c[0]);
+  for (std::size_t k = 1; k < u.c.size(); ++k)
+    u.c[k] = (mean - e_sin * cos(u) + e_cos * sin(u) - u).c[k] / slope;
+  return u;
 }
 
 // The periodic terms of J3 and J2, and the motion.
 template <class T> Motion<T> motion_of(const Mean<T>& mean, const std::string& name, double t) {
-  using std::cos, std::sin, std::sqrt;
+  using std::atan2, std::cos, std::sin, std::sqrt;
   const sgp4::ElementsOf<T>& x = mean.x;
   const sgp4::Inclination<T>& i = mean.inclination;
   const T e_cos = x.e * cos(x.perigee), per_p = 1.0 / (mean.a * (1.0 - x.e * x.e));
@@ -251,7 +252,7 @@ template <class T> Motion<T> motion_of(const Mean<T>& mean, const std::string& n
 
   const T k1 = 0.5 * J2 / p, k2 = k1 / p;
   const T distance = r * (1.0 - 1.5 * k2 * root * i.three_cos2_less_1) + 0.5 * k1 * i.sin2 * cos_2;
-  const T latitude = angle_of(sine, cosine) - 0.25 * k2 * i.seven_cos2_less_1 * sin_2;
+  const T latitude = atan2(sine, cosine) - 0.25 * k2 * i.seven_cos2_less_1 * sin_2;
   const T node = x.node + 1.5 * k2 * i.cos_i * sin_2;
   const T inclination = x.i + 1.5 * k2 * i.cos_i * i.sin_i * cos_2;
   const T radial = r_rate - x.n * k1 * i.sin2 * sin_2 / ke;
@@ -261,11 +262,16 @@ template <class T> Motion<T> motion_of(const Mean<T>& mean, const std::string& n
          "|r| is " + text(value_of(distance) * earth_radius) + " km, less than one Earth radius: decayed");
 
   const T sin_node = sin(node), cos_node = cos(node), sin_i = sin(inclination), cos_i = cos(inclination);
-  const Eigen::Matrix<T, 3, 1> n(cos_node, sin_node, T(0.0)), m(-sin_node * cos_i, cos_node * cos_i, sin_i);
+  const std::array<T, 3> n{cos_node, sin_node, T(0.0)}, m{-sin_node * cos_i, cos_node * cos_i, sin_i};
   const T sin_l = sin(latitude), cos_l = cos(latitude);
-  const Eigen::Matrix<T, 3, 1> outward = cos_l * n + sin_l * m, forward = cos_l * m - sin_l * n;
   constexpr double metres = 1000.0 * earth_radius;
-  return {metres * distance * outward, metres * ke / 60.0 * (radial * outward + transverse * forward)};
+  Motion<T> motion;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const T outward = cos_l * n[k] + sin_l * m[k], forward = cos_l * m[k] - sin_l * n[k];
+    motion.r[k] = metres * (distance * outward);
+    motion.v[k] = metres * ke / 60.0 * (radial * outward + transverse * forward);
+  }
+  return motion;
 }
 
 void require(bool good, const std::string& name, const char* what, double value, const char* range) {
@@ -339,15 +345,20 @@ double Sgp4Model::minutes_to(const Epoch& epoch) const {
 
 OrbitNumbers Sgp4Model::at(const Epoch& epoch) const {
   const double t = minutes_to(epoch);
-  const auto motion = motion_of(mean_at(*theory_, name_, t), name_, t);
-  return {motion.r, motion.v};
+  const auto [r, v] = motion_of(mean_at(*theory_, name_, t), name_, t);
+  return {{r[0], r[1], r[2]}, {v[0], v[1], v[2]}};
 }
 
-Eigen::Vector3d Sgp4Model::acceleration(const Epoch& epoch) const {
-  const double t = minutes_to(epoch);
-  const Moving moving(t, Eigen::Matrix<double, 1, 1>::Ones());
-  const auto motion = motion_of(mean_at(*theory_, name_, moving), name_, t);
-  return motion.v.unaryExpr([](const Moving& x) { return x.derivatives()[0] / 60.0; });
+PathNumbers Sgp4Model::path(const Epoch& epoch) const {
+  Moving t = minutes_to(epoch);
+  t.c[1] = 1.0;
+  const auto r = motion_of(mean_at(*theory_, name_, t), name_, t.c[0]).r;
+  const auto derivative = [&](std::size_t k, double factor) {
+    return Eigen::Vector3d(factor * r[0].c[k], factor * r[1].c[k], factor * r[2].c[k]);
+  };
+  constexpr double per_second = 1.0 / 60.0;
+  return {derivative(0, 1.0), derivative(1, per_second), derivative(2, 2.0 * per_second * per_second),
+          derivative(3, 6.0 * per_second * per_second * per_second)};
 }
 
 }  // namespace vectrix::detail

@@ -116,7 +116,7 @@ template <class T> void DeepSpace::add_secular(const T& t, ElementsOf<T>& x) con
 }
 
 template <class T> void DeepSpace::add_periodic(const T& t, ElementsOf<T>& x) const {
-  using std::cos, std::sin;
+  using std::atan2, std::cos, std::sin;
   T e(0.0), i(0.0), l(0.0), gh(0.0), h(0.0);
   for (const Body* b : {&sun_, &moon_}) {
     const T anomaly = b->anomaly + b->rate * t;
@@ -144,7 +144,7 @@ template <class T> void DeepSpace::add_periodic(const T& t, ElementsOf<T>& x) co
     const T a = sin_i * sin_node + h * cos_node + i * cos_i * sin_node;
     const T b = sin_i * cos_node - h * sin_node + i * cos_i * cos_node;
     const T longitude = x.M + x.perigee + cos_i * node + l + gh - i * node * sin_i;
-    const T moved = angle_of(a, b) - node;
+    const T moved = atan2(a, b) - node;
     x.node = node + less_turns(moved, std::remainder(value_of(moved), 2.0 * pi));
     x.M += l;
     x.perigee = longitude - x.M - cos_i * x.node;

@@ -142,23 +142,46 @@ TEST(Sgp4, DependsOnTheEpochAlone) {
   }
 }
 
-// The derivative of the velocity, by differences of sixth order over 30 s. The angles count up to 1e3 rad in
-// ten days, so that a velocity of 1e4 m/s is rounded by some 1e-9 m/s.
-TEST(Sgp4, AccelerationIsTheDerivativeOfTheVelocity) {
-  constexpr double tolerance = 2e-9;  // m/s^2
-  constexpr double h = 5.0;
+// Each derivative against differences of sixth order of the one before it, over 30 s. The angles count up to
+// 1e3 rad in ten days, so that a position of 1e7 m is rounded by some 1e-6 m, and each derivative by 1e-2 of
+// the one before it, of 1/s at most.
+TEST(Sgp4, PathHasTheDerivativesOfThePosition) {
+  constexpr double h = 5.0, position_rounding = 2e-6;  // s, m
   for (const auto& set : sets()) {
     const Orbit orbit(set, ten_days);
     for (int k = -20; k <= 20; ++k) {
       const Epoch t = after(orbit.elements(), 701.0 * k + 13.0);  // min, no multiple of the resonance's 720
-      const auto change = [&](double seconds) -> Eigen::Vector3d {
-        const auto d = seconds * si::second;
-        return orbit.at(t + d).velocity.coordinates() - orbit.at(t - d).velocity.coordinates();
+      const auto now = orbit.path(t);
+      EXPECT_LE((now.motion.position.coordinates() - orbit.at(t).position.coordinates()).norm(),
+                position_rounding);
+      const auto slope = [&](const auto& of) -> Vector3d {
+        const auto change = [&](double seconds) -> Vector3d {
+          const auto d = seconds * si::second;
+          return of(orbit.path(t + d)) - of(orbit.path(t - d));
+        };
+        return (45.0 * change(h) - 9.0 * change(2.0 * h) + change(3.0 * h)) / (60.0 * h);
       };
-      const Eigen::Vector3d a = (45.0 * change(h) - 9.0 * change(2.0 * h) + change(3.0 * h)) / (60.0 * h);
-      EXPECT_LE((orbit.acceleration(t).coordinates() - a).norm(), tolerance)
+      const auto r = [](const auto& path) { return path.motion.position.coordinates(); };
+      const auto v = [](const auto& path) { return path.motion.velocity.coordinates(); };
+      const auto a = [](const auto& path) { return path.acceleration.coordinates(); };
+      EXPECT_LE((v(now) - slope(r)).norm(), position_rounding) << set.catalogue_number() << ", " << k;
+      EXPECT_LE((a(now) - slope(v)).norm(), 1e-2 * position_rounding) << set.catalogue_number() << ", " << k;
+      EXPECT_LE((now.jerk.vector().coordinates() - slope(a)).norm(), 1e-4 * position_rounding)
           << set.catalogue_number() << ", " << k;
     }
+  }
+}
+
+// What is published as velocity is not the derivative of the position, and how far it is from it.
+TEST(Sgp4, VelocityIsThatOfTheTheory) {
+  const auto apart = [](int number, double minutes) {
+    const Orbit orbit(elements_of(number), ten_days);
+    const Epoch t = after(orbit.elements(), minutes);
+    return (orbit.path(t).motion.velocity.coordinates() - orbit.at(t).velocity.coordinates()).norm();
+  };
+  for (double minutes = -1400.0; minutes <= 1400.0; minutes += 7.0) {
+    EXPECT_LE(apart(6251, minutes), 0.1);    // m/s; a low orbit
+    EXPECT_LE(apart(11801, minutes), 25.0);  // of 10 h, e = 0.73
   }
 }
 

@@ -4,6 +4,7 @@
 #include <string>
 #include <type_traits>
 #include <vectrix/kinematics/points/acceleration.hpp>
+#include <vectrix/kinematics/points/derivative.hpp>
 #include <vectrix/space/earth/teme.hpp>
 #include <vectrix/space/orbit/mean_elements.hpp>
 #include <vectrix/space/orbit/orbit_mean_elements_message.hpp>
@@ -11,6 +12,13 @@
 #include <vectrix/space/orbit/two_line_elements.hpp>
 
 namespace vectrix {
+
+/// The position of q relative to p, observed from a, and its derivatives up to the third.
+template <Point P, Point Q, Frame A> struct PointPath {
+  PointMotion<P, Q, A> motion;
+  Acceleration<P, Q, ObservedFrom<A>, In<A>> acceleration;
+  Derivative<A, A, si::acceleration> jerk;
+};
 
 /// The longest time before or after the epoch of the elements for which a propagation answers:
 ///     at_most(72.0 * si::hour)
@@ -28,6 +36,9 @@ auto at_most(  // a time, the longest age of elements: at_most(72.0 * si::hour)
 namespace detail {
 
 struct Sgp4Theory;
+struct PathNumbers {
+  Eigen::Vector3d r, v, a, jerk;
+};
 
 /// The numbers of an Sgp4. They never change.
 class VECTRIX_EXPORT Sgp4Model {
@@ -38,7 +49,7 @@ class VECTRIX_EXPORT Sgp4Model {
   [[nodiscard]] const MeanElements& elements() const { return elements_; }
   [[nodiscard]] const Quantity<si::time>& longest_age() const { return longest_age_; }
   [[nodiscard]] OrbitNumbers at(const Epoch& epoch) const;
-  [[nodiscard]] Eigen::Vector3d acceleration(const Epoch& epoch) const;
+  [[nodiscard]] PathNumbers path(const Epoch& epoch) const;
 
  private:
   /// Throws BadInput if the elements are too old.
@@ -77,19 +88,25 @@ template <Point Q> class Sgp4 {
   [[nodiscard]] const MeanElements& elements() const { return model_.elements(); }
   [[nodiscard]] const Quantity<si::time>& longest_age() const { return model_.longest_age(); }
 
-  /// Position and velocity relative to the centre of the Earth. Throws BadInput if the epoch is farther from
-  /// that of the elements than the longest age, or the theory ends before it: the eccentricity leaves [0, 1),
-  /// or the body is below one Earth radius, decayed.
+  /// Position and velocity relative to the centre of the Earth, as published. The velocity is that of the
+  /// theory, which leaves out small terms: it is not quite the derivative of the position, 0.02 m/s off in a
+  /// low orbit, and up to 20 m/s in an eccentric one with a resonance. Throws BadInput if the epoch is
+  /// farther from that of the elements than the longest age, or the theory ends before it: the eccentricity
+  /// leaves [0, 1), or the body is below one Earth radius, decayed.
   [[nodiscard]] PointMotion<earth::Teme, Q, earth::Teme> at(const Epoch& epoch) const {
     return detail::point_motion_of<earth::Teme, Q, earth::Teme>(model_.at(epoch));
   }
-  /// The derivative of this velocity, so that orbit frames have a rate:
-  ///     edge([&](const Epoch& t) { return parallel(orbit.at(t), orbit.acceleration(t)); })
+  /// The same position with its own derivatives, exact, for edges and frames with rates:
+  ///     edge([&](const Epoch& t) { const auto now = orbit.path(t); return parallel(now.motion,
+  ///     now.acceleration); }) lvlh(from<L>, now.motion, now.acceleration, now.jerk)
   /// Throws BadInput as at() does.
-  [[nodiscard]] Acceleration<earth::Teme, Q, ObservedFrom<earth::Teme>, In<earth::Teme>> acceleration(
-      const Epoch& epoch) const {
-    return Acceleration<earth::Teme, Q, ObservedFrom<earth::Teme>, In<earth::Teme>>{
-        detail::trusted, model_.acceleration(epoch)};
+  [[nodiscard]] PointPath<earth::Teme, Q, earth::Teme> path(const Epoch& epoch) const {
+    using earth::Teme;
+    const auto now = model_.path(epoch);
+    return {detail::point_motion_of<Teme, Q, Teme>({now.r, now.v}),
+            Acceleration<Teme, Q, ObservedFrom<Teme>, In<Teme>>{detail::trusted, now.a},
+            Derivative<Teme, Teme, si::acceleration>{detail::trusted,
+                                                     Vector<Teme, si::jerk>{detail::trusted, now.jerk}}};
   }
 
  private:
