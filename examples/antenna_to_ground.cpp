@@ -4,12 +4,12 @@
 //                             |
 //                          Station
 //
-//     r^teme, v^teme      SGP4 from two-line elements; the axes of Satellite are those of Teme
-//     R_itrf^gcrf, w      IAU 2006/2000A over the day, with sub-daily tides: EarthMotion
-//     R_itrf^teme, w      the same by the sidereal time of 1982: the Earth as SGP4 sees it
-//     X_station^itrf      east, north, up at the place
-//     R_gcrf^body         z to nadir, y along -(r x v): lvlh() of what the graph knows of Satellite
-//     R_body^antenna      tilted about y by 30 deg: the boresight, z of the antenna, looks forward
+//     r^teme, v^teme      SGP4 from two-line elements, v the derivative of r; the axes of Satellite are those
+//     of Teme R_itrf^gcrf, w      IAU 2006/2000A over the day, with sub-daily tides: EarthMotion R_itrf^teme,
+//     w      the same by the sidereal time of 1982: the Earth as SGP4 sees it X_station^itrf      east,
+//     north, up at the place R_gcrf^body         z to nadir, y along -(r x v): lvlh() of what the graph knows
+//     of Satellite R_body^antenna      tilted about y by 30 deg: the boresight, z of the antenna, looks
+//     forward
 //
 // Every question is a path through the graph, at one instant:
 //     azimuth, elevation, range and their rates      r and v of Satellite relative to Station, in Station
@@ -51,7 +51,7 @@ Quantity<si::angle> degrees(double angle) {
 void run(const std::filesystem::path& data) {
   const auto orientation = EarthOrientation::read(data / "finals2000A_april_2023.txt");
   const auto set = TwoLineElements::read(data / "CTIM_20230419.tle").front();
-  const auto day = from_until(set.epoch(), convert<si::time>(1.0 * si::day));
+  const auto day = from_until(set.epoch(), 1.0 * si::day);
   const Sgp4<Satellite> orbit(set, at_most(1.0 * si::day));
   const EarthMotion earth(orientation, day, subdaily_tides);
   const Ephemeris<sky::Sun> sun(day);
@@ -59,7 +59,7 @@ void run(const std::filesystem::path& data) {
 
   const auto graph = frame_graph(edge([&](const Epoch& t) { return coincident(earth.at(t)); }),
                                  edge([&](const Epoch& t) { return coincident(teme_from_itrf(t, earth)); }),
-                                 edge([&](const Epoch& t) { return parallel(orbit.at(t)); }),
+                                 edge([&](const Epoch& t) { return parallel(orbit.path(t).motion); }),
                                  rigid_edge(east_north_up(from<Station>, boulder)),
                                  edge([](const Displacement<Gcrf, Satellite, In<Gcrf>>& r,
                                          const Velocity<Gcrf, Satellite, ObservedFrom<Gcrf>, In<Gcrf>>& v) {

@@ -10,6 +10,7 @@
 #include <vectrix/space/earth/intermediate_frames.hpp>
 
 #include "../time/date.hpp"
+#include "../time/near_j2000.hpp"
 #include "erfa_rotation.hpp"
 #include "finals2000a.hpp"
 #include "ocean_tides.hpp"
@@ -26,6 +27,7 @@ MovingDcm<earth::Gcrf, earth::Itrf> earth_rotation(const Epoch& epoch,
 }
 
 Dcm<earth::TrueOfDate, earth::Gcrf> true_of_date_from_gcrf(const Epoch& epoch) {
+  detail::require_near_j2000({"true_of_date_from_gcrf"}, epoch);
   const JulianDate tt = epoch.tt_date();
   Rows rows;
   eraPnm06a(tt.day, tt.fraction, rows);
@@ -34,6 +36,7 @@ Dcm<earth::TrueOfDate, earth::Gcrf> true_of_date_from_gcrf(const Epoch& epoch) {
 
 Dcm<earth::Itrf, earth::TrueOfDate> itrf_from_true_of_date(const Epoch& epoch,
                                                            const EarthOrientationParameters& parameters) {
+  detail::require_near_j2000({"itrf_from_true_of_date"}, epoch);
   detail::require_observed(epoch, parameters);
   const JulianDate tt = epoch.tt_date();
   const JulianDate ut1 = ut1_date(epoch, parameters.ut1_minus_tai);

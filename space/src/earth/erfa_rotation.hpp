@@ -28,7 +28,7 @@ inline JulianDate<scale::Ut1> ut1_date(const Epoch& epoch, const Quantity<si::ti
     if (!(std::abs(ut1_minus_utc) <= largest_ut1_minus_utc)) {
       throw BadInput("Earth orientation at " + epoch.utc() + " UTC: UT1-TAI is " +
                      text(ut1_minus_tai.value()) + " s, so UT1-UTC " + text(ut1_minus_utc) +
-                     " s, which is less than 0.9 s; UT1-TAI = (UT1-UTC) - (TAI-UTC)");
+                     " s, which must be less than 0.9 s; UT1-TAI = (UT1-UTC) - (TAI-UTC)");
     }
   }
   return epoch.julian_date(scale::Ut1::minus_tai(ut1_minus_tai));

@@ -6,6 +6,7 @@
 #include <vectrix/frames/dcm_doors.hpp>
 #include <vectrix/space/earth/intermediate_frames.hpp>
 
+#include "../time/near_j2000.hpp"
 #include "celestial_pole.hpp"
 #include "erfa_rotation.hpp"
 
@@ -22,6 +23,7 @@ template <Frame A, Frame B> MovingDcm<A, B> moving(const detail::Rows& R_b_from_
 
 MovingDcm<earth::Gcrf, earth::Cirf> gcrf_from_cirf(const Epoch& epoch,
                                                    const EarthOrientationParameters& parameters) {
+  detail::require_near_j2000({"gcrf_from_cirf"}, epoch);
   detail::require_observed(epoch, parameters);
   auto [X, Y, s] = detail::celestial_pole(epoch.tt_date());
   X.value += parameters.dX.value();

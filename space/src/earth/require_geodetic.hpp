@@ -24,11 +24,11 @@ inline void require_geodetic(const Caller& name, const Geodetic& place) {
   if (!std::isfinite(height)) throw BadInput(name() + "the height " + text(height) + " m is not finite");
 }
 
-/// Throws BadInput unless the position is finite and not the centre of the Earth.
+/// Throws BadInput unless the square of the position is finite, and not the centre of the Earth.
 inline void require_place(const Caller& name, const Eigen::Vector3d& r) {
-  if (!r.allFinite()) {
+  if (!std::isfinite(r.squaredNorm())) {
     throw BadInput(name() + "the position (" + text(r.x()) + ", " + text(r.y()) + ", " + text(r.z()) +
-                   ") m is not finite");
+                   ") m is not finite, or too far");
   }
   if (r.isZero(0.0)) throw BadInput(name() + "the centre of the Earth has no latitude");
 }

@@ -10,7 +10,7 @@ Spherical spherical(const Vector<Itrf, si::length>& r_itrf) {
   const Eigen::Vector3d r = r_itrf.coordinates();
   detail::require_place({"earth::spherical"}, r);
   return {GeocentricLatitude(std::atan2(r.z(), std::hypot(r.x(), r.y())) * si::radian),
-          detail::longitude_of(r) * si::radian, r.stableNorm() * si::metre};
+          detail::longitude_of(r) * si::radian, std::hypot(r.x(), r.y(), r.z()) * si::metre};
 }
 
 Vector<Itrf, si::length> position(const Spherical& spherical) {

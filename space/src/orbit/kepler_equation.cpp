@@ -75,7 +75,7 @@ EccentricAnomaly eccentric_anomaly(const MeanAnomaly& M, double e) {
   const auto [within, whole] = turns(M.angle.value(), e);
   const double root = std::sqrt(std::abs(1.0 - e));
   const double s = universal_anomaly(from_periapsis(e), within / (root * root * root));
-  return {(whole + root * s) * si::radian};
+  return EccentricAnomaly((whole + root * s) * si::radian);
 }
 
 MeanAnomaly mean_anomaly(const EccentricAnomaly& E, double e) {
@@ -86,7 +86,7 @@ MeanAnomaly mean_anomaly(const EccentricAnomaly& E, double e) {
   // (1 - e) E + e (E - sin E), and likewise of a hyperbola
   const double M = std::abs(1.0 - e) * within + e * universal_functions(sign, within).G3;
   require_finite(M, "mean_anomaly", "the mean anomaly");
-  return {(whole + M) * si::radian};
+  return MeanAnomaly((whole + M) * si::radian);
 }
 
 TrueAnomaly true_anomaly(const EccentricAnomaly& E, double e) {
@@ -96,7 +96,7 @@ TrueAnomaly true_anomaly(const EccentricAnomaly& E, double e) {
   const double root = std::sqrt(std::abs(1.0 - e)), half = 0.5 * within;
   const double nu = e < 1.0 ? std::atan2(std::sqrt(1.0 + e) * std::sin(half), root * std::cos(half))
                             : std::atan2(std::sqrt(1.0 + e) * std::tanh(half), root);
-  return {(whole + 2.0 * nu) * si::radian};
+  return TrueAnomaly((whole + 2.0 * nu) * si::radian);
 }
 
 EccentricAnomaly eccentric_anomaly(const TrueAnomaly& nu, double e) {
@@ -104,7 +104,8 @@ EccentricAnomaly eccentric_anomaly(const TrueAnomaly& nu, double e) {
   require_finite(nu.angle.value(), "eccentric_anomaly", "the true anomaly");
   require_inside_asymptotes(nu.angle.value(), e, "eccentric_anomaly");
   const auto [within, whole] = turns(nu.angle.value(), e);
-  return {(whole + std::sqrt(std::abs(1.0 - e)) * universal_from_true(within, e)) * si::radian};
+  return EccentricAnomaly((whole + std::sqrt(std::abs(1.0 - e)) * universal_from_true(within, e)) *
+                          si::radian);
 }
 
 TrueAnomaly true_anomaly(const Quantity<si::time>& since_periapsis,
@@ -120,7 +121,7 @@ TrueAnomaly true_anomaly(const Quantity<si::time>& since_periapsis,
     whole = full_turn * std::round((t - within) / period);
     t = within;
   }
-  return {(whole + true_from_universal(universal_anomaly(from_periapsis(e), t), e)) * si::radian};
+  return TrueAnomaly((whole + true_from_universal(universal_anomaly(from_periapsis(e), t), e)) * si::radian);
 }
 
 Quantity<si::time> time_since_periapsis(const TrueAnomaly& nu,

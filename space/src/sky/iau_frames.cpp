@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "../time/near_j2000.hpp"
 #include "iau_elements.hpp"
 
 namespace vectrix::detail {
@@ -16,6 +17,7 @@ constexpr double j2000 = 2451545.0;                                // TDB
 }  // namespace
 
 IauAngles iau_angles(Body body, const Epoch& epoch) {
+  require_near_j2000({"iau_rotation"}, epoch);
   const IauElements e = iau_elements(body);
   const auto tdb = epoch.julian_date(scale::tdb);
   const double days = (tdb.day - j2000) + tdb.fraction, centuries = days / 36525.0;

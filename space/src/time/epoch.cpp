@@ -41,6 +41,7 @@ Epoch Epoch::from(const TimeScale& scale, std::string_view text) {
 }
 
 Epoch Epoch::from(std::string_view text) {
+  if (text.ends_with('Z')) return from(scale::utc, text);
   constexpr std::size_t space = 1;
   for (const TimeScale& scale : {TimeScale{scale::utc}, TimeScale{scale::tai}, TimeScale{scale::tt},
                                  TimeScale{scale::tdb}, TimeScale{scale::gps}}) {
@@ -49,7 +50,7 @@ Epoch Epoch::from(std::string_view text) {
       return from(scale, text);
   }
   throw BadInput("epoch '" + std::string{text} +
-                 "': it does not end with its scale, UTC, TAI, TT, TDB or GPS");
+                 "': it does not end with its scale, UTC, TAI, TT, TDB or GPS; UT1 needs UT1-TAI");
 }
 
 Epoch Epoch::from_julian_date(const TimeScale& scale, double day, double fraction) {

@@ -12,6 +12,7 @@
 #include <vectrix/space/earth/intermediate_frames.hpp>
 #include <vectrix/space/earth/teme.hpp>
 #include <vectrix/space/sky/bodies.hpp>
+#include <vectrix/space/sky/iau_frames.hpp>
 
 namespace vectrix::earth_frames_test {
 namespace {
@@ -187,6 +188,22 @@ TEST(Teme, MistakesAndWhatTheyCost) {
   const double given =
       eraGmst06(ut1.day, ut1.fraction, tt.day, tt.fraction) - eraGmst82(ut1.day, ut1.fraction);
   EXPECT_NEAR(miss(itrf_from_teme(p.observed) * R3(given)), gmst06_minus_gmst82 * across, published_place);
+}
+
+// The polynomials of precession grow without bound: they answer within 1000 years of 2000.
+TEST(EarthFrames, RefuseDatesFarFrom2000) {
+  for (const double day : {2451545.0 + 365251.0, 2451545.0 - 365251.0, 1e200}) {
+    const auto far = Epoch::from(JulianDate<scale::Tai>{day, 0.0});
+    const auto place =
+        "the Julian date " + detail::text(far.tai().day) + " is more than 1000 years from 2000";
+    EXPECT_EQ(complaint([&] { (void)mean_of_date_from_gcrf(far); }), "mean_of_date_from_gcrf: " + place);
+    EXPECT_EQ(complaint([&] { (void)true_of_date_from_gcrf(far); }), "true_of_date_from_gcrf: " + place);
+    EXPECT_EQ(complaint([&] { (void)itrf_from_true_of_date(far, {}); }), "itrf_from_true_of_date: " + place);
+    EXPECT_EQ(complaint([&] { (void)gcrf_from_cirf(far, {}); }), "gcrf_from_cirf: " + place);
+    EXPECT_EQ(complaint([&] { (void)iau_rotation(of<moon::Iau>, far); }), "iau_rotation: " + place);
+  }
+  EXPECT_NO_THROW(
+      (void)mean_of_date_from_gcrf(Epoch::from(JulianDate<scale::Tai>{2451545.0 - 365250.0, 0.0})));
 }
 
 }  // namespace

@@ -207,7 +207,7 @@ TEST(EarthMotion, RefusesUt1ThatIsSecondsOff) {
   const auto span =
       from_until(Epoch::from_utc("1972-07-02T00:00:00"), Epoch::from_utc("1978-02-01T00:00:00"));
   const auto orientation = EarthOrientation::unobserved(span, 0.3 * si::second);
-  const std::string expected = "which is less than 0.9 s; UT1-TAI = (UT1-UTC) - (TAI-UTC)";
+  const std::string expected = "which must be less than 0.9 s; UT1-TAI = (UT1-UTC) - (TAI-UTC)";
   for (const auto& said : {complaint([&] { (void)orientation.at(span.end()); }),
                            complaint([&] { EarthMotion(orientation, span); })}) {
     EXPECT_NE(said.find(expected), std::string::npos) << said;

@@ -275,7 +275,7 @@ TEST(EarthRotation, RefusesUt1MinusUtcForUt1MinusTai) {
   parameters.ut1_minus_tai = -0.0965616 * si::second;
   EXPECT_EQ(complaint([&] { (void)earth_rotation(epoch, parameters); }),
             "Earth orientation at 2022-04-14T00:00:00.000000 UTC: UT1-TAI is -0.0965616 s, so UT1-UTC "
-            "36.9034384 s, which is less than 0.9 s; UT1-TAI = (UT1-UTC) - (TAI-UTC)");
+            "36.9034384 s, which must be less than 0.9 s; UT1-TAI = (UT1-UTC) - (TAI-UTC)");
   EXPECT_THROW((void)earth_rotation(epoch, EarthOrientationParameters{}), BadInput);
   EXPECT_THROW((void)itrf_from_true_of_date(epoch, parameters), BadInput);
 }

@@ -203,7 +203,8 @@ TEST(Ellipsoid, RefusesBadInput) {
 TEST(Ellipsoid, RefusesPositionsThatAreNotFinite) {
   const auto far = 1e308 * r(10.0, -1e-300, 10.0), none = far - far;
   EXPECT_EQ(complaint([&] { (void)wgs84::geodetic(far); }),
-            "wgs84::geodetic: the position (inf, -1e+08, inf) m is not finite");
+            "wgs84::geodetic: the position (inf, -1e+08, inf) m is not finite, or too far");
+  EXPECT_THROW((void)wgs84::geodetic(r(0.0, 1e200, 0.0)), BadInput);
   EXPECT_THROW((void)wgs84::geodetic(none), BadInput);
   EXPECT_THROW((void)wgs84::up(none), BadInput);
   EXPECT_THROW((void)earth::spherical(far), BadInput);

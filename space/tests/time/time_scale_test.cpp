@@ -260,9 +260,11 @@ TEST(TimeScale, TextsThatNameTheirScale) {
   written << t;
   EXPECT_EQ(Epoch::from(written.str()), t);
   EXPECT_EQ(complaint([] { Epoch::from("2022-04-14T10:22:11.25"); }),
-            "epoch '2022-04-14T10:22:11.25': it does not end with its scale, UTC, TAI, TT, TDB or GPS");
+            "epoch '2022-04-14T10:22:11.25': it does not end with its scale, UTC, TAI, TT, TDB or GPS; UT1 "
+            "needs UT1-TAI");
   EXPECT_EQ(complaint([] { Epoch::from_utc("2022-04-14T10:22:11 TT"); }),
             "epoch '2022-04-14T10:22:11 TT' in UTC: it is not written as 2022-04-14T10:22:11.874999");
+  EXPECT_EQ(Epoch::from("2022-04-14T10:22:11.25Z"), Epoch::from_utc("2022-04-14T10:22:11.25"));
   EXPECT_THROW(Epoch::from("TT"), BadInput);
   EXPECT_THROW(Epoch::from("Z UTC"), BadInput);
 }

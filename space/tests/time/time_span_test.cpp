@@ -89,5 +89,12 @@ TEST(TimeSpan, RefusesWhatIsNoSpanAndNoStep) {
             "every: the step of 1e-300 s is too short for a span of 10 s");
 }
 
+TEST(TimeSpan, DurationsInOtherUnits) {
+  const auto midnight = Epoch::from_utc("2016-12-31T00:00:00");
+  EXPECT_EQ(from_until(midnight, 1.0 * si::day).end(), midnight + 86400.0 * si::second);
+  EXPECT_EQ(from_until(midnight, 90.0 * si::minute).end(), midnight + 5400.0 * si::second);
+  EXPECT_THROW(from_until(midnight, -1.0 * si::day), BadInput);
+}
+
 }  // namespace
 }  // namespace vectrix::time_span_test

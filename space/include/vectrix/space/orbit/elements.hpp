@@ -35,7 +35,7 @@ template <Point P, Point Q, Frame A> class KeplerianElements {
   Quantity<si::angle> inclination() const { return numbers_.inclination * si::radian; }
   Quantity<si::angle> ascending_node() const { return numbers_.ascending_node * si::radian; }
   Quantity<si::angle> argument_of_periapsis() const { return numbers_.argument_of_periapsis * si::radian; }
-  TrueAnomaly true_anomaly() const { return {numbers_.true_anomaly * si::radian}; }
+  TrueAnomaly true_anomaly() const { return TrueAnomaly(numbers_.true_anomaly * si::radian); }
 
   /// a = p/(1 - e^2), negative for a hyperbola, infinite for a parabola.
   Quantity<si::length> semi_major_axis() const {

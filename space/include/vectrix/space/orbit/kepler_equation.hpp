@@ -10,14 +10,17 @@ namespace vectrix {
 /// The mean anomaly grows with time, by sqrt(mu/|a|^3).
 struct MeanAnomaly {
   Quantity<si::angle> angle;
+  explicit constexpr MeanAnomaly(const Quantity<si::angle>& M) : angle(M) {}
 };
 /// E of an ellipse; of a hyperbola F, r = a (1 - e cosh F), which is no angle in space.
 struct EccentricAnomaly {
   Quantity<si::angle> angle;
+  explicit constexpr EccentricAnomaly(const Quantity<si::angle>& E) : angle(E) {}
 };
 /// The angle at the attracting centre.
 struct TrueAnomaly {
   Quantity<si::angle> angle;
+  explicit constexpr TrueAnomaly(const Quantity<si::angle>& nu) : angle(nu) {}
 };
 
 /// Kepler's equation, solved for the eccentric anomaly to rounding at every e, also next to 1:

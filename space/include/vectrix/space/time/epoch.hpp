@@ -16,7 +16,7 @@ namespace vectrix {
 
 /// An instant, stored as a Julian date in International Atomic Time (TAI) to about 1e-11 s. Scales are ways
 /// to read and to write it; TimeScale lists them. Differences are SI seconds and include leap seconds; as one
-/// double they are rounded, over a century to 5e-7 s. An instant of the graph: graph.at(epoch).
+/// double they are rounded, over a century to 2.4e-7 s. An instant of the graph: graph.at(epoch).
 ///
 /// UTC starts in 1960, and GPS time in 1980; an earlier date is BadInput. In years after the end of the
 /// table of leap seconds, UTC uses its last one; the other scales do not depend on it. See leap_seconds.hpp
@@ -32,7 +32,7 @@ class VECTRIX_EXPORT Epoch {
   static Epoch from_utc(std::string_view text) { return from(scale::utc, text); }
   static Epoch from_tt(std::string_view text) { return from(scale::tt, text); }
   /// From a text that names its scale, as << writes it: "2022-04-14T10:22:11.874999 TT", or UTC, TAI, TDB,
-  /// GPS.
+  /// GPS; a 'Z' at the end is UTC.
   static Epoch from(std::string_view text);
 
   /// From a Julian date in two parts, split in any way: (2459683.5, 0.25) or (2459683.75, 0.0). Nothing is

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <concepts>
 #include <iterator>
 #include <string>
 
@@ -34,6 +35,12 @@ namespace detail {
 /// Throws BadInput if the end is before the start, or the duration is negative or not finite.
 VECTRIX_EXPORT TimeSpan from_until(const Epoch& start, const Epoch& end);
 VECTRIX_EXPORT TimeSpan from_until(const Epoch& start, const Quantity<si::time>& duration);
+/// In another unit of time: from_until(start, 1.0 * si::day).
+template <class U>
+  requires(!std::same_as<U, si::time> && detail::converts<si::time, U, double>)
+TimeSpan from_until(const Epoch& start, const Quantity<U>& duration) {
+  return from_until(start, convert<si::time>(duration));
+}
 
 /// The epochs start + k step of a span, k = 0, 1, ..., each from its own k: no error grows from one to the
 /// next. Made by every().
