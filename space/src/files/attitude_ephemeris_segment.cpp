@@ -5,7 +5,7 @@
 #include <vectrix/frames/errors.hpp>
 
 #include "attitude_lines.hpp"
-#include "ephemeris_text.hpp"
+#include "kvn.hpp"
 #include "text_file.hpp"
 
 namespace vectrix {
