@@ -5,6 +5,7 @@
 #include <vectrix/frames/errors.hpp>
 
 #include "attitude_lines.hpp"
+#include "frame_claim.hpp"
 #include "kvn.hpp"
 #include "text_file.hpp"
 

@@ -46,7 +46,8 @@ std::optional<SpanFault> span_fault(const EphemerisMetadata& metadata) {
 
 bool is_outside(const EphemerisMetadata& metadata, const Epoch& time) {
   constexpr Quantity<si::time> most_outside = 1e-3 * si::second;  // times are often written with 3 decimals
-  return time < *metadata.start_time - most_outside || *metadata.stop_time + most_outside < time;
+  return (time < *metadata.start_time && time < *metadata.start_time - most_outside) ||
+         (*metadata.stop_time < time && *metadata.stop_time + most_outside < time);
 }
 
 void require_text(const std::string& place, const char* what, const std::string& value) {

@@ -4,6 +4,7 @@
 
 #include "ephemeris_rules.hpp"
 #include "epoch_text.hpp"
+#include "frame_claim.hpp"
 #include "kvn.hpp"
 #include "text_file.hpp"
 
