@@ -5,18 +5,14 @@
 #include <vectrix/frames/errors.hpp>
 
 #include "attitude_lines.hpp"
-#include "ephemeris_text.hpp"
-#include "epoch_text.hpp"
-#include "shifted_number.hpp"
-#include "text_file.hpp"
+#include "ephemeris_reader.hpp"
 
 namespace vectrix {
 namespace {
 
 using detail::KvnEntries, detail::KvnLine, detail::KvnReader, detail::KvnWord;
 
-const detail::MessageKind kind{"attitude ephemeris message", "CCSDS_AEM_VERS", {"1.0", "2.0"}};
-constexpr const char* interpolation_keyword = "INTERPOLATION_METHOD";
+constexpr const detail::MessageKind& kind = detail::attitude_ephemeris;
 const std::vector<detail::EphemerisKeyword> keywords{{"OBJECT_NAME"},
                                                      {"OBJECT_ID"},
                                                      {"CENTER_NAME"},
@@ -37,18 +33,6 @@ const std::vector<detail::EphemerisKeyword> keywords{{"OBJECT_NAME"},
                                                      {"INTERPOLATION_DEGREE"}};
 constexpr double most_norm_error = 0.01;  // of quaternions with two decimals
 
-bool is_oldest(const std::string& version) {
-  return version == *kind.versions.begin();
-}
-const char* rate_keyword(const std::string& version) {
-  return is_oldest(version) ? "RATE_FRAME" : "ANGVEL_FRAME";
-}
-std::string type_name(AttitudeType type, const std::string& version) {
-  if (type == AttitudeType::quaternion) return "QUATERNION";
-  if (type == AttitudeType::euler_angle) return "EULER_ANGLE";
-  return is_oldest(version) ? "QUATERNION/RATE" : "QUATERNION/ANGVEL";
-}
-
 /// One of two words, whatever their capitals.
 bool is_first(const KvnEntries& entries, const KvnLine& line, const char* first, const char* second) {
   const std::string word = detail::upper_case(line.value);
@@ -61,7 +45,7 @@ AttitudeType type_of(const KvnEntries& entries, const std::string& version) {
   std::string names;
   for (const AttitudeType type :
        {AttitudeType::quaternion, AttitudeType::quaternion_rate, AttitudeType::euler_angle}) {
-    const std::string name = type_name(type, version);
+    const std::string name = detail::type_name(type, version);
     if (detail::upper_case(line.value) == name) return type;
     names += (names.empty() ? "" : ", ") + name;
   }
@@ -69,7 +53,7 @@ AttitudeType type_of(const KvnEntries& entries, const std::string& version) {
 }
 
 void read_rate_frame(const KvnEntries& entries, const std::string& version, detail::AttitudeLines& lines) {
-  const char* keyword = rate_keyword(version);
+  const char* keyword = detail::rate_keyword(version);
   const KvnLine* line = entries.find(keyword);
   if (!line && lines.type == AttitudeType::quaternion_rate) line = &entries.line(keyword);
   if (!line) return;
@@ -88,7 +72,7 @@ detail::AttitudeLines read_type(const KvnEntries& entries, const std::string& ve
   if (detail::upper_case(lines.ref_frame_a) == detail::upper_case(lines.ref_frame_b))
     entries.fail(entries.line("REF_FRAME_B"), "it is REF_FRAME_A, too");
   lines.type = type_of(entries, version);
-  if (is_oldest(version)) {
+  if (detail::has_direction(version)) {
     lines.is_b_to_a = !is_first(entries, entries.line("ATTITUDE_DIR"), "A2B", "B2A");
     const bool needed = lines.type != AttitudeType::euler_angle;
     if (const KvnLine* order = needed ? &entries.line("QUATERNION_TYPE") : entries.find("QUATERNION_TYPE"))
@@ -124,7 +108,7 @@ class SegmentReader {
     std::vector<std::string> comments = std::move(between_);
     between_.clear();
     const KvnEntries entries = detail::read_entries(reader_, version_, keywords, comments);
-    EphemerisMetadata metadata = detail::metadata_of(entries, interpolation_keyword);
+    EphemerisMetadata metadata = detail::metadata_of(entries, detail::attitude_interpolation);
     metadata.comments = std::move(comments);
     if (!segments_.empty()) detail::require_same_system(entries, metadata, segments_.front().metadata());
     detail::AttitudeLines lines = read_type(entries, version_);
@@ -162,7 +146,7 @@ class SegmentReader {
     std::array<KvnWord, KvnReader::most_words> words{};
     const std::size_t size = reader_.words(words), numbers = detail::numbers_in_line(lines.type);
     if (size != numbers + 1)
-      reader_.fail(detail::text(size) + " fields; a line of " + type_name(lines.type, version_) +
+      reader_.fail(detail::text(size) + " fields; a line of " + detail::type_name(lines.type, version_) +
                    " has an epoch and " + detail::text(numbers) + " numbers");
     lines.times.push_back(
         detail::read_time(reader_, words[0], metadata, lines.times.empty() ? nullptr : &lines.times.back()));
@@ -203,50 +187,7 @@ AttitudeEphemerisMessage message(const std::string& place, detail::TextFile file
   return {header, std::move(segments).segments()};
 }
 
-void write_type(std::string& out, const detail::AttitudeLines& lines, const std::string& version) {
-  detail::write_line(out, "ATTITUDE_TYPE", type_name(lines.type, version));
-  if (is_oldest(version) && lines.type != AttitudeType::euler_angle)
-    detail::write_line(out, "QUATERNION_TYPE", lines.is_scalar_first ? "FIRST" : "LAST");
-  if (!lines.euler_sequence.empty()) detail::write_line(out, "EULER_ROT_SEQ", lines.euler_sequence);
-  if (!lines.rate_frame.empty()) detail::write_line(out, rate_keyword(version), lines.rate_frame);
-}
-
-void write_segment(std::string& out, const AttitudeEphemerisSegment& segment, const std::string& version) {
-  const EphemerisMetadata& metadata = segment.metadata();
-  const detail::AttitudeLines& lines = segment.lines(detail::trusted);
-  out.append("\nMETA_START\n");
-  detail::write_object(out, metadata);
-  detail::write_line(out, "REF_FRAME_A", lines.ref_frame_a);
-  detail::write_line(out, "REF_FRAME_B", lines.ref_frame_b);
-  if (is_oldest(version)) detail::write_line(out, "ATTITUDE_DIR", lines.is_b_to_a ? "B2A" : "A2B");
-  detail::write_span(out, metadata);
-  write_type(out, lines, version);
-  detail::write_interpolation(out, metadata, interpolation_keyword);
-  out.append("META_STOP\n\nDATA_START\n");
-  detail::write_comments(out, lines.comments);
-  auto number = lines.numbers.begin();
-  for (const Epoch& time : lines.times) {
-    out.append(detail::exact_text(time, metadata.time_system));
-    for (std::size_t i = 0; i < detail::numbers_in_line(lines.type); ++i)
-      out.append(" ").append(detail::shifted_text(*number++, 0));
-    out.append("\n");
-  }
-  out.append("DATA_STOP\n");
-}
-
 }  // namespace
-
-std::optional<std::array<int, 3>> detail::parse_euler_sequence(const std::string& text) {
-  if (text.size() != 3) return std::nullopt;
-  std::array<int, 3> axes{};
-  for (std::size_t i = 0; i < axes.size(); ++i) {
-    const auto digit = std::string_view{"123"}.find(text[i]), letter = std::string_view{"XYZ"}.find(text[i]);
-    if (digit == std::string_view::npos && letter == std::string_view::npos) return std::nullopt;
-    axes[i] = static_cast<int>(std::min(digit, letter));
-    if (i > 0 && axes[i] == axes[i - 1]) return std::nullopt;
-  }
-  return axes;
-}
 
 AttitudeEphemerisMessage::AttitudeEphemerisMessage(MessageHeader header,
                                                    std::vector<AttitudeEphemerisSegment> segments)
@@ -256,7 +197,7 @@ AttitudeEphemerisMessage::AttitudeEphemerisMessage(MessageHeader header,
   for (const AttitudeEphemerisSegment& segment : segments_) {
     const detail::AttitudeLines& lines = segment.lines(detail::trusted);
     detail::require_same_system(lines.place, segment.metadata(), segments_.front().metadata());
-    if (!is_oldest(header_.version) && (lines.is_b_to_a || lines.is_scalar_first))
+    if (!detail::has_direction(header_.version) && (lines.is_b_to_a || lines.is_scalar_first))
       throw BadInput(lines.place +
                      ": version 2.0 has the direction A2B and the scalar last; the segment has " +
                      (lines.is_b_to_a ? "B2A" : "QUATERNION_TYPE FIRST"));
@@ -274,17 +215,6 @@ AttitudeEphemerisMessage AttitudeEphemerisMessage::read(const std::filesystem::p
   auto content = detail::read_lines(file);
   if (!content) throw BadInput(place + ": cannot be read");
   return message(place, std::move(*content));
-}
-
-std::string AttitudeEphemerisMessage::text() const {
-  std::string out;
-  detail::write_header(out, header_, kind);
-  for (const AttitudeEphemerisSegment& segment : segments_) write_segment(out, segment, header_.version);
-  return out;
-}
-
-void AttitudeEphemerisMessage::write(const std::filesystem::path& file) const {
-  detail::write_file(std::string{kind.name} + " " + file.string(), file, text());
 }
 
 }  // namespace vectrix

@@ -5,7 +5,8 @@
 #include <vectrix/frames/errors.hpp>
 
 #include "attitude_lines.hpp"
-#include "ephemeris_text.hpp"
+#include "frame_claim.hpp"
+#include "kvn.hpp"
 #include "text_file.hpp"
 
 namespace vectrix {

@@ -7,8 +7,22 @@
 
 #include <vectrix/space/files/attitude_ephemeris_segment.hpp>
 
+#include "ephemeris_rules.hpp"
+
 namespace vectrix::detail {
 
+inline constexpr MessageKind attitude_ephemeris{
+    "attitude ephemeris message", "CCSDS_AEM_VERS", {"1.0", "2.0"}};
+inline constexpr const char* attitude_interpolation = "INTERPOLATION_METHOD";
+
+/// Whether the version has ATTITUDE_DIR and QUATERNION_TYPE.
+inline bool has_direction(const std::string& version) {
+  return version == "1.0";
+}
+inline const char* rate_keyword(const std::string& version) {
+  return has_direction(version) ? "RATE_FRAME" : "ANGVEL_FRAME";
+}
+std::string type_name(AttitudeType type, const std::string& version);
 constexpr std::size_t numbers_in_line(AttitudeType type) {
   return type == AttitudeType::quaternion ? 4 : type == AttitudeType::quaternion_rate ? 7 : 3;
 }

@@ -4,18 +4,17 @@
 
 #include <vectrix/frames/errors.hpp>
 
-#include "ephemeris_text.hpp"
-#include "epoch_text.hpp"
-#include "shifted_number.hpp"
-#include "text_file.hpp"
+#include "ephemeris_reader.hpp"
+#include "orbit_ephemeris_text.hpp"
 
 namespace vectrix {
 namespace {
 
 using detail::KvnReader, detail::KvnWord;
 
-const detail::MessageKind kind{"orbit ephemeris message", "CCSDS_OEM_VERS", {"1.0", "2.0", "3.0"}};
-constexpr const char* interpolation_keyword = "INTERPOLATION";
+using detail::kilo;
+
+constexpr const detail::MessageKind& kind = detail::orbit_ephemeris;
 const std::vector<detail::EphemerisKeyword> keywords{{"OBJECT_NAME"},
                                                      {"OBJECT_ID"},
                                                      {"CENTER_NAME"},
@@ -28,7 +27,6 @@ const std::vector<detail::EphemerisKeyword> keywords{{"OBJECT_NAME"},
                                                      {"STOP_TIME"},
                                                      {"INTERPOLATION"},
                                                      {"INTERPOLATION_DEGREE"}};
-constexpr int kilo = 3;  // kilometres are read as metres
 
 constexpr std::array<const char*, 10> columns{"EPOCH", "X",     "Y",      "Z",      "X_DOT",
                                               "Y_DOT", "Z_DOT", "X_DDOT", "Y_DDOT", "Z_DDOT"};
@@ -48,7 +46,7 @@ class SegmentReader {
     lines.place = reader_.place() + ", the segment from line " + detail::text(reader_.line()) + " on";
     std::vector<std::string> comments;
     const detail::KvnEntries entries = detail::read_entries(reader_, version_, keywords, comments);
-    EphemerisMetadata metadata = detail::metadata_of(entries, interpolation_keyword);
+    EphemerisMetadata metadata = detail::metadata_of(entries, detail::orbit_interpolation);
     static_cast<void>(entries.filled("CENTER_NAME"));
     metadata.comments = std::move(comments);
     lines.ref_frame = entries.filled("REF_FRAME").value;
@@ -165,48 +163,6 @@ OrbitEphemerisMessage message(const std::string& place, detail::TextFile file) {
   return {header, std::move(segments).segments()};
 }
 
-void write_numbers(std::string& out, const Eigen::Vector3d& v) {
-  for (const double x : v) out.append(" ").append(detail::shifted_text(x, kilo));
-}
-
-void write_covariance(std::string& out, const OrbitCovariance& covariance, const TimeScale& scale) {
-  detail::write_line(out, "EPOCH", detail::exact_text(covariance.epoch, scale));
-  if (!covariance.ref_frame.empty()) detail::write_line(out, "COV_REF_FRAME", covariance.ref_frame);
-  std::size_t next = 0;
-  for (std::size_t row = 0; row < 6; ++row) {
-    for (std::size_t i = 0; i <= row; ++i)
-      out.append(i == 0 ? "" : " ").append(detail::shifted_text(covariance.lower_triangle[next++], 0));
-    out.append("\n");
-  }
-}
-
-void write_segment(std::string& out, const OrbitEphemerisSegment& segment) {
-  const EphemerisMetadata& metadata = segment.metadata();
-  const detail::OrbitLines& lines = segment.lines(detail::trusted);
-  out.append("\nMETA_START\n");
-  detail::write_object(out, metadata);
-  detail::write_line(out, "REF_FRAME", lines.ref_frame);
-  if (lines.ref_frame_epoch)
-    detail::write_line(out, "REF_FRAME_EPOCH",
-                       detail::exact_text(*lines.ref_frame_epoch, metadata.time_system));
-  detail::write_span(out, metadata);
-  detail::write_interpolation(out, metadata, interpolation_keyword);
-  out.append("META_STOP\n\n");
-  detail::write_comments(out, lines.comments);
-  for (const detail::OrbitLine& line : lines.lines) {
-    out.append(detail::exact_text(line.time, metadata.time_system));
-    write_numbers(out, line.position);
-    write_numbers(out, line.velocity);
-    if (line.acceleration) write_numbers(out, *line.acceleration);
-    out.append("\n");
-  }
-  if (lines.covariances.empty()) return;
-  out.append("\nCOVARIANCE_START\n");
-  for (const OrbitCovariance& covariance : lines.covariances)
-    write_covariance(out, covariance, metadata.time_system);
-  out.append("COVARIANCE_STOP\n");
-}
-
 }  // namespace
 
 OrbitEphemerisMessage::OrbitEphemerisMessage(MessageHeader header,
@@ -236,17 +192,6 @@ OrbitEphemerisMessage OrbitEphemerisMessage::read(const std::filesystem::path& f
   auto content = detail::read_lines(file);
   if (!content) throw BadInput(place + ": cannot be read");
   return message(place, std::move(*content));
-}
-
-std::string OrbitEphemerisMessage::text() const {
-  std::string out;
-  detail::write_header(out, header_, kind);
-  for (const OrbitEphemerisSegment& segment : segments_) write_segment(out, segment);
-  return out;
-}
-
-void OrbitEphemerisMessage::write(const std::filesystem::path& file) const {
-  detail::write_file(std::string{kind.name} + " " + file.string(), file, text());
 }
 
 }  // namespace vectrix

@@ -2,8 +2,10 @@
 
 #include <vectrix/frames/errors.hpp>
 
-#include "ephemeris_text.hpp"
+#include "ephemeris_rules.hpp"
 #include "epoch_text.hpp"
+#include "frame_claim.hpp"
+#include "kvn.hpp"
 #include "text_file.hpp"
 
 namespace vectrix {

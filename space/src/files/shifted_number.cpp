@@ -32,14 +32,17 @@ std::optional<Parts> parts_of(std::string_view text) {
 
 std::optional<double> parse_shifted(std::string_view text, int shift) {
   constexpr std::size_t most = 100;
+  const auto finite = [](std::optional<double> value) {
+    return value && std::isfinite(*value) ? value : std::nullopt;
+  };
+  if (shift == 0) return finite(parse_number(text));
   const auto parts = parts_of(text);
   if (!parts || text.size() > most) return std::nullopt;
   std::array<char, most + 16> buffer{};
   char* end = std::copy(parts->digits.begin(), parts->digits.end(), buffer.data());
   *end++ = 'e';
   end = std::to_chars(end, buffer.data() + buffer.size(), parts->exponent + shift).ptr;
-  const auto value = parse_number({buffer.data(), static_cast<std::size_t>(end - buffer.data())});
-  return value && std::isfinite(*value) ? value : std::nullopt;
+  return finite(parse_number({buffer.data(), static_cast<std::size_t>(end - buffer.data())}));
 }
 
 std::string shifted_text(double value, int shift) {

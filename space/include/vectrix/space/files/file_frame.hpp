@@ -5,7 +5,8 @@
 #include <type_traits>
 #include <utility>
 
-#include <vectrix/frames/export.hpp>
+#include <vectrix/frames/frame.hpp>
+#include <vectrix/frames/trusted.hpp>
 #include <vectrix/space/earth/eme2000.hpp>
 #include <vectrix/space/earth/mean_of_date.hpp>
 #include <vectrix/space/earth/teme.hpp>
@@ -92,18 +93,6 @@ FrameClaim claim_among(const First& first, const Rest&... rest) {
     return claim_among<F>(rest...);
   }
 }
-
-/// The name that is written for the claimed frame.
-VECTRIX_EXPORT std::string name_of(const FrameClaim& claim);
-/// Whether the name in a file is that of the claim.
-VECTRIX_EXPORT bool names(const FrameClaim& claim, const std::string& name);
-/// Throws BadInput, which begins with `place` and names both frames, unless the name is that of the claim.
-VECTRIX_EXPORT void require_named(const std::string& place, const std::string& keyword,
-                                  const std::string& name, const FrameClaim& claim);
-/// 'EME2000' (earth::Eme2000), for messages.
-VECTRIX_EXPORT std::string shown(const FrameClaim& claim);
-/// Whether the axes of the frame move with the date, so that REF_FRAME_EPOCH stops them.
-VECTRIX_EXPORT bool is_of_date(StandardFrame frame);
 
 }  // namespace detail
 }  // namespace vectrix

@@ -1,4 +1,4 @@
-#include <vectrix/space/files/file_frame.hpp>
+#include "frame_claim.hpp"
 
 #include <vectrix/frames/errors.hpp>
 

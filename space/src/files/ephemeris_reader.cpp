@@ -1,0 +1,135 @@
+#include "ephemeris_reader.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include <vectrix/frames/errors.hpp>
+
+#include "shifted_number.hpp"
+
+namespace vectrix::detail {
+namespace {
+
+Epoch read_epoch(const KvnReader& reader, const KvnWord& word, const TimeScale& scale) {
+  constexpr std::size_t longest = 40;
+  if (word.text.size() > longest) reader.fail(word, "EPOCH", "too long for an epoch");
+  try {
+    return Epoch::from(scale, word.text);
+  } catch (const BadInput& error) {
+    reader.fail(word, "EPOCH", error.what());
+  }
+}
+
+}  // namespace
+
+MessageHeader read_header(KvnReader& reader, const MessageKind& kind) {
+  MessageHeader header;
+  bool more = reader.next();
+  for (; more && reader.is_comment(); more = reader.next()) header.comments.push_back(reader.comment());
+  const std::string first = "a message begins with " + std::string{kind.version_keyword};
+  if (!more) throw BadInput(reader.place() + ": there is no message");
+  if (reader.is_xml()) reader.fail("XML is not supported, only keyword = value");
+  if (!reader.has_keyword()) reader.fail(first);
+  const KvnLine version = reader.keyword();
+  if (version.keyword != kind.version_keyword) refuse(reader.place(), version, first);
+  if (!kind.has(version.value)) refuse(reader.place(), version, "the versions are " + kind.list());
+  header.version = version.value;
+
+  KvnEntries entries(reader.place(), "the message from line " + text(version.line) + " on");
+  for (more = reader.next(); more && !reader.is("META_START"); more = reader.next()) {
+    if (reader.is_comment()) {
+      header.comments.push_back(reader.comment());
+      continue;
+    }
+    KvnLine line = reader.keyword();
+    const bool is_newer = line.keyword == "CLASSIFICATION" || line.keyword == "MESSAGE_ID";
+    if (is_newer && header.version != kind.newest())
+      entries.fail(line, "the keyword is of version " + kind.newest());
+    if (!is_newer && line.keyword != "CREATION_DATE" && line.keyword != "ORIGINATOR")
+      entries.fail(line, "the keyword is not of the header, which META_START ends");
+    entries.add(std::move(line));
+  }
+  if (!more) throw BadInput(reader.place() + ": there is no META_START");
+  const auto value = [&](const char* keyword) {
+    const KvnLine* line = entries.find(keyword);
+    return line ? line->value : std::string{};
+  };
+  header.creation_date = value("CREATION_DATE");
+  header.originator = value("ORIGINATOR");
+  header.classification = value("CLASSIFICATION");
+  header.message_id = value("MESSAGE_ID");
+  return header;
+}
+
+KvnEntries read_entries(KvnReader& reader, const std::string& version,
+                        const std::vector<EphemerisKeyword>& keywords, std::vector<std::string>& comments) {
+  KvnEntries entries(reader.place(), "the segment from line " + text(reader.line()) + " on");
+  while (true) {
+    if (!reader.next())
+      throw BadInput(reader.place() + ", line " + text(reader.line()) + ": there is no META_STOP");
+    if (reader.is("META_STOP")) return entries;
+    if (reader.is_comment()) {
+      comments.push_back(reader.comment());
+      continue;
+    }
+    KvnLine line = reader.keyword();
+    const auto known = std::find_if(keywords.begin(), keywords.end(), [&](const EphemerisKeyword& keyword) {
+      return keyword.name == line.keyword;
+    });
+    if (known == keywords.end()) entries.fail(line, "the keyword is not of the metadata");
+    if (version < known->since || version > known->until)
+      entries.fail(line, "the keyword is of version " +
+                             std::string{version < known->since ? known->since : known->until} +
+                             ", the message of version " + version);
+    entries.add(std::move(line));
+  }
+}
+
+EphemerisMetadata metadata_of(const KvnEntries& entries, std::string_view interpolation_keyword) {
+  EphemerisMetadata metadata{entries.line("OBJECT_NAME").value, entries.line("OBJECT_ID").value};
+  if (const KvnLine* center = entries.find("CENTER_NAME")) metadata.center_name = center->value;
+  const KvnLine& system = entries.filled("TIME_SYSTEM");
+  const TimeScale* scale = time_system(upper_case(system.value));
+  if (!scale) entries.fail(system, "the time systems that are read are UTC, TAI, TT, TDB and GPS");
+  metadata.time_system = *scale;
+  metadata.start_time = entries.epoch(entries.filled("START_TIME"), *scale);
+  metadata.stop_time = entries.epoch(entries.filled("STOP_TIME"), *scale);
+  if (const KvnLine* start = entries.find("USEABLE_START_TIME"))
+    metadata.useable_start_time = entries.epoch(*start, *scale);
+  if (const KvnLine* stop = entries.find("USEABLE_STOP_TIME"))
+    metadata.useable_stop_time = entries.epoch(*stop, *scale);
+  if (const auto fault = span_fault(metadata))
+    entries.fail(entries.line(fault->keyword), "it is before " + std::string{fault->before});
+  if (const KvnLine* method = entries.find(interpolation_keyword)) metadata.interpolation = method->value;
+  if (const KvnLine* degree = entries.find("INTERPOLATION_DEGREE")) {
+    constexpr std::int64_t most = 1000;
+    const std::int64_t value = entries.whole(*degree);
+    if (value > most) entries.fail(*degree, "no degree of an interpolation");
+    metadata.interpolation_degree = static_cast<int>(value);
+  }
+  return metadata;
+}
+
+void require_same_system(const KvnEntries& entries, const EphemerisMetadata& metadata,
+                         const EphemerisMetadata& first) {
+  if (metadata.time_system.kind() != first.time_system.kind())
+    entries.fail(
+        entries.line("TIME_SYSTEM"),
+        "the first segment has " + std::string{first.time_system.name()} + "; a message has one time system");
+}
+
+double read_number(const KvnReader& reader, const KvnWord& word, std::string_view name, int shift) {
+  const auto value = parse_shifted(word.text, shift);
+  if (!value) reader.fail(word, name, "not a finite number");
+  return *value;
+}
+
+Epoch read_time(const KvnReader& reader, const KvnWord& word, const EphemerisMetadata& metadata,
+                const Epoch* before) {
+  const Epoch time = read_epoch(reader, word, metadata.time_system);
+  if (before && !(*before < time)) reader.fail(word, "EPOCH", "not later than the line before");
+  if (is_outside(metadata, time)) reader.fail(word, "EPOCH", "outside START_TIME and STOP_TIME");
+  return time;
+}
+
+}  // namespace vectrix::detail

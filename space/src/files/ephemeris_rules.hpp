@@ -1,0 +1,47 @@
+#pragma once
+
+#include <initializer_list>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <vectrix/space/files/ephemeris_metadata.hpp>
+
+namespace vectrix::detail {
+
+// What holds for orbit and attitude ephemeris messages, whether they are read or made of samples.
+
+struct MessageKind {
+  const char* name;
+  const char* version_keyword;
+  std::initializer_list<const char*> versions;
+
+  [[nodiscard]] bool has(const std::string& version) const;
+  [[nodiscard]] std::string newest() const { return *(versions.end() - 1); }
+  /// 1.0, 2.0, 3.0
+  [[nodiscard]] std::string list() const;
+};
+
+/// The scale of a name in capitals. Null if it is none of UTC, TAI, TT, TDB and GPS.
+const TimeScale* time_system(const std::string& capitals);
+
+/// The first time of the metadata that is before another one.
+struct SpanFault {
+  const char *keyword, *before;
+};
+std::optional<SpanFault> span_fault(const EphemerisMetadata& metadata);
+/// Whether the time of a line is more than 1 ms outside START_TIME and STOP_TIME.
+bool is_outside(const EphemerisMetadata& metadata, const Epoch& time);
+
+/// Throws BadInput if a text is not one line of printable characters.
+void require_text(const std::string& place, const char* what, const std::string& value);
+void require_comments(const std::string& place, const std::vector<std::string>& comments);
+void require_header(const MessageHeader& header, const MessageKind& kind);
+/// Throws BadInput if the time system is not that of the first segment.
+void require_same_system(const std::string& place, const EphemerisMetadata& metadata,
+                         const EphemerisMetadata& first);
+/// The metadata of samples with these times, with START_TIME and STOP_TIME. Throws BadInput.
+EphemerisMetadata checked_metadata(const std::string& place, EphemerisMetadata metadata,
+                                   const std::vector<Epoch>& times);
+
+}  // namespace vectrix::detail

@@ -1,0 +1,127 @@
+#include <cmath>
+#include <limits>
+#include <random>
+#include <vector>
+
+#include "files/orbit_ephemeris_texts.hpp"
+
+namespace vectrix::orbit_ephemeris_message_test {
+namespace {
+
+TEST(OrbitEphemerisMessage, ATextOfAMessageIsTheMessage) {
+  for (const std::string& text : {topo, stk, full}) {
+    const auto message = Message::parse(text);
+    const std::string written = message.text();
+    EXPECT_EQ(Message::parse(written).text(), written);
+    const TemporaryFile file("");
+    message.write(file.path());
+    EXPECT_EQ(Message::read(file.path()).text(), written);
+  }
+  // Where the text has its place, so that nothing is left out.
+  const std::string written = Message::parse(full).text();
+  for (const char* part :
+       {"CLASSIFICATION = public, test-data\n", "MESSAGE_ID = 7\n", "COMMENT   first\n",
+        "OBJECT_NAME = ORBITER [A]\n", "REF_FRAME_EPOCH = 2000-01-01T11:58:55.816\n",
+        "STOP_TIME = 1996-12-18T12:01:00.331\n", "INTERPOLATION = HERMITE\nINTERPOLATION_DEGREE = 3\n",
+        "COMMENT between two lines\n",
+        "1996-12-18T12:00:00.331 2.789619e+03 -2.80045e-01 1.746755e+03 4.73372e+00 -2.49586e+00 "
+        "-1.04195e+00 "
+        "1e-03 -5.3e-07 1.5e-03\n",
+        "COV_REF_FRAME = RTN\n1e-04\n", "-1e+00 2e+00 3e+00 4e+00 5e+00 6e-09\n", "OBJECT_NAME = \n",
+        "1996-12-18T12:00:00.123456789"})
+    EXPECT_NE(written.find(part), std::string::npos) << part << written;
+  EXPECT_THROW(Message::parse(topo).write("/no/such/folder/file"), BadInput);
+}
+
+// Samples of every size, written and read: the same to the last bit.
+TEST(OrbitEphemerisMessage, SamplesReadBackToTheLastBit) {
+  std::mt19937_64 random(20261129);
+  const auto number = [&] {
+    const double mantissa = std::uniform_real_distribution<double>(-10.0, 10.0)(random);
+    return mantissa *
+           std::pow(10.0, std::uniform_int_distribution<int>(-320, 300)(random) / (random() % 3 ? 30 : 1));
+  };
+  for (int run = 0; run < 200; ++run) {
+    std::vector<PositionSample<Gcrf, Ship, Epoch>> samples;
+    Epoch time = Epoch::from_utc("2016-12-31T23:59:5" + std::to_string(run % 10));
+    for (int i = 0; i < 10; ++i) {
+      const auto vector = [&] { return Eigen::Vector3d(number(), number(), number()); };
+      // Epochs as a text gives them: any other is rounded to the text, 1e-11 s.
+      const auto& system = run % 2 == 0 ? static_cast<const TimeScale&>(scale::utc) : scale::tt;
+      time = Epoch::from(system, (time + (1.0 + number() * 0.0) * si::second).text(system, 9) +
+                                     (run % 4 < 2 ? std::to_string(100 + random() % 900) : ""));
+      samples.push_back({time, point_motion(of<Ship>, relative_to<Gcrf>, observed_from<Gcrf>,
+                                            vectrix::vector<si::length>(in<Gcrf>, vector()),
+                                            vectrix::vector<si::velocity>(in<Gcrf>, vector()))});
+    }
+    EphemerisMetadata metadata{"SHIP", "2026-001A"};
+    metadata.time_system = run % 2 == 0 ? static_cast<const TimeScale&>(scale::utc) : scale::tt;
+    metadata.interpolation = "HERMITE";
+    metadata.interpolation_degree = 7;
+    const Message message({"2.0", "2026-11-29T00:00:00", "HERE"}, {Segment(metadata, samples)});
+    const auto again = Message::parse(message.text()).segments()[0].samples<Gcrf, Ship>();
+    ASSERT_EQ(again.size(), samples.size());
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+      EXPECT_EQ(again[i].time, samples[i].time) << message.text();
+      EXPECT_EQ(position(again[i]), position(samples[i]));
+      EXPECT_EQ(again[i].motion.velocity.coordinates(), samples[i].motion.velocity.coordinates());
+    }
+  }
+}
+
+TEST(OrbitEphemerisMessage, SegmentsOfSamples) {
+  const auto samples = Message::parse(topo).segments()[0].samples<Eme2000, Ship>();
+  const EphemerisMetadata metadata{"SHIP", "2026-001A"};
+  const Segment segment(metadata, samples);
+  EXPECT_EQ(segment.ref_frame(), "EME2000");
+  EXPECT_EQ(segment.metadata().center_name, "EARTH");
+  EXPECT_EQ(segment.metadata().start_time, samples[0].time);
+  EXPECT_EQ(segment.metadata().stop_time, samples[1].time);
+  const auto with = [&](auto change) {
+    EphemerisMetadata changed = metadata;
+    change(changed);
+    return complaint([&] { Segment(changed, samples); });
+  };
+  const std::string place = "orbit ephemeris segment of 'SHIP': ";
+  EXPECT_EQ(with([](auto& m) { m.object_id = "A\nB"; }),
+            place + "OBJECT_ID 'A\nB' is not one line of printable ASCII without blanks around it");
+  EXPECT_EQ(with([](auto& m) { m.object_id = " A"; }),
+            place + "OBJECT_ID ' A' is not one line of printable ASCII without blanks around it");
+  EXPECT_EQ(with([](auto& m) { m.comments = {"A\nB"}; }),
+            place + "the comment 'A\nB' is not one line of text");
+  EXPECT_EQ(with([](auto& m) { m.center_name = "MARS"; }),
+            place + "CENTER_NAME is 'MARS'; the centre of 'EME2000' (earth::Eme2000) is 'EARTH'");
+  EXPECT_EQ(with([&](auto& m) { m.start_time = samples[1].time; }),
+            place + "the sample at 2022-01-17T12:00:00.000 is outside START_TIME and STOP_TIME");
+  EXPECT_EQ(with([&](auto& m) { m.useable_stop_time = samples[1].time + 1.0 * si::second; }),
+            place + "STOP_TIME is before USEABLE_STOP_TIME");
+  EXPECT_EQ(with([](auto& m) { m.time_system = scale::Ut1::minus_tai(-37.0 * si::second); }),
+            place + "TIME_SYSTEM is UT1; a message has UTC, TAI, TT, TDB or GPS");
+  EXPECT_EQ(complaint([&] { Segment(metadata, std::vector<PositionSample<Eme2000, Ship, Epoch>>{}); }),
+            place + "there are no samples");
+  EXPECT_EQ(complaint([&] {
+              Segment(metadata, std::vector{samples[1], samples[0]});
+            }),
+            place + "sample 1 is not later than the one before");
+  EXPECT_EQ(complaint([&] {
+              Segment(metadata, std::vector{samples[0], samples[0]});
+            }),
+            place + "sample 1 is not later than the one before");
+  EXPECT_EQ(complaint([&] {
+              Message({"2.1", "", ""}, {segment});
+            }),
+            "orbit ephemeris message: the version is '2.1'; the versions are 1.0, 2.0, 3.0");
+  EXPECT_EQ(complaint([&] {
+              Message({"2.0", "", ""}, {});
+            }),
+            "orbit ephemeris message: there are no segments");
+  EphemerisMetadata in_tai = metadata;
+  in_tai.time_system = scale::tai;
+  EXPECT_EQ(complaint([&] {
+              Message({"2.0", "", ""}, {segment, Segment(in_tai, samples)});
+            }),
+            place + "the time system is TAI, of the first segment UTC; a message has one");
+}
+
+}  // namespace
+}  // namespace vectrix::orbit_ephemeris_message_test
