@@ -15,7 +15,9 @@
 #include <vectrix/dynamics/force/gravity.hpp>
 #include <vectrix/dynamics/force/moment.hpp>
 #include <vectrix/dynamics/force/wrench.hpp>
+#include <vectrix/dynamics/load/of_time.hpp>
 #include <vectrix/dynamics/load/point_mass.hpp>
+#include <vectrix/dynamics/load/pulse.hpp>
 #include <vectrix/dynamics/load/springs.hpp>
 #include <vectrix/dynamics/mass/inertia.hpp>
 #include <vectrix/dynamics/mass/join.hpp>

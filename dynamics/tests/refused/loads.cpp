@@ -65,3 +65,92 @@ auto panel_spring(const Sat& sat) {
 #endif
 }
 }  // namespace a_spring_on_the_hub
+
+namespace a_motor_in_newtons {
+// mistake: a force where the torque on a wheel is due
+// expect: an effort on a joint
+auto motor(const Sat& sat) {
+#ifdef REPAIRED
+  return pulse(sat, of<Wheel>, 0.1 * N_m, 0.0 * s, 1.0 * s);
+#else
+  return pulse(sat, of<Wheel>, 0.1 * si::newton, 0.0 * s, 1.0 * s);
+#endif
+}
+}  // namespace a_motor_in_newtons
+
+namespace a_pulse_in_a_foreign_frame {
+// mistake: a pulse expressed in a frame that the craft does not have
+// expect: in frames of C
+struct Lvlh : moving_frame {};
+auto push(const Sat& sat) {
+#ifdef REPAIRED
+  return pulse(sat, of<Panel>, 0.1 * N_m * unit_x(in<Gcrf>), 0.0 * s, 1.0 * s);
+#else
+  return pulse(sat, of<Panel>, 0.1 * N_m * unit_x(in<Lvlh>), 0.0 * s, 1.0 * s);
+#endif
+}
+}  // namespace a_pulse_in_a_foreign_frame
+
+namespace a_pulse_about_another_origin {
+// mistake: a wrench on the panel about the origin of the hub
+// expect: a wrench
+auto push(const Sat& sat, const Wrench<Hub, In<Hub>>& W_h_h,
+          const Displacement<Hub, Panel, In<Hub>>& r_hp_h) {
+#ifdef REPAIRED
+  return pulse(sat, of<Panel>, shift(W_h_h, r_hp_h), 0.0 * s, 1.0 * s);
+#else
+  return static_cast<void>(r_hp_h), pulse(sat, of<Panel>, W_h_h, 0.0 * s, 1.0 * s);
+#endif
+}
+}  // namespace a_pulse_about_another_origin
+
+namespace a_pulse_outside_a_scenario {
+// mistake: the accelerations under a pulse, which says nothing of the time before a scenario holds it
+// expect: motion\(scenario, trajectory, time\)
+auto alpha(const Sat& sat, const CraftState<Sat>& state) {
+  const auto push = pulse(sat, of<Wheel>, 0.1 * N_m, 0.0 * s, 1.0 * s);
+#ifdef REPAIRED
+  return static_cast<void>(state), scenario(sat, push);
+#else
+  return motion(sat, state, push);
+#endif
+}
+}  // namespace a_pulse_outside_a_scenario
+
+namespace an_effort_on_the_hub {
+// mistake: an effort as a function of time on the hub, which hangs on nothing
+// expect: an effort on a joint
+auto drive(const Sat& sat) {
+  const auto torque = [](Quantity<si::time> t) { return t / s * 0.1 * N_m; };
+#ifdef REPAIRED
+  return of_time(sat, of<Panel>, torque);
+#else
+  return of_time(sat, of<Hub>, torque);
+#endif
+}
+}  // namespace an_effort_on_the_hub
+
+namespace a_function_of_a_number {
+// mistake: a torque as a function of a bare number, not of the time
+// expect: f\(t\)
+#ifdef REPAIRED
+const auto torque = [](Quantity<si::time> t) { return t / s * 0.1 * N_m; };
+#else
+const auto torque = [](double t) { return t * 0.1 * N_m; };
+#endif
+auto drive(const Sat& sat) {
+  return of_time(sat, of<Wheel>, torque);
+}
+}  // namespace a_function_of_a_number
+
+namespace a_load_on_another_craft {
+// mistake: a pulse on another craft
+// expect: IsNoLoad<
+auto flight(const Sat& sat, const Turning& turning) {
+#ifdef REPAIRED
+  return static_cast<void>(turning), scenario(sat, pulse(sat, of<Wheel>, 0.1 * N_m, 0.0 * s, 1.0 * s));
+#else
+  return scenario(sat, pulse(turning, of<Wheel>, 0.1 * N_m, 0.0 * s, 1.0 * s));
+#endif
+}
+}  // namespace a_load_on_another_craft

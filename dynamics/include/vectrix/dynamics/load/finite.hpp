@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <string>
+#include <vectrix/dynamics/force/wrench.hpp>
 #include <vectrix/frames/errors.hpp>
 #include <vectrix/frames/print.hpp>
 #include <vectrix/frames/quantity.hpp>
@@ -20,6 +21,9 @@ template <class Framed>
   }
 bool all_finite(const Framed& v) {
   return v.coordinates().allFinite();
+}
+template <class P, class D> bool all_finite(const Wrench<P, D>& W) {
+  return all_finite(W.force()) && all_finite(W.torque());
 }
 
 /// The value itself. Throws BadInput, as "spring: the stiffness is nan", if it is not finite.
