@@ -15,6 +15,7 @@
 #include <vectrix/dynamics/force/gravity.hpp>
 #include <vectrix/dynamics/force/moment.hpp>
 #include <vectrix/dynamics/force/wrench.hpp>
+#include <vectrix/dynamics/load/friction.hpp>
 #include <vectrix/dynamics/load/of_time.hpp>
 #include <vectrix/dynamics/load/point_mass.hpp>
 #include <vectrix/dynamics/load/pulse.hpp>

@@ -154,3 +154,54 @@ auto flight(const Sat& sat, const Turning& turning) {
 #endif
 }
 }  // namespace a_load_on_another_craft
+
+namespace a_lock_of_the_hub {
+// mistake: the hub is locked, which hangs on nothing
+// expect: that hangs on a joint, or a rotor
+void lock(Forces<Sat>& forces) {
+#ifdef REPAIRED
+  forces.lock(of<Panel>);
+#else
+  forces.lock(of<Hub>);
+#endif
+}
+}  // namespace a_lock_of_the_hub
+
+namespace friction_of_a_wheel_in_newtons {
+// mistake: the friction of a wheel in newtons
+// expect: on a hinge or rotor
+auto rub(const Sat& sat) {
+  const auto c = 1e-3 * N_m / (rad / s);
+#ifdef REPAIRED
+  return friction(sat, of<Wheel>, 0.1 * N_m, 0.2 * N_m, 1.0 * (rad / s), c);
+#else
+  return friction(sat, of<Wheel>, 0.1 * si::newton, 0.2 * si::newton, 1.0 * (rad / s), c);
+#endif
+}
+}  // namespace friction_of_a_wheel_in_newtons
+
+namespace friction_on_the_hub {
+// mistake: friction on the hub, which hangs on nothing
+// expect: on a hinge or rotor
+auto rub(const Sat& sat) {
+  const auto c = 1e-3 * N_m / (rad / s);
+#ifdef REPAIRED
+  return friction(sat, of<Panel>, 0.1 * N_m, 0.2 * N_m, 1.0 * (rad / s), c);
+#else
+  return friction(sat, of<Hub>, 0.1 * N_m, 0.2 * N_m, 1.0 * (rad / s), c);
+#endif
+}
+}  // namespace friction_on_the_hub
+
+namespace two_frictions_on_one_wheel {
+// mistake: a wheel has two frictions
+// expect: IsHeldTwice<(vectrix::)?StickSlip<Wheel>
+auto flight(const Sat& sat) {
+  const auto rub = friction(sat, of<Wheel>, 0.1 * N_m, 0.2 * N_m, 1.0 * (rad / s), 1e-3 * N_m / (rad / s));
+#ifdef REPAIRED
+  return scenario(sat, rub);
+#else
+  return scenario(sat, rub, rub);
+#endif
+}
+}  // namespace two_frictions_on_one_wheel

@@ -32,6 +32,23 @@ template <class G, class F> struct PartOf<Change<Zero<G>, F>> {
   static constexpr bool load = false, held = false, ticks = false, zero = true;
 };
 
+/// What a zero or a settling value of a load sees: an instant with its accelerations, under all loads.
+template <CraftType C> struct Solved {
+  Solved(const Now<C>& at) : now(at) {}
+  Now<C> now;
+};
+/// At the start of each smooth segment, after all changes, a held value that is X{} may become another at
+/// once: what the function of const Solved<C>& gives. A joint that sticks breaks away when its load jumps.
+template <class F> struct Settling { F function; };
+template <class F> Settling<F> settling(const F& function) {
+  return {function};
+}
+template <class F> struct PartOf<Settling<F>> {
+  static constexpr bool load = false, held = false, ticks = false, zero = false;
+};
+template <class Part> inline constexpr bool is_settling = false;
+template <class F> inline constexpr bool is_settling<Settling<F>> = true;
+
 template <class... Types> using Joined = decltype(std::tuple_cat(std::declval<Types>()...));
 template <class Part> struct HeldType { using type = std::tuple<>; };
 template <class X> struct HeldType<Held<X>> { using type = std::tuple<X>; };
@@ -114,6 +131,9 @@ template <class C, class HeldTuple, class F> struct FaultOfUpdate {
 template <class C, class HeldTuple, class F>
   requires is_effect<F>
 struct FaultOfUpdate<C, HeldTuple, F> {
+  using type = Nothing;
+};
+template <class C, class HeldTuple, class F> struct FaultOfPart<C, HeldTuple, Settling<F>> {
   using type = Nothing;
 };
 template <class C, class HeldTuple, class Trigger, class F>

@@ -37,5 +37,11 @@ template <class U> const Quantity<U>& not_negative(const char* load, const char*
     throw BadInput(std::string{load} + ": the " + what + " is " + text(x) + "; it must not be negative");
   return x;
 }
+/// Also if it is not greater than 0.
+template <class U> const Quantity<U>& positive(const char* load, const char* what, const Quantity<U>& x) {
+  if (!(finite(load, what, x).value() > 0.0))
+    throw BadInput(std::string{load} + ": the " + what + " is " + text(x) + "; it must be positive");
+  return x;
+}
 
 }  // namespace vectrix::detail
