@@ -20,6 +20,7 @@
 #include <vectrix/dynamics/load/point_mass.hpp>
 #include <vectrix/dynamics/load/pulse.hpp>
 #include <vectrix/dynamics/load/springs.hpp>
+#include <vectrix/dynamics/load/stop_at.hpp>
 #include <vectrix/dynamics/mass/inertia.hpp>
 #include <vectrix/dynamics/mass/join.hpp>
 #include <vectrix/dynamics/mass/mass_properties.hpp>

@@ -205,3 +205,17 @@ auto flight(const Sat& sat) {
 #endif
 }
 }  // namespace two_frictions_on_one_wheel
+
+namespace a_stop_in_metres {
+// mistake: the stops of a hinge in metres
+// expect: of a hinge: rad
+auto stops(const Sat& sat) {
+  const auto k = 100.0 * N_m / rad;
+  const auto c = 1.0 * N_m / (rad / s);
+#ifdef REPAIRED
+  return stop_at(sat, of<Panel>, -1.0 * rad, 1.0 * rad, k, c);
+#else
+  return stop_at(sat, of<Panel>, -1.0 * si::metre, 1.0 * si::metre, k, c);
+#endif
+}
+}  // namespace a_stop_in_metres

@@ -34,8 +34,9 @@ template <class G, class F> struct PartOf<Change<Zero<G>, F>> {
 
 /// What a zero or a settling value of a load sees: an instant with its accelerations, under all loads.
 template <CraftType C> struct Solved {
-  Solved(const Now<C>& at) : now(at) {}
+  Solved(const Now<C>& at, const double* ydot = nullptr) : now(at), rates(ydot) {}
   Now<C> now;
+  const double* rates;  ///< the derivative of the state
 };
 /// At the start of each smooth segment, after all changes, a held value that is X{} may become another at
 /// once: what the function of const Solved<C>& gives. A joint that sticks breaks away when its load jumps.

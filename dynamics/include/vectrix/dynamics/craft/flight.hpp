@@ -145,7 +145,7 @@ template <CraftType C, class... Parts> class Flight {
   }
   Solved<C> solved_at(double t, std::span<const double> y) {
     rates_(t, y.data(), ydot_.data());
-    return {Now<C>{trusted, *core_, t, y.data(), rates_.work()}};
+    return {Now<C>{trusted, *core_, t, y.data(), rates_.work()}, ydot_.data()};
   }
   void settle(double t, std::span<const double> y) {
     bool settled = true;
