@@ -16,11 +16,13 @@
 #include <vectrix/dynamics/force/moment.hpp>
 #include <vectrix/dynamics/force/wrench.hpp>
 #include <vectrix/dynamics/load/friction.hpp>
+#include <vectrix/dynamics/load/magnetorquer.hpp>
 #include <vectrix/dynamics/load/of_time.hpp>
 #include <vectrix/dynamics/load/point_mass.hpp>
 #include <vectrix/dynamics/load/pulse.hpp>
 #include <vectrix/dynamics/load/springs.hpp>
 #include <vectrix/dynamics/load/stop_at.hpp>
+#include <vectrix/dynamics/load/thruster.hpp>
 #include <vectrix/dynamics/mass/inertia.hpp>
 #include <vectrix/dynamics/mass/join.hpp>
 #include <vectrix/dynamics/mass/mass_properties.hpp>

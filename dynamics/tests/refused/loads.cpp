@@ -219,3 +219,41 @@ auto stops(const Sat& sat) {
 #endif
 }
 }  // namespace a_stop_in_metres
+
+namespace a_thruster_in_newton_metres {
+// mistake: the full thrust as a torque
+// expect: F in N in a frame
+auto engine(const Sat& sat) {
+  const ThrustResponse response{0.01 * s, 0.02 * s};
+#ifdef REPAIRED
+  return thruster(sat, of<Hub>, 1.0 * si::newton * unit_x(in<Hub>), response, {{1.0 * s, 2.0 * s}});
+#else
+  return thruster(sat, of<Hub>, 1.0 * N_m * unit_x(in<Hub>), response, {{1.0 * s, 2.0 * s}});
+#endif
+}
+}  // namespace a_thruster_in_newton_metres
+
+namespace a_field_of_the_time {
+// mistake: the magnetic field as a function of the time, not of the instant of the craft
+// expect: gives tesla in a frame of C
+auto coils(const Sat& sat, const Vector<Gcrf, si::magnetic_flux_density>& B_i) {
+#ifdef REPAIRED
+  return magnetorquer(sat, of<Hub>, [=](const Now<Sat>&) { return B_i; });
+#else
+  return magnetorquer(sat, of<Hub>, [=](Quantity<si::time>) { return B_i; });
+#endif
+}
+}  // namespace a_field_of_the_time
+
+namespace coils_without_a_dipole {
+// mistake: nothing holds the dipole of the coils
+// expect: NothingHolds<(vectrix::)?Dipole<Hub>
+auto flight(const Sat& sat, const Vector<Gcrf, si::magnetic_flux_density>& B_i, const Dipole<Hub>& dipole) {
+  const auto coils = magnetorquer(sat, of<Hub>, [=](const Now<Sat>&) { return B_i; });
+#ifdef REPAIRED
+  return scenario(sat, held(dipole), coils);
+#else
+  return static_cast<void>(dipole), scenario(sat, coils);
+#endif
+}
+}  // namespace coils_without_a_dipole
