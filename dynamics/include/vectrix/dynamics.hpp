@@ -8,7 +8,6 @@
 #include <vectrix/dynamics/craft/now.hpp>
 #include <vectrix/dynamics/craft/propagate.hpp>
 #include <vectrix/dynamics/craft/spacecraft.hpp>
-#include <vectrix/dynamics/craft/springs.hpp>
 #include <vectrix/dynamics/craft/start.hpp>
 #include <vectrix/dynamics/craft/state.hpp>
 #include <vectrix/dynamics/craft/trajectory.hpp>
@@ -16,6 +15,14 @@
 #include <vectrix/dynamics/force/gravity.hpp>
 #include <vectrix/dynamics/force/moment.hpp>
 #include <vectrix/dynamics/force/wrench.hpp>
+#include <vectrix/dynamics/load/friction.hpp>
+#include <vectrix/dynamics/load/magnetorquer.hpp>
+#include <vectrix/dynamics/load/of_time.hpp>
+#include <vectrix/dynamics/load/point_mass.hpp>
+#include <vectrix/dynamics/load/pulse.hpp>
+#include <vectrix/dynamics/load/springs.hpp>
+#include <vectrix/dynamics/load/stop_at.hpp>
+#include <vectrix/dynamics/load/thruster.hpp>
 #include <vectrix/dynamics/mass/inertia.hpp>
 #include <vectrix/dynamics/mass/join.hpp>
 #include <vectrix/dynamics/mass/mass_properties.hpp>

@@ -32,6 +32,10 @@ TickList ticks(const TimeList& times, double start, double end) {
   return list;
 }
 
+TickList ticks(RunStart, double start, double) {
+  return {{start}, 0.0};
+}
+
 double same_instant(double start, double end) {
   return 4.0 * std::numeric_limits<double>::epsilon() * std::max(std::abs(start), std::abs(end));
 }

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include <vectrix/dynamics/craft/propagate.hpp>
-#include <vectrix/dynamics/craft/springs.hpp>
+#include <vectrix/dynamics/load/springs.hpp>
 
 #include "testing/attitudes.hpp"
 

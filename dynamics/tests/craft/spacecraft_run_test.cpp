@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <vectrix/dynamics/craft/propagate.hpp>
-#include <vectrix/dynamics/craft/springs.hpp>
+#include <vectrix/dynamics/load/springs.hpp>
 
 #include "craft/random_spacecraft.hpp"
 

@@ -57,6 +57,7 @@ struct Clock {
 struct TimeList {
   std::vector<double> times;
 };
+struct RunStart {};
 /// The zeros of a function of the state.
 template <class G> struct Zero {
   std::string name;
@@ -96,6 +97,12 @@ detail::Change<detail::TimeList, F> at_times(const std::vector<Quantity<si::time
 template <class Times, class F>
 auto at_times(  // at_times({t, ...}, f): times; f is becomes(x), or a function of const Now<C>&, const X&...
     const Times&, const F&) -> Refused = delete;
+
+/// A change of a held value at the start of a run, before anything moves: a function as every() takes it. The
+/// value that fits the state from which the run starts.
+template <class F> detail::Change<detail::RunStart, F> at_start(F update) {
+  return {{}, std::move(update)};
+}
 
 /// The zeros of a function (const Now<C>&, const X&...) of the state and of held values, a number or a
 /// quantity, are events of the run, found as ode::Root says. They change a held value, as at_times() does; or

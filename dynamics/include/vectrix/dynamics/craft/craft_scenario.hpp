@@ -32,6 +32,24 @@ template <class G, class F> struct PartOf<Change<Zero<G>, F>> {
   static constexpr bool load = false, held = false, ticks = false, zero = true;
 };
 
+/// What a zero or a settling value of a load sees: an instant with its accelerations, under all loads.
+template <CraftType C> struct Solved {
+  Solved(const Now<C>& at, const double* ydot = nullptr) : now(at), rates(ydot) {}
+  Now<C> now;
+  const double* rates;  ///< the derivative of the state
+};
+/// At the start of each smooth segment, after all changes, a held value that is X{} may become another at
+/// once: what the function of const Solved<C>& gives. A joint that sticks breaks away when its load jumps.
+template <class F> struct Settling { F function; };
+template <class F> Settling<F> settling(const F& function) {
+  return {function};
+}
+template <class F> struct PartOf<Settling<F>> {
+  static constexpr bool load = false, held = false, ticks = false, zero = false;
+};
+template <class Part> inline constexpr bool is_settling = false;
+template <class F> inline constexpr bool is_settling<Settling<F>> = true;
+
 template <class... Types> using Joined = decltype(std::tuple_cat(std::declval<Types>()...));
 template <class Part> struct HeldType { using type = std::tuple<>; };
 template <class X> struct HeldType<Held<X>> { using type = std::tuple<X>; };
@@ -116,6 +134,9 @@ template <class C, class HeldTuple, class F>
 struct FaultOfUpdate<C, HeldTuple, F> {
   using type = Nothing;
 };
+template <class C, class HeldTuple, class F> struct FaultOfPart<C, HeldTuple, Settling<F>> {
+  using type = Nothing;
+};
 template <class C, class HeldTuple, class Trigger, class F>
 struct FaultOfPart<C, HeldTuple, Change<Trigger, F>> : FaultOfUpdate<C, HeldTuple, F> {};
 template <class C, class HeldTuple, class G, class F> struct FaultOfPart<C, HeldTuple, Change<Zero<G>, F>> {
@@ -132,14 +153,30 @@ template <class C, class HeldTuple, class G, class F> struct FaultOfPart<C, Held
   using type = typename decltype(fault())::type;
 };
 
+template <std::size_t number, class Part> auto parts_of(const Part& part) {
+  if constexpr (SeveralParts<Part>)
+    return part.template parts<number>();
+  else
+    return std::tuple<Part>{part};
+}
+template <class... Parts> auto all_parts(const Parts&... parts) {
+  return [&]<std::size_t... number>(std::index_sequence<number...>) {
+    return std::tuple_cat(parts_of<number>(parts)...);
+  }
+  (std::index_sequence_for<Parts...>{});
+}
+template <class... Parts> using AllParts = decltype(all_parts(std::declval<const Parts&>()...));
+
 /// The first mistake of all parts; Nothing if there is none.
 template <class C, class HeldTuple, class... Parts> struct FirstFault : std::type_identity<Nothing> {};
 template <class C, class HeldTuple, class Part, class... Parts>
 struct FirstFault<C, HeldTuple, Part, Parts...>
     : std::conditional_t<std::is_same_v<typename FaultOfPart<C, HeldTuple, Part>::type, Nothing>,
                          FirstFault<C, HeldTuple, Parts...>, FaultOfPart<C, HeldTuple, Part>> {};
+template <class C, class Tuple> struct FaultOfParts;
 template <class C, class... Parts>
-using ScenarioFault = typename FirstFault<C, HeldTypes<Parts...>, Parts...>::type;
+struct FaultOfParts<C, std::tuple<Parts...>> : FirstFault<C, HeldTypes<Parts...>, Parts...> {};
+template <class C, class... Parts> using ScenarioFault = typename FaultOfParts<C, AllParts<Parts...>>::type;
 
 /// Calls a function with what stands before, and the held values of its further arguments.
 template <class... X, class Function, class HeldTuple, class... Before>
@@ -164,7 +201,8 @@ template <class Load, class HeldTuple> struct HeldLoad {
 template <class C, class... Parts> class CraftScenario {
  public:
   CraftScenario() = delete;  // scenario(craft, parts...)
-  CraftScenario(detail::Trusted, const C& craft, const Parts&... parts) : craft_(craft), parts_(parts...) {}
+  CraftScenario(detail::Trusted, const C& craft, std::tuple<Parts...> parts)
+      : craft_(craft), parts_(std::move(parts)) {}
 
   const C& craft() const& { return craft_; }
   C craft() && { return craft_; }
@@ -177,15 +215,20 @@ template <class C, class... Parts> class CraftScenario {
 
 namespace detail {
 
+template <class C, class Tuple> struct ScenarioWith;
 template <class C, class... Parts>
-using ScenarioOf = typename MadeUnless<ScenarioFault<C, Parts...>, CraftScenario>::template type<C, Parts...>;
+struct ScenarioWith<C, std::tuple<Parts...>> : std::type_identity<CraftScenario<C, Parts...>> {};
+template <class... CraftAndParts> using MadeScenario = typename ScenarioWith<CraftAndParts...>::type;
+template <class C, class... Parts>
+using ScenarioOf =
+    typename MadeUnless<ScenarioFault<C, Parts...>, MadeScenario>::template type<C, AllParts<Parts...>>;
 
 }  // namespace detail
 
 /// A craft and what happens to it, in any order:
-///   - loads: (const Now<C>&, Forces<C>&, const X&...), with any held values; spring(), damper()
+///   - loads: (const Now<C>&, Forces<C>&, const X&...), with any held values; those of the folder load/
 ///   - held(x): a value that only changes change, at the ends of smooth segments
-///   - changes of held values: every(), at_times(), when()
+///   - changes of held values: every(), at_times(), at_start(), when()
 /// Changes at one instant all see the values from before it; if two change one value, the later in the list
 /// counts.
 template <CraftType C, class... Parts>
@@ -193,7 +236,7 @@ detail::ScenarioOf<C, Parts...> scenario(const C& craft, const Parts&... parts) 
   if constexpr (std::is_same_v<detail::ScenarioFault<C, Parts...>, Refused>)
     return Refused{};
   else
-    return {detail::trusted, craft, parts...};
+    return {detail::trusted, craft, detail::all_parts(parts...)};
 }
 template <CraftType C, class... Parts, class Fault = detail::ScenarioFault<C, Parts...>>
   requires(!std::is_same_v<Fault, Nothing> && !std::is_same_v<Fault, Refused>)

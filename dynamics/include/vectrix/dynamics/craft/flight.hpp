@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <deque>
 #include <memory>
@@ -51,11 +52,24 @@ auto held_loads(const std::tuple<Parts...>& parts, const HeldTuple& values) {
   return std::apply([&](const auto&... part) { return std::tuple_cat(one(part)...); }, parts);
 }
 
+/// The rates of a craft under its loads.
+template <CraftType C, class... Loads>
+CraftRates<C, Loads...> rates_under(const C& craft, const std::tuple<Loads...>& loads) {
+  return std::apply([&](const Loads&... load) { return CraftRates<C, Loads...>(craft, load...); }, loads);
+}
+/// Whether a function sees the accelerations.
+template <class C, class Arguments> inline constexpr bool sees_accelerations = false;
+template <class C, class... Rest>
+inline constexpr bool sees_accelerations<C, std::tuple<Solved<C>, Rest...>> = true;
+
 /// The values that a run holds, and their changes. Its loads, roots and changes refer to it.
 template <CraftType C, class... Parts> class Flight {
   using HeldTuple = HeldTypes<Parts...>;
   template <std::size_t i> using Part = std::tuple_element_t<i, std::tuple<Parts...>>;
   using Runnings = std::tuple<Running<Parts>...>;
+  using Rates =
+      decltype(rates_under(std::declval<const C&>(), held_loads(std::declval<const std::tuple<Parts...>&>(),
+                                                                std::declval<const HeldTuple&>())));
 
  public:
   Flight(const CraftScenario<C, Parts...>& scenario, double start, double end)
@@ -68,7 +82,8 @@ template <CraftType C, class... Parts> class Flight {
             [&](const auto&... part) {
               return Runnings{Running<std::remove_cvref_t<decltype(part)>>(part, start, end)...};
             },
-            parts_)) {
+            parts_)),
+        rates_(rates_under(scenario.craft(), loads())) {
     std::apply([&](const auto&... value) { (record(start, value), ...); }, values_);
   }
   Flight(const Flight&) = delete;
@@ -101,6 +116,7 @@ template <CraftType C, class... Parts> class Flight {
         if constexpr (PartOf<Part<i>>::ticks) tick(std::get<i>(parts_), std::get<i>(running_), now, next);
       });
       values_ = std::move(next);
+      settle(t, y);
     }
   }
   /// What was held, taken out of here when the run has ended.
@@ -126,6 +142,28 @@ template <CraftType C, class... Parts> class Flight {
   Now<C> now_at(double t, std::span<const double> y) {
     core_->tree.place(y.data(), work_);
     return {trusted, *core_, t, y.data(), work_};
+  }
+  Solved<C> solved_at(double t, std::span<const double> y) {
+    rates_(t, y.data(), ydot_.data());
+    return {Now<C>{trusted, *core_, t, y.data(), rates_.work()}, ydot_.data()};
+  }
+  void settle(double t, std::span<const double> y) {
+    bool settled = true;
+    const auto one = [&]<class Part>(const Part& part) {
+      if constexpr (is_settling<Part>) {
+        using X = decltype(part.function(std::declval<const Solved<C>&>()));
+        X& value = std::get<X>(values_);
+        if (!(value == X{})) return;
+        value = part.function(solved_at(t, y));
+        if (value == X{}) return;
+        record(t, value);
+        settled = false;
+      }
+    };
+    do {
+      settled = true;
+      std::apply([&](const auto&... part) { (one(part), ...); }, parts_);
+    } while (!settled);
   }
   template <class F> typename UpdateOf<F>::result found(const F& update, const Now<C>& now) const {
     if constexpr (is_becomes<F>)
@@ -169,7 +207,13 @@ template <CraftType C, class... Parts> class Flight {
   }
   template <class G, class F> ode::Root root(const Change<Zero<G>, F>& change) {
     const auto value = [this, &g = change.trigger.function](double t, std::span<const double> y) -> double {
-      const auto found = with_held(std::type_identity<Taken<1, G>>{}, g, values_, now_at(t, y));
+      const auto at = [&] {
+        if constexpr (sees_accelerations<C, Arguments<G>>)
+          return solved_at(t, y);
+        else
+          return now_at(t, y);
+      };
+      const auto found = with_held(std::type_identity<Taken<1, G>>{}, g, values_, at());
       if constexpr (std::is_convertible_v<decltype(found), double>)
         return found;
       else
@@ -184,6 +228,8 @@ template <CraftType C, class... Parts> class Flight {
   multibody::Work<double> work_;
   HeldTuple values_;
   Runnings running_;
+  Rates rates_;
+  std::array<double, C::state_size> ydot_{};
   typename HistoryOf<HeldTuple>::type history_;
 };
 

@@ -65,6 +65,9 @@ template <CraftType C> class Forces {
   static constexpr bool is_force = detail::ForceOn<Shape, B, Given...>::value;
   template <class B, class... Given>
   static constexpr bool is_effort = detail::is_effort_on<Shape, B, std::tuple<Given...>>();
+  template <class B>
+  static constexpr bool can_lock =
+      Shape::template is<B, detail::PartRole::body> || Shape::template has_rotor<B>;
 
  public:
   Forces(detail::Trusted, const Now<C>& now, multibody::Work<double>& work)
@@ -127,6 +130,21 @@ template <CraftType C> class Forces {
   }
   template <class W, class Given>
   auto motor(Of<W>, const Given&) -> Refused = delete;  // on a rotor of the craft C, in N m
+
+  /// The joint of a body, or a rotor, keeps its speed, whatever acts on it: one at rest stays where it is.
+  /// Whether it is locked may change between smooth segments only, with a held value.
+  template <class B>
+    requires can_lock<B>
+  void lock(Of<B>) {
+    if constexpr (Shape::template has_rotor<B>) {
+      work_->locked_rotors[Shape::template spin_at<B> - Shape::rotors_begin] = 1;
+    } else {
+      constexpr std::size_t end = Shape::template link_of<B>();
+      for (std::size_t i = end - Shape::template Part<B>::counts.links; i < end; ++i) work_->held[i] = 1;
+    }
+  }
+  template <class B>
+  auto lock(Of<B>) -> Refused = delete;  // of a body of the craft C that hangs on a joint, or a rotor
 
   /// Forces on the modes of an appendage, kg^1/2 m/s^2.
   template <class A>

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <memory>
@@ -16,6 +17,17 @@ namespace detail {
 
 template <class... Loads> inline constexpr bool any_refused = (std::is_same_v<Loads, Refused> || ...);
 
+/// A load that has a held value gives its parts: the load, what it holds, and the changes. Its number among
+/// the parts of the scenario tells the held types of two such loads apart.
+template <class Part>
+concept SeveralParts = requires(const Part& part) {
+  part.template parts<0>();
+};
+template <class Load>
+auto in_a_scenario(  // motion(scenario, trajectory, time): the load has a held value, which a scenario
+                     // changes
+    const Load&) -> Refused = delete;
+
 /// The results of the loads; their mistakes are found here, near the call of the user.
 template <class C, class... Loads>
 using CheckedLoads = std::tuple<std::type_identity<decltype(std::declval<const Loads&>()(
@@ -28,6 +40,7 @@ template <class C, class... Loads> class CraftRates {
       : core_(craft.core()), work_(core_->tree.work()), loads_(loads...) {}
 
   void operator()(double t, const double* y, double* ydot) {
+    std::fill(work_.held.begin(), work_.held.end(), char{0});
     core_->tree.place(y, work_);
     if constexpr (sizeof...(Loads) > 0) {
       const Now<C> now{trusted, *core_, t, y, work_};
@@ -135,13 +148,17 @@ template <CraftType C> class CraftMotion {
 template <CraftType C, class... Loads>
   requires(!detail::any_refused<Loads...>)
 CraftMotion<C> motion(const C& craft, const CraftState<C>& state, const Loads&... loads) {
-  static_cast<void>(sizeof(detail::CheckedLoads<C, Loads...>));
-  detail::CraftRates<C, Loads...> rates(craft, loads...);
-  typename CraftState<C>::Numbers ydot{};
-  const double t = state.time().value();
-  rates(t, state.data(), ydot.data());
-  detail::require_finite_rates(*craft.core(), t, ydot);
-  return {detail::trusted, craft.core(), state, ydot, std::move(rates.work())};
+  if constexpr ((detail::SeveralParts<Loads> || ...)) {
+    return (detail::in_a_scenario(loads), ...);
+  } else {
+    static_cast<void>(sizeof(detail::CheckedLoads<C, Loads...>));
+    detail::CraftRates<C, Loads...> rates(craft, loads...);
+    typename CraftState<C>::Numbers ydot{};
+    const double t = state.time().value();
+    rates(t, state.data(), ydot.data());
+    detail::require_finite_rates(*craft.core(), t, ydot);
+    return {detail::trusted, craft.core(), state, ydot, std::move(rates.work())};
+  }
 }
 
 template <CraftType C, class... Loads>

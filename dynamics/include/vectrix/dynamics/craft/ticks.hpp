@@ -16,6 +16,7 @@ struct TickList {
 /// Those in [start, end).
 VECTRIX_EXPORT TickList ticks(const Clock& clock, double start, double end);
 VECTRIX_EXPORT TickList ticks(const TimeList& times, double start, double end);
+VECTRIX_EXPORT TickList ticks(RunStart, double start, double end);
 
 /// Times that differ by less are one instant: products k period of several clocks have rounded differently.
 VECTRIX_EXPORT double same_instant(double start, double end);

@@ -68,6 +68,7 @@ template <class S> Work<S> Tree<S>::work() const {
   k.efforts.assign(layout_.speeds, S(0.0));
   k.motors.assign(layout_.rotors, S(0.0));
   k.modal.assign(layout_.modes, S(0.0));
+  k.locked_rotors.assign(layout_.rotors, 0);
   k.field = zero_column<S>();
   k.unit = identity<S>();
   k.links.resize(numbers_.links.size());
@@ -80,13 +81,16 @@ template <class S> void Tree<S>::place_hub(const S* y, Work<S>& k) const {
   const Mass<S>& hub = less_rotors_.front();
   k.R_i_from_h = matrix_of_quaternion(y);
   k.w = {y[4], y[5], y[6]};
-  if (!rigid_) {
-    k.hub.A = hub.J;
-    k.hub.H = hat(hub.mc);
-    k.hub.M = diagonal(hub.m);
-  }
+  if (!rigid_) give_hub_inertia(k);
   k.hub.n = cross(k.w, hub.J * k.w);
   k.hub.f = cross(k.w, cross(k.w, hub.mc));
+}
+
+template <class S> void Tree<S>::give_hub_inertia(Work<S>& k) const {
+  const Mass<S>& hub = less_rotors_.front();
+  k.hub.A = hub.J;
+  k.hub.H = hat(hub.mc);
+  k.hub.M = diagonal(hub.m);
 }
 
 template <class S> void Tree<S>::place_link(std::size_t i, const S* y, Work<S>& k) const {
@@ -110,6 +114,7 @@ template <class S> void Tree<S>::place(const S* y, Work<S>& k) const {
   for (S& effort : k.efforts) effort = S(0.0);
   for (S& motor : k.motors) motor = S(0.0);
   for (S& force : k.modal) force = S(0.0);
+  for (char& locked : k.locked_rotors) locked = 0;
   k.field = zero_column<S>();
   place_hub(y, k);
   for (std::size_t i = 0; i < k.links.size(); ++i) place_link(i, y, k);
@@ -142,8 +147,15 @@ template <class S> void Tree<S>::add_internals(const S* y, Work<S>& k) const {
   for (std::size_t i = 0; i < numbers_.rotors.size(); ++i) {
     const Rotor<S>& rotor = numbers_.rotors[i];
     k.axes[i] = rotor.body == 0 ? rotor.axis : rotation(rotor.body, k) * rotor.axis;
-    add_rotor(rotor, k.axes[i], speed[i], k.motors[i], angular_velocity(rotor.body, k),
-              inertia(rotor.body, k));
+    Articulated<S>& I = inertia(rotor.body, k);
+    const bool locked = k.locked_rotors[i];
+    if (locked) {
+      const Column<S> J_n = k.axes[i] * rotor.inertia;
+      I.A.subtract_outer(-J_n, k.axes[i]);
+      if (rotor.body != 0)
+        I.n += J_n * dot(k.axes[i], k.links[static_cast<std::size_t>(rotor.body) - 1].alpha0);
+    }
+    add_rotor(rotor, k.axes[i], speed[i], locked ? S(0.0) : k.motors[i], angular_velocity(rotor.body, k), I);
   }
   const S* eta = y + layout_.modes_begin();
   const S* rate = eta + layout_.modes;
@@ -174,8 +186,8 @@ template <class S> void Tree<S>::inward(std::size_t i, Work<S>& k) const {
   add_shifted(inertia(link.parent, k), b.I, b.r);
 }
 
-template <class S> Accelerations<S> Tree<S>::solve_hub(const Work<S>& k) const {
-  if (!rigid_) return solve_free(k.hub, zero_column<S>(), zero_column<S>());
+template <class S> Accelerations<S> Tree<S>::solve_hub(bool rigid, const Work<S>& k) const {
+  if (!rigid) return solve_free(k.hub, zero_column<S>(), zero_column<S>());
   // J_c alpha = -(n - c x f),  m a = -f - alpha x mc
   const Column<S> alpha = inverse_inertia_ * (cross(centre_, k.hub.f) - k.hub.n);
   return {alpha, cross(centre_, alpha) - k.hub.f * S(S(1.0) / numbers_.hub.m)};
@@ -204,9 +216,12 @@ template <class S> void Tree<S>::outward(std::size_t i, S* ydot, Work<S>& k) con
 }
 
 template <class S> void Tree<S>::solve(const S* y, S* ydot, Work<S>& k) const {
+  bool rigid = rigid_;
+  for (const char locked : k.locked_rotors) rigid = rigid && !locked;
+  if (rigid_ && !rigid) give_hub_inertia(k);
   add_internals(y, k);
   for (std::size_t i = k.links.size(); i-- > 0;) inward(i, k);
-  k.hub_acceleration = solve_hub(k);
+  k.hub_acceleration = solve_hub(rigid, k);
   for (std::size_t i = 0; i < k.links.size(); ++i) outward(i, ydot, k);
 
   for (std::size_t i = 0; i < k.links.size(); ++i) {
@@ -225,7 +240,9 @@ template <class S> void Tree<S>::solve(const S* y, S* ydot, Work<S>& k) const {
   S* speed_dot = ydot + layout_.rotors_begin();
   for (std::size_t i = 0; i < numbers_.rotors.size(); ++i) {
     const Rotor<S>& rotor = numbers_.rotors[i];
-    speed_dot[i] = k.motors[i] / rotor.inertia - dot(k.axes[i], less_field(rotor.body, k).alpha);
+    speed_dot[i] = k.locked_rotors[i]
+                       ? S(0.0)
+                       : S(k.motors[i] / rotor.inertia - dot(k.axes[i], less_field(rotor.body, k).alpha));
   }
   const S* rate = y + layout_.modes_begin() + layout_.modes;
   S* eta_dot = ydot + layout_.modes_begin();

@@ -56,10 +56,11 @@ template <class S> struct Work {
   std::vector<S> given;    ///< by speed
 
   // Set between place() and solve(); place() sets them to zero.
-  std::vector<S> efforts;  ///< by speed: N m, N
-  std::vector<S> motors;   ///< torques on the rotors, N m
-  std::vector<S> modal;    ///< forces on the modes, Q
-  Column<S> field;         ///< a uniform acceleration, in inertial axes, m/s^2
+  std::vector<S> efforts;           ///< by speed: N m, N
+  std::vector<S> motors;            ///< torques on the rotors, N m
+  std::vector<S> modal;             ///< forces on the modes, Q
+  std::vector<char> locked_rotors;  ///< those that keep their speed, whatever their motors do
+  Column<S> field;                  ///< a uniform acceleration, in inertial axes, m/s^2
 
   Square<S> R_i_from_h;
   Square<S> unit;  ///< R of the hub in its own axes
@@ -127,11 +128,12 @@ template <class S> class VECTRIX_EXPORT Tree {
 
  private:
   void place_hub(const S* y, Work<S>& k) const;
+  void give_hub_inertia(Work<S>& k) const;
   void place_link(std::size_t i, const S* y, Work<S>& k) const;
   void inward(std::size_t i, Work<S>& k) const;
   void outward(std::size_t i, S* ydot, Work<S>& k) const;
   void add_internals(const S* y, Work<S>& k) const;
-  [[nodiscard]] Accelerations<S> solve_hub(const Work<S>& k) const;
+  [[nodiscard]] Accelerations<S> solve_hub(bool rigid, const Work<S>& k) const;
   [[nodiscard]] Articulated<S>& inertia(int body, Work<S>& k) const;
   [[nodiscard]] Accelerations<S> less_field(int body, const Work<S>& k) const;
   [[nodiscard]] Column<S> hub_velocity(const S* y, const Work<S>& k) const;

@@ -2,6 +2,7 @@
 
 #include <type_traits>
 #include <vectrix/dynamics/craft/forces.hpp>
+#include <vectrix/dynamics/load/finite.hpp>
 
 namespace vectrix {
 namespace detail {
@@ -35,22 +36,24 @@ template <CraftType C, class B, class D> struct JointDamper {
   }
 };
 
-/// A spring on the joint of b, N m/rad or N/m, and where it is at rest.
+/// A spring on the joint of b, N m/rad or N/m, and where it is at rest. Throws BadInput for a number that is
+/// not finite.
 template <CraftType C, class B, class K, class Q>
   requires(detail::is_effort_per<C, B, K, Q>())
 JointSpring<C, B, K, Q> spring(const C&, Of<B>, const Quantity<K>& stiffness, const Quantity<Q>& at_rest) {
-  return {stiffness, at_rest};
+  return {detail::finite("spring", "stiffness", stiffness),
+          detail::finite("spring", "place of rest", at_rest)};
 }
 template <class C, class B, class K, class Q>
 auto spring(  // spring(craft, of<B>, k, q_0): b on a hinge, N m/rad and rad, or on a slider, N/m and m
     const C&, Of<B>, const K&, const Q&) -> Refused = delete;
 
-/// A damper on the joint of b, N m s/rad or N s/m.
+/// A damper on the joint of b, N m s/rad or N s/m. Throws BadInput for a number that is not finite.
 template <CraftType C, class B, class D>
   requires(detail::is_effort_per<C, B, D, si::angular_velocity>() ||
            detail::is_effort_per<C, B, D, si::velocity>())
 JointDamper<C, B, D> damper(const C&, Of<B>, const Quantity<D>& damping) {
-  return {damping};
+  return {detail::finite("damper", "damping", damping)};
 }
 template <class C, class B, class D>
 auto damper(  // damper(craft, of<B>, c): b on a hinge, N m s/rad, or on a slider, N s/m

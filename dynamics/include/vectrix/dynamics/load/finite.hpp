@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cmath>
+#include <string>
+#include <vectrix/dynamics/force/wrench.hpp>
+#include <vectrix/frames/errors.hpp>
+#include <vectrix/frames/print.hpp>
+#include <vectrix/frames/quantity.hpp>
+
+namespace vectrix::detail {
+
+inline bool all_finite(double number) {
+  return std::isfinite(number);
+}
+template <class U> bool all_finite(const Quantity<U>& x) {
+  return std::isfinite(x.value());
+}
+template <class Framed>
+  requires requires(const Framed& v) {
+    v.coordinates();
+  }
+bool all_finite(const Framed& v) {
+  return v.coordinates().allFinite();
+}
+template <class P, class D> bool all_finite(const Wrench<P, D>& W) {
+  return all_finite(W.force()) && all_finite(W.torque());
+}
+
+/// The value itself. Throws BadInput, as "spring: the stiffness is nan", if it is not finite.
+template <class Value> const Value& finite(const char* load, const char* what, const Value& value) {
+  if (!all_finite(value)) throw BadInput(std::string{load} + ": the " + what + " is " + text(value));
+  return value;
+}
+/// Also if it is negative.
+template <class U> const Quantity<U>& not_negative(const char* load, const char* what, const Quantity<U>& x) {
+  if (!(finite(load, what, x).value() >= 0.0))
+    throw BadInput(std::string{load} + ": the " + what + " is " + text(x) + "; it must not be negative");
+  return x;
+}
+/// Also if it is not greater than 0.
+template <class U> const Quantity<U>& positive(const char* load, const char* what, const Quantity<U>& x) {
+  if (!(finite(load, what, x).value() > 0.0))
+    throw BadInput(std::string{load} + ": the " + what + " is " + text(x) + "; it must be positive");
+  return x;
+}
+
+}  // namespace vectrix::detail

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <concepts>
+#include <type_traits>
+#include <vectrix/dynamics/craft/forces.hpp>
+
+namespace vectrix {
+
+/// The magnetic dipole moment of the coils on a body or mount, in its axes, A m^2: a value to be held, which
+/// a controller changes.
+template <Frame B> struct Dipole { Vector<B, si::magnetic_dipole_moment> m_b; };
+
+namespace detail {
+
+template <class Value> struct FluxFrame { using type = void; };
+template <class D> struct FluxFrame<Vector<D, si::magnetic_flux_density>> { using type = D; };
+
+/// Whether F gives the magnetic flux density at an instant in a frame of the craft.
+template <class C, class F> constexpr bool gives_field() {
+  if constexpr (std::invocable<const F&, const Now<C>&>)
+    return C::shape::template has_frame<
+        typename FluxFrame<std::remove_cvref_t<std::invoke_result_t<const F&, const Now<C>&>>>::type>;
+  else
+    return false;
+}
+
+}  // namespace detail
+
+/// A load: the torque m x B on a body or mount. Made by magnetorquer().
+template <CraftType C, class B, class F> struct Magnetorquer {
+  F field;
+
+  void operator()(const Now<C>& now, Forces<C>& forces, const Dipole<B>& dipole) const {
+    const auto B_d = field(now);
+    using D = typename detail::FluxFrame<std::remove_cvref_t<decltype(B_d)>>::type;
+    if constexpr (std::is_same_v<B, D>)
+      forces.torque(of<B>, cross(dipole.m_b, B_d));
+    else
+      forces.torque(of<B>, cross(dipole.m_b, now.rotation(to<B>, from<D>) * B_d));
+  }
+};
+
+/// The torque m x B of coils on a body or mount b. The scenario holds their Dipole<B>; the field is a
+/// function of const Now<C>& that gives the magnetic flux density B, in a frame of the craft, for example of
+/// the place by a MagneticField.
+template <CraftType C, class B, class F>
+  requires(C::shape::template has_place<B>&& detail::gives_field<C, F>())
+Magnetorquer<C, B, F> magnetorquer(const C&, Of<B>, const F& field) {
+  return {field};
+}
+template <class C, class B, class F>
+auto magnetorquer(  // of<B>, f: on a body or mount of C; f(const Now<C>&) gives tesla in a frame of C
+    const C&, Of<B>, const F&) -> Refused = delete;
+
+}  // namespace vectrix

@@ -1,0 +1,101 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <tuple>
+#include <vectrix/dynamics/craft/craft_scenario.hpp>
+#include <vectrix/dynamics/load/finite.hpp>
+#include <vectrix/dynamics/load/springs.hpp>
+
+namespace vectrix {
+
+/// The held value of the stops of a joint: which of them pushes.
+template <class B> struct AtStop {
+  int side = 0;  ///< 1: the upper, -1: the lower, 0: none
+  bool operator==(const AtStop&) const = default;
+};
+
+/// Two stops of a hinge or slider. Made by stop_at().
+template <CraftType C, class B, class K, class D, class Q> struct JointStops {
+  Quantity<Q> lower, upper;
+  Quantity<K> stiffness;
+  Quantity<D> damping;
+
+  /// How far the joint is beyond the stop of a side.
+  double beyond(int side, const Now<C>& now) const {
+    const double q = now.coordinate(of<B>).value();
+    return side > 0 ? q - upper.value() : lower.value() - q;
+  }
+  /// k p + c p'
+  double push(int side, const Now<C>& now) const {
+    return stiffness.value() * beyond(side, now) + damping.value() * side * now.speed(of<B>).value();
+  }
+
+  template <std::size_t> auto parts() const {
+    using State = AtStop<B>;
+    const auto load = [stops = *this](const Now<C>& now, Forces<C>& forces, const State& at) {
+      using Effort = decltype(stops.stiffness * stops.upper);
+      if (at.side != 0) forces.effort(of<B>, Effort::from_value(-at.side * stops.push(at.side, now)));
+    };
+    const auto at_first = [stops = *this](const Now<C>& now) {
+      for (const int side : {1, -1}) {
+        const double beyond = stops.beyond(side, now);
+        if (beyond > 0.0)
+          throw BadInput("stop_at: " + frame_name<B>() + " starts at " + detail::text(now.coordinate(of<B>)) +
+                         ", outside [" + detail::text(stops.lower) + ", " + detail::text(stops.upper) + "]");
+        if (beyond == 0.0 && side * now.speed(of<B>).value() > 0.0) return State{side};
+      }
+      return State{};
+    };
+    const auto enters = [stops = *this](int side) {
+      return [stops, side](const Now<C>& now, const State& at) {
+        if (at.side != 0) return -1.0;
+        return std::min(stops.stiffness.value() * stops.beyond(side, now), stops.push(side, now));
+      };
+    };
+    const auto leaves = [stops = *this](const Now<C>& now, const State& at) {
+      return at.side == 0 ? 1.0 : stops.push(at.side, now);
+    };
+    // At rest exactly at a stop, to which it is pushed.
+    const auto leans = [stops = *this](const detail::Solved<C>& at) {
+      const double towards = at.rates[C::shape::template speed_at<B>];
+      const int side = towards > 0.0 ? 1 : -1;
+      const bool rests = stops.beyond(side, at.now) == 0.0 && at.now.speed(of<B>).value() == 0.0;
+      return State{rests && towards != 0.0 ? side : 0};
+    };
+    const std::string name = frame_name<B>();
+    return std::tuple{
+        held(State{}),
+        load,
+        at_start(at_first),
+        when(name + " meets its upper stop", enters(1), ode::Direction::rising, becomes(State{1})),
+        when(name + " meets its lower stop", enters(-1), ode::Direction::rising, becomes(State{-1})),
+        when(name + " leaves its stop", leaves, ode::Direction::falling, becomes(State{})),
+        detail::settling(leans)};
+  }
+};
+
+/// Two stops of a hinge or slider, each a spring and damper on one side: p beyond a stop, the effort
+///     k p + c p'   where p > 0 and k p + c p' > 0, else none
+/// pushes back; it never pulls. No step crosses where it begins and ends: those are events of the run, and
+/// AtStop<B> is held. Throws BadInput for a number that is not finite, a stiffness that is not positive, a
+/// negative damping, or limits that do not increase; a run that starts outside of them fails and says so.
+template <CraftType C, class B, class Q, class K, class D>
+  requires(detail::is_effort_per<C, B, K, Q>() && (detail::is_effort_per<C, B, D, si::angular_velocity>() ||
+                                                   detail::is_effort_per<C, B, D, si::velocity>()))
+JointStops<C, B, K, D, Q> stop_at(const C&, Of<B>, const Quantity<Q>& lower, const Quantity<Q>& upper,
+                                  const Quantity<K>& stiffness, const Quantity<D>& damping) {
+  detail::finite("stop_at", "lower limit", lower);
+  detail::finite("stop_at", "upper limit", upper);
+  if (!(lower < upper))
+    throw BadInput("stop_at: the lower limit is " + detail::text(lower) + ", the upper " +
+                   detail::text(upper));
+  return {lower, upper, detail::positive("stop_at", "stiffness", stiffness),
+          detail::not_negative("stop_at", "damping", damping)};
+}
+template <class C, class B, class Lower, class Upper, class K, class D>
+auto stop_at(  // lower, upper, k, c of a hinge: rad, N m/rad, N m s/rad; of a slider: m, N/m, N s/m
+    const C&, Of<B>, const Lower&, const Upper&, const K&, const D&) -> Refused = delete;
+
+}  // namespace vectrix

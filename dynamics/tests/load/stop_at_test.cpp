@@ -1,0 +1,127 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vectrix/dynamics/load/pulse.hpp>
+#include <vectrix/dynamics/load/stop_at.hpp>
+
+#include "load/three_parts.hpp"
+
+// The stops of a slider and a hinge, against the closed forms of a bounce.
+namespace vectrix_test::three_parts {
+namespace {
+
+constexpr double rounding = 1e-12;  // of numbers near 1, in some hundred steps
+const auto N_per_m = N / m;
+const auto N_s_per_m = N / m_s;
+constexpr double reduced = 1.0 / (1.0 / m_mass + 1.0 / (m_hub + m_panel));
+
+double speed_of(const CraftState<Sat>& state) {
+  return state.speed(of<Mass>).value();
+}
+double length_of(const CraftState<Sat>& state) {
+  return state.coordinate(of<Mass>).value();
+}
+
+// Without damping: half a period on a stop, and back with the same speed, from one stop to the other.
+TEST(StopAt, ItBouncesBetweenItsStops) {
+  const Sat sat;
+  constexpr double k = 200.0, v = 0.5;
+  const auto flight =
+      propagate(scenario(sat, stop_at(sat, of<Mass>, -0.2 * m, 0.3 * m, k * N_per_m, 0.0 * N_s_per_m)),
+                start_of(sat, {.velocity = v}), until(5.0));
+  const double contact = std::numbers::pi * std::sqrt(reduced / k);
+  const auto events = flight.events();
+  ASSERT_GE(events.size(), 4U);
+  const double times[] = {0.3 / v, 0.3 / v + contact, 0.8 / v + contact, 0.8 / v + 2.0 * contact};
+  for (std::size_t i = 0; i < 4; ++i)
+    EXPECT_NEAR(events[i].state.time().value(), times[i], 10 * rounding) << events[i].name;
+  EXPECT_EQ(events[0].name, frame_name<Mass>() + " meets its upper stop");
+  EXPECT_EQ(events[1].name, frame_name<Mass>() + " leaves its stop");
+  EXPECT_EQ(events[2].name, frame_name<Mass>() + " meets its lower stop");
+  EXPECT_NEAR(speed_of(events[1].state), -v, 10 * rounding);
+  EXPECT_NEAR(length_of(events[3].state), -0.2, 10 * rounding);
+  EXPECT_NEAR(length_of(flight.at((times[0] + 0.5 * contact) * s)), 0.3 + v * std::sqrt(reduced / k),
+              10 * rounding);
+  EXPECT_EQ(flight.held<AtStop<Mass>>((times[0] + 0.5 * contact) * s).side, 1);
+  EXPECT_EQ(flight.held<AtStop<Mass>>(0.1 * s).side, 0);
+}
+
+// With the damping ratio z the push ends at w_d t = atan2(2 z (1 - z^2)^(1/2), 2 z^2 - 1), with the speed
+// -v exp(-z w t), still v exp(-z w t) c/k beyond the stop.
+TEST(StopAt, DampingTakesSpeedAndNeverPulls) {
+  const Sat sat;
+  constexpr double k = 200.0, v = 0.5;
+  for (const double z : {0.01, 0.3, 0.9}) {
+    const double w = std::sqrt(k / reduced), c = 2.0 * z * reduced * w;
+    const auto flight =
+        propagate(scenario(sat, stop_at(sat, of<Mass>, -9.0 * m, 0.3 * m, k * N_per_m, c * N_s_per_m)),
+                  start_of(sat, {.velocity = v}), until(5.0));
+    ASSERT_EQ(flight.events().size(), 2U);
+    const double root = std::sqrt(1.0 - z * z),
+                 contact = std::atan2(2.0 * z * root, 2.0 * z * z - 1.0) / (w * root);
+    const auto last = flight.events()[1].state;
+    EXPECT_NEAR(last.time().value(), 0.3 / v + contact, 10 * rounding);
+    EXPECT_NEAR(speed_of(last), -v * std::exp(-z * w * contact), 10 * rounding);
+    EXPECT_NEAR(length_of(last), 0.3 - speed_of(last) * c / k, 10 * rounding);
+    EXPECT_NEAR(speed_of(flight.at(5.0 * s)), speed_of(last), 10 * rounding);
+  }
+}
+
+// A force drives it back while it is still beyond the stop, which pushes again; at last the spring holds the
+// force.
+TEST(StopAt, ItHoldsWhatPushesAgainstIt) {
+  const Sat sat;
+  constexpr double k = 50.0, c = 8.0, F = 2.0;
+  const auto effort = Quantity<si::force>(F * N);
+  const auto flight =
+      propagate(scenario(sat, stop_at(sat, of<Mass>, -1.0 * m, 0.0 * m, k * N_per_m, c * N_s_per_m),
+                         pulse(sat, of<Mass>, effort, 0.0 * s, 100.0 * s)),
+                start_of(sat, {.length = -0.5}), until(40.0));
+  for (double t = 0.0; t < 40.0; t += 0.1) EXPECT_LT(length_of(flight.at(t * s)), 0.5);
+  EXPECT_NEAR(length_of(flight.at(40.0 * s)), F / k, 1e-9);
+  EXPECT_EQ(flight.held<AtStop<Mass>>(40.0 * s).side, 1);
+}
+
+// From rest exactly at a stop: held if it is pushed to it, free if not; and with a speed towards it.
+TEST(StopAt, AStartAtTheStopIsInside) {
+  const Sat sat;
+  const auto stops = stop_at(sat, of<Panel>, 0.0 * rad, 2.0 * rad, 100.0 * N_m / rad, 5.0 * (N_m / rad_s));
+  const auto end = [&](double torque, double rate) {
+    const auto effort = Quantity<si::torque>(torque * N_m);
+    return propagate(scenario(sat, stops, pulse(sat, of<Panel>, effort, 0.0 * s, 9.0 * s)),
+                     start_of(sat, {.rate = rate}), until(1.0))
+        .at(1.0 * s)
+        .coordinate(of<Panel>)
+        .value();
+  };
+  EXPECT_NEAR(end(-3.0, 0.0), -0.03, 1e-3);
+  EXPECT_NEAR(end(0.3, 0.0), 0.5 * 0.3 * (1.0 / J_panel + 1.0 / (J_hub - J_wheel + J_mass)), rounding);
+  EXPECT_GT(end(0.0, -1.0), -0.1);
+  EXPECT_EQ(end(0.0, 0.0), 0.0);
+}
+
+TEST(StopAt, RefusesBadInput) {
+  const Sat sat;
+  const auto complaint = [&](double lower, double upper, double k, double c) {
+    return message<BadInput>(
+        [&] { stop_at(sat, of<Mass>, lower * m, upper * m, k * N_per_m, c * N_s_per_m); });
+  };
+  EXPECT_EQ(complaint(1.0, 1.0, 1.0, 0.0), "stop_at: the lower limit is 1 m, the upper 1 m");
+  EXPECT_EQ(complaint(0.0, std::nan(""), 1.0, 0.0), "stop_at: the upper limit is nan m");
+  EXPECT_NE(complaint(0.0, 1.0, 0.0, 0.0), "");
+  EXPECT_NE(complaint(0.0, 1.0, 1.0, -1.0), "");
+  const auto stopped =
+      scenario(sat, stop_at(sat, of<Mass>, 0.0 * m, 1.0 * m, 1.0 * N_per_m, 0.0 * N_s_per_m));
+  try {
+    propagate(stopped, start_of(sat, {.length = 1.5}), until(1.0));
+    FAIL() << "no failure";
+  } catch (const CraftFailure<Sat, AtStop<Mass>>& failure) {
+    const std::string wanted = "stop_at: " + frame_name<Mass>() + " starts at 1.5 m, outside [0 m, 1 m]";
+    EXPECT_TRUE(contains(failure.what(), wanted)) << failure.what();
+  }
+}
+
+}  // namespace
+}  // namespace vectrix_test::three_parts
