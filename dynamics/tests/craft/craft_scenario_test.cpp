@@ -263,7 +263,7 @@ TEST(CraftScenario, AMotionHasTheLoadsOfItsTime) {
       scenario(sat, held(Command{0.0 * N_m}), at_times({1.0 * s}, becomes(Command{0.5 * N_m})), by_command);
   const auto flight = propagate(pulse, spinning(sat, 0.5), until(2.0));
   const auto alpha = [&](double t) {
-    return motion(pulse, flight, t * s).angular_acceleration(of<Hub>, in<Hub>).z().value();
+    return motion_at(pulse, flight, t * s).angular_acceleration(of<Hub>, in<Hub>).z().value();
   };
   EXPECT_EQ(alpha(0.5), 0.0);
   EXPECT_NEAR(alpha(1.0), 0.5 / J, rounding);

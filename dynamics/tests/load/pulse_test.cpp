@@ -37,7 +37,7 @@ TEST(Pulse, TheRateIsTheIntegralOfThePulses) {
     EXPECT_NEAR(rate_of(flight.at(t * s)),
                 0.2 + (M1 * pulse_integral(t, 0.7, 1.9) + M2 * pulse_integral(t, 1.1, 2.3)) / J, rounding);
   const auto alpha = [&](double t) {
-    return motion(pushed, flight, t * s).angular_acceleration(of<Hub>, in<Hub>).z().value();
+    return motion_at(pushed, flight, t * s).angular_acceleration(of<Hub>, in<Hub>).z().value();
   };
   EXPECT_NEAR(alpha(0.7), M1 / J, rounding);
   EXPECT_NEAR(alpha(1.5), (M1 + M2) / J, rounding);
@@ -67,7 +67,7 @@ template <class Load>
 void expect_same(const Sat& sat, const CraftState<Sat>& at, const auto& parts, const Load& own) {
   const auto wanted = motion(sat, at, own).rates();
   const auto flight = propagate(parts, at, until(at.time().value() + 0.1));
-  const auto found = motion(parts, flight, at.time()).rates();
+  const auto found = motion_at(parts, flight, at.time()).rates();
   for (std::size_t i = 0; i < wanted.size(); ++i) EXPECT_NEAR(found[i], wanted[i], rounding) << i;
   EXPECT_NE(wanted, motion(sat, at).rates());
 }

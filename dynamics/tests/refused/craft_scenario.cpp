@@ -116,9 +116,9 @@ auto alpha(const Sat& sat, const CraftTrajectory<Sat, Command>& commanded,
            const CraftTrajectory<Sat, Mode>& in_modes) {
   const auto flight = scenario(sat, by_command, held(none));
 #ifdef REPAIRED
-  return static_cast<void>(in_modes), motion(flight, commanded, 1.0 * si::second);
+  return static_cast<void>(in_modes), motion_at(flight, commanded, 1.0 * si::second);
 #else
-  return static_cast<void>(commanded), motion(flight, in_modes, 1.0 * si::second);
+  return static_cast<void>(commanded), motion_at(flight, in_modes, 1.0 * si::second);
 #endif
 }
 }  // namespace a_motion_of_another_trajectory

@@ -77,11 +77,11 @@ namespace utc_date_for_tt {
 // expect: scale::Utc\b
 Epoch instant(const JulianDate<scale::Utc>& utc) {
 #ifdef REPAIRED
-  const JulianDate<scale::Tt> tt = Epoch::from(utc).julian_date(scale::tt);
+  const JulianDate<scale::Tt> tt = Epoch::from_julian_date(utc).julian_date(scale::tt);
 #else
   const JulianDate<scale::Tt> tt = utc;
 #endif
-  return Epoch::from(tt);
+  return Epoch::from_julian_date(tt);
 }
 }  // namespace utc_date_for_tt
 
@@ -93,7 +93,7 @@ Epoch instant(const JulianDate<scale::Ut1>& ut1, const Quantity<si::time>& ut1_m
   return Epoch::from_julian_date(scale::Ut1::minus_tai(ut1_minus_tai), ut1.day, ut1.fraction);
 #else
   static_cast<void>(ut1_minus_tai);
-  return Epoch::from(ut1);
+  return Epoch::from_julian_date(ut1);
 #endif
 }
 }  // namespace ut1_date_without_its_difference

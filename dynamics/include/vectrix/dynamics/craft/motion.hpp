@@ -24,7 +24,7 @@ concept SeveralParts = requires(const Part& part) {
   part.template parts<0>();
 };
 template <class Load>
-auto in_a_scenario(  // motion(scenario, trajectory, time): the load has a held value, which a scenario
+auto in_a_scenario(  // motion_at(scenario, trajectory, time): the load has a held value, which a scenario
                      // changes
     const Load&) -> Refused = delete;
 

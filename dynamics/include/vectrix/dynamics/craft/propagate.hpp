@@ -72,7 +72,7 @@ typename detail::TrajectoryOf<C, detail::HeldTypes<Parts...>>::type propagate(
 /// The accelerations at a time of a trajectory, and what the joints transmit, under the loads of its scenario
 /// with the values held then. Throws BadInput outside [start, end].
 template <CraftType C, class... Parts, class... X>
-  requires std::is_same_v<detail::HeldTypes<Parts...>, std::tuple<X...>> CraftMotion<C> motion(
+  requires std::is_same_v<detail::HeldTypes<Parts...>, std::tuple<X...>> CraftMotion<C> motion_at(
       const CraftScenario<C, Parts...>& scenario, const CraftTrajectory<C, X...>& trajectory,
       const Quantity<si::time>& time) {
     const std::tuple<X...> values{trajectory.template held<X>(time)...};
@@ -83,8 +83,8 @@ template <CraftType C, class... Parts, class... X>
 
 template <CraftType C, class... Parts, CraftType GivenC, class... X>
   requires(!(std::is_same_v<C, GivenC> && std::is_same_v<detail::HeldTypes<Parts...>, std::tuple<X...>>))
-auto motion(  // motion(scenario, trajectory, time): a trajectory of the scenario, whose craft and held values
-              // it has
+auto motion_at(  // motion_at(scenario, trajectory, time): a trajectory of the scenario, whose craft and held
+                 // values it has
     const CraftScenario<C, Parts...>&, const CraftTrajectory<GivenC, X...>&, const Quantity<si::time>&)
     -> Refused = delete;
 

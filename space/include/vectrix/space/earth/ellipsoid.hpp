@@ -12,11 +12,13 @@ namespace vectrix {
 struct GeodeticLatitude {
   Quantity<si::angle> angle;
   explicit constexpr GeodeticLatitude(const Quantity<si::angle>& latitude) : angle(latitude) {}
+  template <class Given> GeodeticLatitude(const Given&) = delete;  // an angle: GeodeticLatitude(angle)
 };
 /// The angle between the equatorial plane and the line to the centre of the Earth, positive north.
 struct GeocentricLatitude {
   Quantity<si::angle> angle;
   explicit constexpr GeocentricLatitude(const Quantity<si::angle>& latitude) : angle(latitude) {}
+  template <class Given> GeocentricLatitude(const Given&) = delete;  // an angle: GeocentricLatitude(angle)
 };
 
 /// Geodetic coordinates: latitude; longitude in (-pi, pi], positive east; height above the ellipsoid.

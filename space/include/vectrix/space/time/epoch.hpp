@@ -40,16 +40,12 @@ class VECTRIX_EXPORT Epoch {
   /// Throws BadInput if a part is not finite.
   static Epoch from_julian_date(const TimeScale& scale, double day, double fraction = 0.0);
   static Epoch from_modified_julian_date(const TimeScale& scale, double day, double fraction = 0.0);
-  /// From a date that has its scale in its type: Epoch::from(JulianDate<scale::Tt>{2459683.5, 0.25}).
-  template <std::derived_from<TimeScale> Scale>
-    requires std::default_initializable<Scale>
-  static Epoch from(const JulianDate<Scale>& date) {
+  /// From a date that has its scale in its type: JulianDate<scale::Tt>{2459683.5, 0.25}.
+  template <class Scale> static Epoch from_julian_date(const JulianDate<Scale>& date) {
     return from_julian_date(Scale{}, date.day, date.fraction);
   }
-  template <class Scale>
-    requires(!std::default_initializable<Scale>)
-  static Epoch from(  // UT1 needs UT1-TAI: from_julian_date(scale::Ut1::minus_tai(...), day, fraction)
-      const JulianDate<Scale>&) = delete;
+  static Epoch from_julian_date(  // UT1 needs UT1-TAI: (scale::Ut1::minus_tai(...), day, fraction)
+      const JulianDate<scale::Ut1>&) = delete;
   /// From a modified Julian day of UTC and the elapsed fraction of that day, in [0, 1). The fraction is of
   /// the day's own length: a day with a leap second has 86401 s. Throws BadInput if the fraction is outside.
   static Epoch from_utc_mjd(int day, double part = 0.0);
