@@ -23,13 +23,13 @@ constexpr double conversion_tolerance = 16 * epsilon;
 using Real = long double;
 
 MeanAnomaly mean(double M) {
-  return {M * si::radian};
+  return MeanAnomaly(M * si::radian);
 }
 EccentricAnomaly eccentric(double E) {
-  return {E * si::radian};
+  return EccentricAnomaly(E * si::radian);
 }
 TrueAnomaly true_of(double nu) {
-  return {nu * si::radian};
+  return TrueAnomaly(nu * si::radian);
 }
 
 // E - sin E, or sinh F - F, without cancellation: E^3/3! -+ E^5/5! + ...
