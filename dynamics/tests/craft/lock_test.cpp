@@ -6,7 +6,7 @@
 #include "craft/random_spacecraft.hpp"
 
 // Joints and rotors that a load locks.
-namespace vectrix_test::spacecraft_test {
+namespace vectrix_test::spacecraft_test::lock_test {
 namespace {
 
 using namespace vectrix;
@@ -98,4 +98,4 @@ TEST(Lock, ALockedRotorOfARigidHubIsPartOfIt) {
 }
 
 }  // namespace
-}  // namespace vectrix_test::spacecraft_test
+}  // namespace vectrix_test::spacecraft_test::lock_test

@@ -6,7 +6,7 @@
 #include "craft/random_spacecraft.hpp"
 
 // Runs of a typed spacecraft: what the laws keep, a load that jumps, springs and dampers.
-namespace vectrix_test::spacecraft_test {
+namespace vectrix_test::spacecraft_test::spacecraft_run_test {
 namespace {
 
 using namespace vectrix;
@@ -86,4 +86,4 @@ TEST(SpacecraftRun, ASpringAndADamperAreEfforts) {
 }
 
 }  // namespace
-}  // namespace vectrix_test::spacecraft_test
+}  // namespace vectrix_test::spacecraft_test::spacecraft_run_test

@@ -10,7 +10,7 @@
 #include "load/three_parts.hpp"
 
 // Friction that sticks, against closed forms.
-namespace vectrix_test::three_parts {
+namespace vectrix_test::three_parts::friction_test {
 namespace {
 
 constexpr double rounding = 1e-12;  // of numbers near 1, in some hundred steps
@@ -218,4 +218,4 @@ TEST(Friction, RefusesBadInput) {
 }
 
 }  // namespace
-}  // namespace vectrix_test::three_parts
+}  // namespace vectrix_test::three_parts::friction_test

@@ -4,7 +4,7 @@
 
 #include "load/three_parts.hpp"
 
-namespace vectrix_test::three_parts {
+namespace vectrix_test::three_parts::magnetorquer_test {
 namespace {
 
 constexpr double rounding = 1e-13;  // of numbers near 1, in a run of some ten steps
@@ -33,7 +33,7 @@ TEST(Magnetorquer, TheFieldMayBeInAnyFrameOfTheCraft) {
   const auto m_n = vector(in<Nozzle>, 1.0 * A_m2, 3.0 * A_m2, -2.0 * A_m2);
   const auto driven = scenario(sat, held(Dipole<Nozzle>{m_n}),
                                magnetorquer(sat, of<Nozzle>, [&](const Now<Sat>&) { return B_i; }));
-  const auto found = motion(driven, propagate(driven, start, until(0.1)), 0.0 * s).rates();
+  const auto found = motion_at(driven, propagate(driven, start, until(0.1)), 0.0 * s).rates();
   const auto wanted = motion(sat, start, [&](const Now<Sat>& now, Forces<Sat>& forces) {
                         const auto m_i = now.rotation(to<Inertial>, from<Nozzle>) * m_n;
                         forces.torque(of<Panel>, cross(m_i, B_i));
@@ -42,4 +42,4 @@ TEST(Magnetorquer, TheFieldMayBeInAnyFrameOfTheCraft) {
 }
 
 }  // namespace
-}  // namespace vectrix_test::three_parts
+}  // namespace vectrix_test::three_parts::magnetorquer_test

@@ -13,7 +13,7 @@
 
 // The attraction of a point mass on the bodies of a craft, against sums over points with four times the
 // digits, and what its potential keeps.
-namespace vectrix_test::spacecraft_test {
+namespace vectrix_test::spacecraft_test::point_mass_test {
 namespace {
 
 using namespace vectrix;
@@ -285,4 +285,4 @@ TEST(PointMass, RefusesBadInput) {
 }
 
 }  // namespace
-}  // namespace vectrix_test::spacecraft_test
+}  // namespace vectrix_test::spacecraft_test::point_mass_test

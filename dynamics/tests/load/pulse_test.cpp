@@ -9,7 +9,7 @@
 #include "load/three_parts.hpp"
 
 // Pulses and functions of time, on bodies, joints and rotors.
-namespace vectrix_test::three_parts {
+namespace vectrix_test::three_parts::pulse_test {
 namespace {
 
 constexpr double rounding = 1e-13;  // of numbers near 1, in a run of some ten steps
@@ -166,4 +166,4 @@ TEST(Pulse, RefusesBadInput) {
 }
 
 }  // namespace
-}  // namespace vectrix_test::three_parts
+}  // namespace vectrix_test::three_parts::pulse_test

@@ -9,7 +9,7 @@
 #include "load/three_parts.hpp"
 
 // The stops of a slider and a hinge, against the closed forms of a bounce.
-namespace vectrix_test::three_parts {
+namespace vectrix_test::three_parts::stop_at_test {
 namespace {
 
 constexpr double rounding = 1e-12;  // of numbers near 1, in some hundred steps
@@ -124,4 +124,4 @@ TEST(StopAt, RefusesBadInput) {
 }
 
 }  // namespace
-}  // namespace vectrix_test::three_parts
+}  // namespace vectrix_test::three_parts::stop_at_test

@@ -7,7 +7,7 @@
 #include "load/three_parts.hpp"
 
 // A thruster that rises and falls, against the integral of its thrust.
-namespace vectrix_test::three_parts {
+namespace vectrix_test::three_parts::thruster_test {
 namespace {
 
 constexpr double rounding = 1e-12;  // of numbers near 1, in some ten steps
@@ -96,4 +96,4 @@ TEST(Thruster, RefusesBadInput) {
 }
 
 }  // namespace
-}  // namespace vectrix_test::three_parts
+}  // namespace vectrix_test::three_parts::thruster_test
