@@ -106,7 +106,7 @@ auto push(const Sat& sat, const Wrench<Hub, In<Hub>>& W_h_h,
 
 namespace a_pulse_outside_a_scenario {
 // mistake: the accelerations under a pulse, which says nothing of the time before a scenario holds it
-// expect: motion\(scenario, trajectory, time\)
+// expect: motion_at\(scenario, trajectory, time\)
 auto alpha(const Sat& sat, const CraftState<Sat>& state) {
   const auto push = pulse(sat, of<Wheel>, 0.1 * N_m, 0.0 * s, 1.0 * s);
 #ifdef REPAIRED

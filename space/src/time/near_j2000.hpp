@@ -13,7 +13,7 @@ namespace vectrix::detail {
 inline void require_near_j2000(const Caller& name, const Epoch& epoch) {
   constexpr double j2000 = 2451545.0, limit = 365250.0;  // days
   const auto& tai = epoch.tai();
-  if (!(std::abs(tai.day - j2000) <= limit))
+  if (!(std::abs((tai.day - j2000) + tai.fraction) <= limit))
     throw BadInput(name() + "the Julian date " + text(tai.day) + " is more than 1000 years from 2000");
 }
 

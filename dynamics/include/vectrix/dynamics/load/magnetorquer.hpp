@@ -27,7 +27,7 @@ template <class C, class F> constexpr bool gives_field() {
 }  // namespace detail
 
 /// A load: the torque m x B on a body or mount. Made by magnetorquer().
-template <CraftType C, class B, class F> struct Magnetorquer {
+template <CraftType C, class B, class F> struct MagnetorquerLoad {
   F field;
 
   void operator()(const Now<C>& now, Forces<C>& forces, const Dipole<B>& dipole) const {
@@ -45,7 +45,7 @@ template <CraftType C, class B, class F> struct Magnetorquer {
 /// the place by a MagneticField.
 template <CraftType C, class B, class F>
   requires(C::shape::template has_place<B>&& detail::gives_field<C, F>())
-Magnetorquer<C, B, F> magnetorquer(const C&, Of<B>, const F& field) {
+MagnetorquerLoad<C, B, F> magnetorquer(const C&, Of<B>, const F& field) {
   return {field};
 }
 template <class C, class B, class F>

@@ -73,7 +73,7 @@ VECTRIX_EXPORT std::vector<Quantity<si::time>> switches_of(const std::vector<Fir
 }  // namespace detail
 
 /// A thruster with its intervals. Made by thruster().
-template <CraftType C, class On, class D> struct Thruster {
+template <CraftType C, class On, class D> struct ThrusterLoad {
   Vector<D, si::force> full_d;
   ThrustResponse response;
   std::vector<Quantity<si::time>> switches;
@@ -106,7 +106,7 @@ template <CraftType C, class On, class D> struct Thruster {
 /// The mass of the craft stays what it is. Throws BadInput for a number that is not finite, a negative time
 /// constant, no interval, or intervals that do not increase.
 template <CraftType C, class On, class D>
-  requires detail::acts_on<C, On, Vector<D, si::force>> Thruster<C, On, D> thruster(
+  requires detail::acts_on<C, On, Vector<D, si::force>> ThrusterLoad<C, On, D> thruster(
       const C&, Of<On>, const Vector<D, si::force>& full_d, const ThrustResponse& response,
       const std::vector<FiringInterval>& intervals) {
     detail::finite("thruster", "full force", full_d);
