@@ -10,9 +10,12 @@
 #include <vectrix/kinematics/points/rigid_edge.hpp>
 #include <vectrix/space/earth/eme2000.hpp>
 #include <vectrix/space/earth/intermediate_frames.hpp>
+#include <vectrix/space/earth/mean_of_date.hpp>
 #include <vectrix/space/earth/teme.hpp>
 #include <vectrix/space/sky/bodies.hpp>
 #include <vectrix/space/sky/iau_frames.hpp>
+
+#include "temporary_file.hpp"
 
 namespace vectrix::earth_frames_test {
 namespace {
