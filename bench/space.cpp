@@ -5,22 +5,18 @@
 #include <erfam.h>
 
 #include <GeographicLib/Geocentric.hpp>
-#include <GeographicLib/SphericalHarmonic.hpp>
-#include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <filesystem>
-#include <fstream>
 #include <functional>
 #include <numbers>
 #include <random>
 #include <vector>
 
-#include <vectrix/frames/scalar/larger.hpp>
 #include <vectrix/space.hpp>
 
+#include "bursts.hpp"
+#include "random_harmonics.hpp"
 #include "timing.hpp"
 
 namespace bench {
@@ -28,114 +24,11 @@ namespace {
 
 using namespace vectrix;
 using earth::Gcrf, earth::Itrf;
-using Clock = std::chrono::steady_clock;
 
 struct Satellite : moving_frame {};
 struct Lvlh : moving_frame {};
 struct Antenna : moving_frame {};
 struct Station : east_north_up_frame {};
-
-constexpr std::size_t inputs = 64;
-
-/// A task, each of whose calls has other numbers.
-struct Task {
-  std::string name;
-  std::function<void(std::size_t)> call;
-  std::vector<double> ns = {};
-};
-
-/// A row: ours over the peer's.
-struct Row {
-  Task ours, peer;
-  double target;                       ///< of the ratio; 0: none
-  std::function<double()> difference;  ///< largest, over all inputs
-  double allowed;
-};
-
-/// Short bursts, interleaved, so that a slow machine slows all. The tenth percentile: what other users of the
-/// machine do only adds time.
-void measure(std::vector<Row>& rows) {
-  constexpr int rounds = 200;
-  constexpr double burst = 20e-6;  // s, about
-  std::vector<std::pair<Task*, std::size_t>> order;
-  for (Row& row : rows) {
-    for (Task* task : {&row.ours, &row.peer}) {
-      const auto begin = Clock::now();
-      for (std::size_t i = 0; i < inputs; ++i) task->call(i);
-      const double once = std::chrono::duration<double>(Clock::now() - begin).count() / inputs;
-      order.emplace_back(task, std::max<std::size_t>(1, static_cast<std::size_t>(burst / once)));
-    }
-  }
-  std::mt19937_64 generator(5);
-  for (int round = 0; round < rounds; ++round) {
-    std::shuffle(order.begin(), order.end(), generator);
-    for (const auto& [task, calls] : order) {
-      const auto begin = Clock::now();
-      for (std::size_t i = 0; i < calls; ++i) task->call(i % inputs);
-      task->ns.push_back(std::chrono::duration<double, std::nano>(Clock::now() - begin).count() /
-                         static_cast<double>(calls));
-    }
-  }
-  for (Row& row : rows) {
-    for (Task* task : {&row.ours, &row.peer}) {
-      std::nth_element(task->ns.begin(), task->ns.begin() + rounds / 10, task->ns.end());
-    }
-  }
-}
-
-double time_of(const Task& task) {
-  return task.ns[task.ns.size() / 10];
-}
-
-/// A file of normalized coefficients as large as Kaula's rule has them, and GeographicLib's copy.
-class Model {
- public:
-  explicit Model(int degree)
-      : degree_(degree),
-        path_(std::filesystem::temp_directory_path() / ("vectrix_bench_" + std::to_string(degree) + ".gfc")) {
-    const auto place = [&](int n, int m) {
-      return static_cast<std::size_t>(m * (degree + 1) - m * (m - 1) / 2 + n - m);
-    };
-    C_.resize(place(degree, degree) + 1);
-    S_.resize(C_.size() - place(degree, 0) - 1);  // without order 0
-    std::mt19937_64 generator(11);
-    std::normal_distribution<double> normal;
-    std::ofstream file(path_);
-    file.precision(17);
-    file << "product_type gravity_field\nearth_gravity_constant 3.986004415e14\nradius 6378136.3\nmax_degree "
-         << degree << "\nnorm fully_normalized\nend_of_head\n";
-    for (int n = 0; n <= degree; ++n) {
-      for (int m = 0; m <= n; ++m) {
-        const double size = n < 2 ? 0.0 : 1e-5 / (n * n);
-        double& C = C_[place(n, m)] = n == 0 ? 1.0 : size * normal(generator);
-        double S = 0.0;
-        if (m > 0) S = S_[place(n, m) - place(degree, 0) - 1] = size * normal(generator);
-        file << "gfc " << n << ' ' << m << ' ' << C << ' ' << S << '\n';
-      }
-    }
-  }
-  Model(const Model&) = delete;
-  Model& operator=(const Model&) = delete;
-  ~Model() { std::filesystem::remove(path_); }
-
-  [[nodiscard]] GravityField ours() const { return GravityField::read(path_, degree_); }
-  /// Refers to this model.
-  [[nodiscard]] GeographicLib::SphericalHarmonic theirs(unsigned normalization) const {
-    return {C_, S_, degree_, 6378136.3, normalization};
-  }
-
- private:
-  int degree_;
-  std::filesystem::path path_;
-  std::vector<double> C_, S_;
-};
-
-template <class Difference> double largest_over_inputs(const Difference& difference) {
-  double largest = 0.0;
-  for (std::size_t i = 0; i < inputs; ++i)
-    largest = vectrix::detail::larger(largest, std::abs(difference(i)));
-  return largest;
-}
 
 int run() {
   std::mt19937_64 generator(3);
@@ -313,7 +206,7 @@ int run() {
                   },
                   1e-15});
 
-  const Model low(20), high(70), magnetic(13);
+  const RandomHarmonics low(20), high(70), magnetic(13);
   const auto add_gravity = [&](const GravityField& field, const GeographicLib::SphericalHarmonic& harmonic) {
     const auto theirs = [&](std::size_t i) {
       const auto& r = places[i].coordinates();
@@ -391,16 +284,7 @@ int run() {
       "well-known "
       "amount of work.\n\n"
       "| work | ns | peer | ns | ratio | target |\n| --- | --- | --- | --- | --- | --- |\n");
-  for (const Row& row : rows) {
-    const double ours = time_of(row.ours), theirs = time_of(row.peer);
-    std::printf("| %s | %.0f | %s | %.0f | %.4f |", row.ours.name.c_str(), ours, row.peer.name.c_str(),
-                theirs, ours / theirs);
-    if (row.target > 0.0) {
-      std::printf(" %.4f%s |\n", row.target, ours / theirs <= row.target ? "" : ", missed");
-    } else {
-      std::printf(" |\n");
-    }
-  }
+  print(rows);
   return 0;
 }
 
