@@ -8,6 +8,7 @@
 #include <vectrix/dynamics/craft/propagate.hpp>
 #include <vectrix/dynamics/load/springs.hpp>
 
+#include "short_units.hpp"
 #include "testing/attitudes.hpp"
 
 // Held values: sampled, switched, delayed. The craft is one body that only turns, about its axis z, so that
@@ -15,14 +16,10 @@
 namespace vectrix::craft_scenario_test {
 namespace {
 
+using namespace vectrix_test::short_units;
+
 struct Inertial : inertial_frame {};
 struct Hub : moving_frame {};
-
-constexpr auto s = si::second;
-constexpr auto rad = si::radian;
-constexpr auto rad_s = si::radian / si::second;
-constexpr auto N_m = si::newton_metre;
-constexpr auto kg_m2 = si::kilogram_square_metre;
 
 constexpr double J = 2.0;  // kg m^2, about z
 

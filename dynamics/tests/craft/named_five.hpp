@@ -3,12 +3,14 @@
 #include <vector>
 #include <vectrix/dynamics/craft/named_spacecraft.hpp>
 
+#include "short_units.hpp"
 #include "testing/attitudes.hpp"
 
 /// A craft of five kinds of joints, with names, and a state of it.
 namespace vectrix_test::named_five {
 
 using namespace vectrix;
+using namespace vectrix_test::short_units;
 using Eigen::Matrix3d, Eigen::Vector3d;
 
 /// A hub with a hinged boom, on it a wheel with an antenna on two axes, a mass on a slider and a gyro.
@@ -31,10 +33,6 @@ inline PlainSpacecraft five() {
       {{"wheel", "boom", Vector3d::UnitY(), 0.1}},
       {{"first", "antenna", {0.1, 0.0, 0.0}, {0.0, 0.2, 0.0}, 3.0, 0.01}}};
 }
-
-inline const auto rad = si::radian;
-inline const auto rad_s = si::radian / si::second;
-inline const auto m_s = si::metre / si::second;
 
 inline NamedMovingTransform at_origin(NamedFrame a, NamedFrame b, const Matrix3d& R,
                                       const Vector3d& r = Vector3d::Zero()) {

@@ -5,12 +5,14 @@
 #include <vectrix/dynamics/craft/state.hpp>
 
 #include "multibody/random_craft.hpp"
+#include "short_units.hpp"
 #include "testing/attitudes.hpp"
 
 /// A typed spacecraft with every kind of joint, of random numbers, and a random state of it.
 namespace vectrix_test::spacecraft_test {
 
 using namespace vectrix;
+using namespace vectrix_test::short_units;
 
 struct Gcrf : inertial_frame {};
 struct Lvlh : moving_frame {};
@@ -27,12 +29,6 @@ struct WheelOfBoom : named_point {};
 struct WheelOfHub : named_point {};
 struct Blanket : named_point {};
 struct Tank : named_point {};
-
-inline const auto s = si::second;
-inline const auto rad = si::radian;
-inline const auto rad_s = si::radian / si::second;
-inline const auto m_s = si::metre / si::second;
-inline const auto kg_m2 = si::kilogram_square_metre;
 
 template <Frame B> MassProperties<B> mass(RandomCraft& random, double scale) {
   const Described b = random.body(0, JointKind::free, scale);

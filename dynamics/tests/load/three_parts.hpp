@@ -2,6 +2,7 @@
 
 #include <vectrix/dynamics/craft/propagate.hpp>
 
+#include "short_units.hpp"
 #include "testing/attitudes.hpp"
 
 /// A hub with a panel on a hinge about z, a mass on a slider along x, a wheel about z and a mount: of round
@@ -9,6 +10,7 @@
 namespace vectrix_test::three_parts {
 
 using namespace vectrix;
+using namespace vectrix_test::short_units;
 
 struct Inertial : inertial_frame {};
 struct Hub : moving_frame {};
@@ -16,15 +18,6 @@ struct Panel : moving_frame {};
 struct Mass : moving_frame {};
 struct Nozzle : moving_frame {};
 struct Wheel : named_point {};
-
-inline const auto m = si::metre;
-inline const auto s = si::second;
-inline const auto rad = si::radian;
-inline const auto N = si::newton;
-inline const auto N_m = si::newton_metre;
-inline const auto rad_s = si::radian / si::second;
-inline const auto m_s = si::metre / si::second;
-inline const auto kg_m2 = si::kilogram_square_metre;
 
 // About z and along x: kg m^2, kg.
 constexpr double J_hub = 2.0, J_panel = 0.5, J_wheel = 0.1, J_mass = 0.25;
