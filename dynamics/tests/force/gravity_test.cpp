@@ -23,7 +23,18 @@ TEST(PointMassGravity, attracts_by_the_inverse_square) {
 
 TEST(PointMassGravity, the_centre_is_refused) {
   expect_bad_input([] { point_mass_gravity(mu_earth, zero<si::length>(in<Gcrf>)); },
-                   "point_mass_gravity(r in " + frame_name<Gcrf>() + "): |r| is 0 m");
+                   "point_mass_gravity(r in " + frame_name<Gcrf>() + "): mu is " +
+                       detail::text(mu_earth.value()) +
+                       " m^3/s^2 and |r| 0 m; mu must be positive, mu/|r|^3 finite");
+}
+
+TEST(PointMassGravity, an_attraction_that_pushes_is_refused) {
+  expect_bad_input(
+      [] {
+        point_mass_gravity(-1.0 * mu_earth, position(in<Gcrf>, {7e6, 0.0, 0.0}));
+      },
+      "point_mass_gravity(r in " + frame_name<Gcrf>() + "): mu is " + detail::text(-mu_earth.value()) +
+          " m^3/s^2 and |r| 7e+06 m; mu must be positive, mu/|r|^3 finite");
 }
 
 TEST(PointMassGravity, a_pull_that_overflows_is_refused) {
@@ -31,7 +42,8 @@ TEST(PointMassGravity, a_pull_that_overflows_is_refused) {
       [] {
         point_mass_gravity(mu_earth, position(in<Gcrf>, {1e-105, 0.0, 0.0}));
       },
-      "point_mass_gravity(r in " + frame_name<Gcrf>() + "): |r| is 1e-105 m");
+      "point_mass_gravity(r in " + frame_name<Gcrf>() + "): mu is " + detail::text(mu_earth.value()) +
+          " m^3/s^2 and |r| 1e-105 m; mu must be positive, mu/|r|^3 finite");
 }
 
 /// Eight masses at +-r: their moments of third order vanish, so that the error of the torque is of order
@@ -94,7 +106,8 @@ TEST(GravityGradient, vanishes_along_a_principal_axis_and_does_not_tell_up_from_
 TEST(GravityGradient, the_centre_is_refused) {
   expect_bad_input(
       [] { gravity_gradient_torque(mu_earth, tensor(3.0, 4.0, 5.0), zero<si::length>(in<Body>)); },
-      "gravity_gradient_torque(r in " + frame_name<Body>() + "): |r| is 0 m");
+      "gravity_gradient_torque(r in " + frame_name<Body>() + "): mu is " + detail::text(mu_earth.value()) +
+          " m^3/s^2 and |r| 0 m; mu must be positive, mu/|r|^3 finite");
 }
 
 }  // namespace

@@ -276,12 +276,13 @@ TEST(PointMass, RefusesBadInput) {
       message<BadInput>([&] { point_mass(craft, parameter(std::numeric_limits<double>::quiet_NaN())); }),
       "point_mass: the gravitational parameter is nan m^3/s^2");
   EXPECT_EQ(message<BadInput>([&] { point_mass(craft, parameter(-1.0)); }),
-            "point_mass: the gravitational parameter is -1 m^3/s^2; it must not be negative");
+            "point_mass: the gravitational parameter is -1 m^3/s^2; it must be positive");
   RandomCraft random(5);
   const auto start =
       state(craft, 0.0 * s, resting<Hub>(random, 0.0), starts(of<Mass>, 1.0 * si::metre, 0.0 * m_s));
   EXPECT_EQ(message<BadInput>([&] { motion(craft, start, point_mass(craft, parameter(1.0))); }),
-            "point_mass(r in " + frame_name<Hub>() + "): |r| is 0 m");
+            "point_mass(r in " + frame_name<Hub>() +
+                "): mu is 1 m^3/s^2 and |r| 0 m; mu must be positive, mu/|r|^3 finite");
 }
 
 }  // namespace

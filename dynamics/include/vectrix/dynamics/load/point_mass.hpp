@@ -44,7 +44,7 @@ template <CraftType C> class PointMassAttraction {
   void operator()(const Now<C>& now, Forces<C>& forces) const {
     const detail::Column3 r = -now.instant().template position<typename Shape::inertial>();
     const double distance = std::sqrt(multibody::dot(r, r));
-    const double pull = detail::checked_pull<H>("point_mass", mu_, distance);
+    const double pull = detail::attraction(detail::gravity_at<H>("point_mass"), mu_.value(), distance);
     forces.field(Vector<H, si::acceleration>{detail::trusted, detail::eigen(r * -pull)});
     each_part([&]<class Part>(std::type_identity<Part>) {
       using B = typename Part::frame;
@@ -77,7 +77,8 @@ template <CraftType C> class PointMassAttraction {
     const detail::Column3 d = at.template position<B>() + c;
     const detail::Column3 r_c = r + d;
     const double distance = std::sqrt(dot(r_c, r_c));
-    const double pull = detail::checked_pull<H>("point_mass", mu_, distance);  // mu/|r_c|^3
+    const double pull =
+        detail::attraction(detail::gravity_at<H>("point_mass"), mu_.value(), distance);  // mu/|r_c|^3
 
     // r_c - r (1 + q)^(3/2), q = |r_c|^2/|r|^2 - 1
     const double q = dot(d, d + r * 2.0) / dot(r, r);
@@ -104,7 +105,7 @@ template <CraftType C> class PointMassAttraction {
 template <CraftType C>
   requires C::shape::free PointMassAttraction<C> point_mass(const C& craft,
                                                             const Quantity<si::gravitational_parameter>& mu) {
-    return {detail::trusted, craft, detail::not_negative("point_mass", "gravitational parameter", mu)};
+    return {detail::trusted, craft, detail::positive("point_mass", "gravitational parameter", mu)};
   }
 template <class C, class Mu>
 auto point_mass(  // point_mass(craft, mu): a craft whose hub is free_in<I>, so that it has a place; m^3/s^2

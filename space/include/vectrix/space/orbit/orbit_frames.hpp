@@ -64,13 +64,17 @@ struct NtwAxes {
   static constexpr std::array axes{-2, 1, 3};
 };
 
+/// lvlh(from<Orbit>, Ship relative to Gcrf):
+template <class Axes, class B, class P, class Q> std::string orbit_frame_place() {
+  return std::string{Axes::name} + "(from<" + frame_name<B>() + ">, " + frame_name<Q>() + " relative to " +
+         frame_name<P>() + "): ";
+}
 template <class Axes, class B, class P, class Q, class S>
 void require_orbital_plane(const Column<S>& r, const Column<S>& v) {
   require_plane<S>(
       nearly_rectilinear, r, v,
       [](const std::string& r_norm, const std::string& v_norm) {
-        return std::string{Axes::name} + "(from<" + frame_name<B>() + ">, " + frame_name<Q>() +
-               " relative to " + frame_name<P>() + "): |r| is " + r_norm + " m, |v| " + v_norm + " m/s";
+        return orbit_frame_place<Axes, B, P, Q>() + "|r| is " + r_norm + " m, |v| " + v_norm + " m/s";
       },
       "rectilinear motion has no orbital plane");
 }

@@ -36,22 +36,17 @@ template <class S, std::size_t N> Jet<S, N - 1> eccentricity_of(const S& mu, con
   return e;
 }
 
-template <class B, class P, class Q> std::string perifocal_place() {
-  return std::string{PerifocalAxes::name} + "(from<" + frame_name<B>() + ">, " + frame_name<Q>() +
-         " relative to " + frame_name<P>() + "): ";
-}
-
 template <Frame B, class P, class Q, class A, class S, std::size_t N>
 auto perifocal_of(const Quantity<si::gravitational_parameter, S>& mu, const OrbitPath<P, Q, A, S, N>& path) {
   const S m = mu.value();
   if (!(all(m > S(0)) && all(m - m == S(0)))) [[unlikely]]
-    throw BadInput(perifocal_place<B, P, Q>() + "mu is " + text(m) +
+    throw BadInput(orbit_frame_place<PerifocalAxes, B, P, Q>() + "mu is " + text(m) +
                    " m^3/s^2; it must be positive and finite");
   require_orbital_plane<PerifocalAxes, B, P, Q>(path.r[0], path.r[1]);
   const auto e = eccentricity_of(m, path.r);
   const S size = scaled_norm(e[0]);
   if (!(all(size > number<S>(door_tolerance<S>(nearly_circular))) && all(size - size == S(0)))) [[unlikely]]
-    throw BadInput(perifocal_place<B, P, Q>() + "the eccentricity is " + text(size) +
+    throw BadInput(orbit_frame_place<PerifocalAxes, B, P, Q>() + "the eccentricity is " + text(size) +
                    "; a circle has no periapsis");
   return frame_of<PerifocalAxes, A, B>(FollowingTriad<S, N - 1>(e, normal_of(path.r)));
 }

@@ -6,6 +6,7 @@
 #include <vectrix/kinematics/points/derivative.hpp>
 #include <vectrix/kinematics/points/point_motion.hpp>
 #include <vectrix/space/caller.hpp>
+#include <vectrix/space/orbit/attraction.hpp>
 
 namespace vectrix {
 
@@ -77,25 +78,13 @@ auto two_body_transition(  // mu in m^3/s^2, a PointMotion observed from an iner
     const Quantity<si::gravitational_parameter>&, const Motion&, const Quantity<si::time>&)
     -> Refused = delete;
 
-namespace detail {
-
-/// mu/|r|^3
-template <class P, class Q, class S> S pull(const char* action, const S& mu, const S& distance) {
-  const S found = mu / (distance * distance * distance);
-  if (!(all(mu > S(0)) && all(found - found == S(0)))) [[unlikely]]
-    throw BadInput(orbit_of<P, Q>(action)() + "mu is " + text(mu) + " m^3/s^2 and |r| " + text(distance) +
-                   " m; mu must be positive, mu/|r|^3 finite");
-  return found;
-}
-
-}  // namespace detail
-
 /// a = -mu r/|r|^3, and its derivative -mu (v - 3 (r . v) r/|r|^2)/|r|^3: what lvlh() and the other orbit
 /// frames take. Throws BadInput if mu is not positive or mu/|r|^3 is not finite.
 template <class P, class Q, class A, class S>
 detail::IfInertial<A, Acceleration<P, Q, ObservedFrom<A>, In<A>, S>> two_body_acceleration(
     const Quantity<si::gravitational_parameter, S>& mu, const Displacement<P, Q, In<A>, S>& r_pq_a) {
-  const S pull = detail::pull<P, Q, S>("two_body_acceleration", mu.value(), norm(r_pq_a).value());
+  const S pull = detail::attraction<S>(detail::orbit_of<P, Q>("two_body_acceleration"), mu.value(),
+                                       norm(r_pq_a).value());
   return Acceleration<P, Q, ObservedFrom<A>, In<A>, S>{detail::trusted, -pull * r_pq_a.coordinates()};
 }
 template <class P, class Q, class A, class S>
@@ -103,7 +92,7 @@ detail::IfInertial<A, Derivative<A, A, si::acceleration, S>> two_body_jerk(
     const Quantity<si::gravitational_parameter, S>& mu, const PointMotion<P, Q, A, S>& motion) {
   const detail::Column<S>&r = motion.position.coordinates(), &v = motion.velocity.coordinates();
   const S distance = norm(motion.position).value();
-  const S pull = detail::pull<P, Q, S>("two_body_jerk", mu.value(), distance);
+  const S pull = detail::attraction<S>(detail::orbit_of<P, Q>("two_body_jerk"), mu.value(), distance);
   const S along = S(3) * r.dot(v) / (distance * distance);
   return {detail::trusted, Vector<A, si::jerk, S>{detail::trusted, pull * (along * r - v)}};
 }
