@@ -135,6 +135,9 @@ std::optional<Vector<earth::Itrf, si::length>> first_intersection(
   const Eigen::Vector3d u = scaled(r_itrf.coordinates());
   const Eigen::Vector3d v = scaled(d);
   const double outside = u.squaredNorm() - 1.0;
+  if (!std::isfinite(outside))
+    throw BadInput("wgs84::first_intersection: |r| is " + detail::text(r_itrf.coordinates().stableNorm()) +
+                   " m; the origin is too far");
   if (std::abs(outside) <= surface_tolerance) return r_itrf;
   if (outside < 0.0) {
     throw BadInput("wgs84::first_intersection: the origin lies inside the ellipsoid, at a height of " +

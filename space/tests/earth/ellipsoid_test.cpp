@@ -210,6 +210,11 @@ TEST(Ellipsoid, RefusesPositionsThatAreNotFinite) {
   EXPECT_THROW((void)earth::spherical(far), BadInput);
 }
 
+TEST(Ellipsoid, RefusesRaysFromTooFar) {
+  EXPECT_EQ(complaint([] { (void)wgs84::first_intersection(r(1e200, 0.0, 0.0), d(-1.0, 0.0, 0.0)); }),
+            "wgs84::first_intersection: |r| is 1e+200 m; the origin is too far");
+}
+
 // r = d (cos phi cos lambda, cos phi sin lambda, sin phi), and back.
 TEST(Ellipsoid, SphericalCoordinates) {
   std::mt19937_64 random(20270503);

@@ -139,9 +139,16 @@ TEST(Perifocal, RefusesCirclesLinesAndAttraction) {
   EXPECT_NE(refused(mu, x, 2.0 * x).find("rectilinear motion has no orbital plane"), std::string::npos);
   EXPECT_NE(refused(mu, x, Vector3d::Zero()).find("rectilinear motion has no orbital plane"),
             std::string::npos);
+  EXPECT_EQ(refused(1e-320 * mu, x, y),
+            place("with mu " + detail::text((1e-320 * mu).value()) +
+                  " m^3/s^2 the eccentricity or a derivative of it is not finite"));
+  const auto strong = acceleration(of<Ship>, relative_to<Gcrf>, observed_from<Gcrf>,
+                                   vector<si::acceleration>(in<Gcrf>, Vector3d(1e300, 1e300, 0.0)));
+  const auto motion = motion_of<double>(1e10 * x, 1.5 * y);
+  EXPECT_EQ(message<BadInput>([&] { perifocal(from<Pqw>, mu, motion, strong); }),
+            place("with mu 1 m^3/s^2 the eccentricity or a derivative of it is not finite"));
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_FALSE(refused(mu, x, nan * y).empty());
-  EXPECT_FALSE(refused(nan * mu, x, y).empty());
+  EXPECT_EQ(refused(nan * mu, x, y), place("mu is nan m^3/s^2; it must be positive and finite"));
 }
 
 }  // namespace

@@ -85,7 +85,7 @@ VECTRIX_EXPORT Quantity<si::angle> horizon_dip(const Geodetic& place, const Quan
 
 /// The first intersection of the ray r + t d, t >= 0, with the ellipsoid; nothing if there is none. d is any
 /// vector but zero. If the origin is within about 10 micrometres of the surface, the result is the origin.
-/// Throws BadInput if the origin is inside, or d is zero.
+/// Throws BadInput if the origin is inside or too far for its square, or d is zero.
 VECTRIX_EXPORT std::optional<Vector<earth::Itrf, si::length>> first_intersection(
     const Vector<earth::Itrf, si::length>& r_itrf, const Vector<earth::Itrf, si::dimensionless>& d_itrf);
 

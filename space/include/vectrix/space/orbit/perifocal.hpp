@@ -44,8 +44,14 @@ auto perifocal_of(const Quantity<si::gravitational_parameter, S>& mu, const Orbi
                    " m^3/s^2; it must be positive and finite");
   require_orbital_plane<PerifocalAxes, B, P, Q>(path.r[0], path.r[1]);
   const auto e = eccentricity_of(m, path.r);
+  for (const Column<S>& derivative : e) {
+    const S sum = derivative.sum();
+    if (!all(sum - sum == S(0))) [[unlikely]]
+      throw BadInput(orbit_frame_place<PerifocalAxes, B, P, Q>() + "with mu " + text(m) +
+                     " m^3/s^2 the eccentricity or a derivative of it is not finite");
+  }
   const S size = scaled_norm(e[0]);
-  if (!(all(size > number<S>(door_tolerance<S>(nearly_circular))) && all(size - size == S(0)))) [[unlikely]]
+  if (!all(size > number<S>(door_tolerance<S>(nearly_circular)))) [[unlikely]]
     throw BadInput(orbit_frame_place<PerifocalAxes, B, P, Q>() + "the eccentricity is " + text(size) +
                    "; a circle has no periapsis");
   return frame_of<PerifocalAxes, A, B>(FollowingTriad<S, N - 1>(e, normal_of(path.r)));
@@ -69,8 +75,8 @@ inline constexpr bool is_perifocal<From<B>, Quantity<si::gravitational_parameter
 ///     e = v x h/mu - r/|r|,  h = r x v
 /// z along h, y = z x x. What is given decides what is known, as in lvlh(): with a the rate of the axes, with
 /// the jerk their acceleration; of two_body() both are zero, to rounding. Throws BadInput if mu is not
-/// positive and finite, distance_from_singularity() is below nearly_rectilinear, or the eccentricity below
-/// nearly_circular.
+/// positive and finite, distance_from_singularity() is below nearly_rectilinear, the eccentricity below
+/// nearly_circular, or it or a derivative not finite.
 template <class B, class S, class... Motion>
 detail::PerifocalOf<B, S, Motion...> perifocal(From<B>, const Quantity<si::gravitational_parameter, S>& mu,
                                                const Motion&... motion) {
