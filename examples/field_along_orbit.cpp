@@ -41,14 +41,11 @@ void run(const std::filesystem::path& data) {
   const auto orientation = EarthOrientation::read(data / "finals2000A_april_2023.txt");
   const auto set = TwoLineElements::read(data / "CTIM_20230419.tle").front();
   const Sgp4<Satellite> orbit(set, at_most(1.0 * si::day));
-  const auto graph = frame_graph(
-      edge([&](const Epoch& t) { return coincident(orientation.at(t)); }),
-      edge([&](const Epoch& t) { return coincident(teme_from_itrf(t, orientation.parameters(t))); }),
-      edge([&](const Epoch& t) { return parallel(orbit.at(t)); }),
-      edge([](const Displacement<Gcrf, Satellite, In<Gcrf>>& r,
-              const Velocity<Gcrf, Satellite, ObservedFrom<Gcrf>, In<Gcrf>>& v) {
-        return lvlh(from<Lvlh>, r, v);
-      }));
+  const auto graph = frame_graph(edge(orientation), edge(teme(orientation)), edge(orbit),
+                                 edge([](const Displacement<Gcrf, Satellite, In<Gcrf>>& r,
+                                         const Velocity<Gcrf, Satellite, ObservedFrom<Gcrf>, In<Gcrf>>& v) {
+                                   return lvlh(from<Lvlh>, r, v);
+                                 }));
 
   const auto igrf = MagneticField::igrf14();
   const auto egm = GravityField::egm2008();

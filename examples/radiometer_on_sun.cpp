@@ -145,11 +145,8 @@ void run(const std::filesystem::path& data) {
                                           4.728365e-03, -7.255375e-06)
               .quaternion);
   const SampledAttitude body(attitude, 30.0 * si::second);
-  const auto graph = frame_graph(
-      edge([&](const Epoch& t) { return coincident(orientation.at(t)); }),
-      edge([&](const Epoch& t) { return coincident(teme_from_itrf(t, orientation.parameters(t))); }),
-      edge([&](const Epoch& t) { return parallel(orbit.at(t)); }), edge(body),
-      rigid_edge(R_body_from_radiometer));
+  const auto graph = frame_graph(edge(orientation), edge(teme(orientation)), edge(orbit), edge(body),
+                                 rigid_edge(R_body_from_radiometer));
 
   const auto span = from_until(attitude.front().time, attitude.back().time);
   const Ephemeris<sky::Sun> sun(span);

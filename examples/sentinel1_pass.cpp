@@ -221,8 +221,8 @@ void run(const std::filesystem::path& data, const std::filesystem::path& table) 
   const auto R_body_from_axes = dcm_from_axes(to<Body>, -unit_y(in<QuaternionAxes>),
                                               -unit_x(in<QuaternionAxes>), -unit_z(in<QuaternionAxes>));
   const auto R_antenna_from_body = turned_y(to<Antenna>, from<Body>, convert<si::angle>(-90.0 * si::degree));
-  const auto graph = frame_graph(edge([&](const Epoch& t) { return earth.at(t); }), satellite, orbit_frame,
-                                 attitude, rigid_edge(R_body_from_axes), rigid_edge(R_antenna_from_body));
+  const auto graph = frame_graph(edge(earth), satellite, orbit_frame, attitude, rigid_edge(R_body_from_axes),
+                                 rigid_edge(R_antenna_from_body));
 
   std::vector<Look> looks;
   for (std::size_t i = 0; i + 1 < telemetry.attitude.size(); ++i) {

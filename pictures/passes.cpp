@@ -49,8 +49,7 @@ std::string passes() {
   const Geodetic place{GeodeticLatitude(degrees(48.08)), degrees(11.28), 600.0 * si::metre};
   const auto graph =
       frame_graph(edge([=](const Epoch& t) { return coincident(teme_from_itrf(t, observed)); }),
-                  edge([=](const Epoch& t) { return coincident(earth_rotation(t, observed)); }),
-                  edge([=](const Epoch& t) { return parallel(orbit.at(t)); }),
+                  edge([=](const Epoch& t) { return coincident(earth_rotation(t, observed)); }), edge(orbit),
                   rigid_edge(east_north_up(from<Place>, place)));
   const auto look = [&](const Epoch& t) {
     return look_angles(graph.at(t).position(of<Station>, relative_to<Place>, in<Place>));

@@ -54,7 +54,7 @@ Rows earth_rows() {
                                               arcseconds(1e-3 * number("dX_mas")),
                                               arcseconds(1e-3 * number("dY_mas"))};
     const Dcm<Itrf, Gcrf> R_itrf_from_gcrf = inverse(earth_rotation(epoch, observed).rotation);
-    const auto R_true_from_gcrf = true_of_date_from_gcrf(epoch);
+    const auto R_true_from_gcrf = true_of_date_from_gcrf(epoch).rotation;
     for (int row = 0; row < 3; ++row) {
       for (int column = 0; column < 3; ++column) {
         const auto entry = [&](const char* letter) {

@@ -5,9 +5,9 @@
 #include <vectrix/space/earth/earth_orientation.hpp>
 #include <vectrix/space/earth/ellipsoid.hpp>
 #include <vectrix/space/earth/eme2000.hpp>
+#include <vectrix/space/earth/frames_of_date.hpp>
 #include <vectrix/space/earth/intermediate_frames.hpp>
 #include <vectrix/space/earth/look_angles.hpp>
-#include <vectrix/space/earth/mean_of_date.hpp>
 #include <vectrix/space/earth/site.hpp>
 #include <vectrix/space/earth/teme.hpp>
 #include <vectrix/space/fields/exponential_atmosphere.hpp>

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 #include <vectrix/space/earth/earth_motion.hpp>
 
@@ -189,14 +190,14 @@ EarthMotion::EarthMotion(const EarthOrientation& orientation, const TimeSpan& sp
     detail::ut1_date(end, orientation.curves(end)(2, 0) * si::second);  // throws
   }
   const auto days = static_cast<std::size_t>(span.end().tai().day - first_day_) + 1;
-  cells_.resize(days * static_cast<std::size_t>(cells_of_a_day_ * cell_size));
+  std::vector<double> cells(days * static_cast<std::size_t>(cells_of_a_day_ * cell_size));
   const auto at = [&](std::size_t day, double fraction) {
     return Epoch::from_julian_date(scale::tai, first_day_ + static_cast<double>(day), fraction);
   };
   const auto midnight_of = [&](std::size_t day) {
     return midnight(at(day, 0.0), orientation.curves(at(day, 0.0)));
   };
-  auto next = cells_.begin();
+  auto next = cells.begin();
   const auto add = [&](const Cell& cell) { next = std::copy(cell.data(), cell.data() + cell_size, next); };
   Midnight start = midnight_of(0);
   for (std::size_t day = 0; day < days; ++day) {
@@ -220,6 +221,7 @@ EarthMotion::EarthMotion(const EarthOrientation& orientation, const TimeSpan& sp
     }
     start = end;
   }
+  cells_ = std::make_shared<const std::vector<double>>(std::move(cells));
 }
 
 EarthMotion::Place EarthMotion::place(const Epoch& epoch) const {
@@ -232,7 +234,7 @@ EarthMotion::Place EarthMotion::place(const Epoch& epoch) const {
   const auto index =
       static_cast<std::size_t>(tai.day - first_day_) * static_cast<std::size_t>(cells_of_a_day_) +
       static_cast<std::size_t>(in_day);
-  return {&cells_[index * cell_size], of_day - in_day};
+  return {cells_->data() + index * cell_size, of_day - in_day};
 }
 
 AcceleratingDcm<earth::Gcrf, earth::Itrf> EarthMotion::at(const Epoch& epoch) const {

@@ -26,27 +26,6 @@ MovingDcm<earth::Gcrf, earth::Itrf> earth_rotation(const Epoch& epoch,
          tirf_from_itrf(epoch, parameters);
 }
 
-Dcm<earth::TrueOfDate, earth::Gcrf> true_of_date_from_gcrf(const Epoch& epoch) {
-  detail::require_near_j2000({"true_of_date_from_gcrf"}, epoch);
-  const JulianDate tt = epoch.tt_date();
-  Rows rows;
-  eraPnm06a(tt.day, tt.fraction, rows);
-  return trust_dcm(to<earth::TrueOfDate>, from<earth::Gcrf>, Eigen::Matrix3d(matrix_of(rows)));
-}
-
-Dcm<earth::Itrf, earth::TrueOfDate> itrf_from_true_of_date(const Epoch& epoch,
-                                                           const EarthOrientationParameters& parameters) {
-  detail::require_near_j2000({"itrf_from_true_of_date"}, epoch);
-  detail::require_observed(epoch, parameters);
-  const JulianDate tt = epoch.tt_date();
-  const JulianDate ut1 = ut1_date(epoch, parameters.ut1_minus_tai);
-  Rows true_of_date;
-  eraPnm06a(tt.day, tt.fraction, true_of_date);
-  const double sidereal_time = eraGst06(ut1.day, ut1.fraction, tt.day, tt.fraction, true_of_date);
-  return inverse(tirf_from_itrf(epoch, parameters).rotation) *
-         turned_z(to<earth::Tirf>, from<earth::TrueOfDate>, sidereal_time * si::radian);
-}
-
 EarthOrientation::EarthOrientation(std::vector<Epoch> epochs, std::vector<EarthOrientationParameters> rows)
     : epochs_(std::move(epochs)), rows_(std::move(rows)) {
   detail::set_rates(epochs_, rows_);

@@ -9,8 +9,8 @@
 #include <vectrix/frames/graph/frame_graph.hpp>
 #include <vectrix/kinematics/points/rigid_edge.hpp>
 #include <vectrix/space/earth/eme2000.hpp>
+#include <vectrix/space/earth/frames_of_date.hpp>
 #include <vectrix/space/earth/intermediate_frames.hpp>
-#include <vectrix/space/earth/mean_of_date.hpp>
 #include <vectrix/space/earth/teme.hpp>
 #include <vectrix/space/sky/bodies.hpp>
 #include <vectrix/space/sky/iau_frames.hpp>
@@ -156,7 +156,7 @@ TEST(Teme, MistakesAndWhatTheyCost) {
   };
   const Eigen::Matrix3d itrf_from_gcrf = earth_rotation(p.epoch, p.observed).rotation.matrix().transpose();
   const Eigen::Matrix3d itrf_from_true_of_date =
-      vectrix::itrf_from_true_of_date(p.epoch, p.observed).matrix();
+      vectrix::itrf_from_true_of_date(p.epoch, p.observed).rotation.matrix();
 
   // Taken for Gcrf: precession, 50.29 arcsec a year about the pole of the ecliptic, and nutation.
   constexpr double obliquity = 23.44 / 180.0 * 3.14159265, nutation = 20.0 * arcsecond;

@@ -178,12 +178,17 @@ TEST(EarthMotion, IsContinuousWherePiecesJoin) {
 
 TEST(EarthMotion, IsAnEdgeOfAGraph) {
   const auto& earth = motion_2022();
-  const auto graph = frame_graph(edge([&](const Epoch& t) { return earth.at(t); }));
+  const auto graph = frame_graph(edge(earth), edge(teme(earth)));
   const auto t = Epoch::from_utc("2022-04-14T10:22:11");
   const auto now = graph.at(t);
   EXPECT_EQ(now.rotation(to<Gcrf>, from<Itrf>).matrix(), earth.at(t).rotation.matrix());
   EXPECT_EQ(now.angular_acceleration(of<Itrf>, relative_to<Gcrf>, in<Itrf>).coordinates(),
             earth.at(t).angular_acceleration.coordinates());
+  const auto in_teme = teme_from_itrf(t, earth);
+  EXPECT_EQ(now.rotation(to<earth::Teme>, from<Itrf>).matrix(), in_teme.rotation.matrix());
+  EXPECT_EQ(now.angular_acceleration(of<Itrf>, relative_to<earth::Teme>, in<Itrf>).coordinates(),
+            in_teme.angular_acceleration.coordinates());
+  EXPECT_EQ(now.position(of<Itrf>, relative_to<Gcrf>, in<Itrf>).coordinates(), Vector3d::Zero());
 }
 
 TEST(EarthMotion, RefusesSpansOutsideTheRowsAndEpochsOutsideTheSpan) {

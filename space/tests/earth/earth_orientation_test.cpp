@@ -12,6 +12,7 @@
 #include <vectrix/frames/scalar/larger.hpp>
 #include <vectrix/kinematics/attitude/log.hpp>
 #include <vectrix/space/earth/earth_orientation.hpp>
+#include <vectrix/space/earth/frames_of_date.hpp>
 #include <vectrix/space/earth/teme.hpp>
 #include <vectrix/space/files/csv_table.hpp>
 
@@ -69,9 +70,9 @@ TEST(EarthRotation, AgreesWithTwentyReferenceMatrices) {
     const auto with_offsets = inverse(earth_rotation(epoch, observed).rotation);
     EXPECT_LT(largest(with_offsets.matrix() - matrix(table, i, "C")), model_tolerance) << "row " << i;
 
-    const auto true_of_date = true_of_date_from_gcrf(epoch);
+    const auto true_of_date = true_of_date_from_gcrf(epoch).rotation;
     EXPECT_LT(largest(true_of_date.matrix() - matrix(table, i, "B")), model_tolerance) << "row " << i;
-    const auto by_the_equinox = itrf_from_true_of_date(epoch, observed) * true_of_date;
+    const auto by_the_equinox = itrf_from_true_of_date(epoch, observed).rotation * true_of_date;
     EXPECT_LT(largest(by_the_equinox.matrix() - matrix(table, i, "N")), model_tolerance) << "row " << i;
 
     observed.dX = observed.dY = 0.0 * si::radian;
@@ -199,12 +200,17 @@ TEST(EarthOrientation, RateFollowsTheLengthOfTheDay) {
 
 TEST(EarthOrientation, IsAnEdgeOfAGraph) {
   const auto orientation = EarthOrientation::read(april_2022);
-  const auto graph = frame_graph(edge([&](const Epoch& t) { return orientation.at(t); }));
+  const auto graph = frame_graph(edge(orientation), edge(teme(orientation)));
   const auto epoch = Epoch::from_utc("2022-04-14T10:22:11.874999");
   EXPECT_EQ(graph.at(epoch).rotation(to<earth::Gcrf>, from<earth::Itrf>).matrix(),
             orientation.at(epoch).rotation.matrix());
   const auto w = graph.at(epoch).angular_velocity(of<earth::Itrf>, relative_to<earth::Gcrf>, in<earth::Itrf>);
   EXPECT_EQ(w.coordinates(), orientation.at(epoch).angular_velocity.coordinates());
+  EXPECT_EQ(graph.at(epoch).rotation(to<earth::Teme>, from<earth::Itrf>).matrix(),
+            teme_from_itrf(epoch, orientation.parameters(epoch)).rotation.matrix());
+  EXPECT_EQ(
+      graph.at(epoch).position(of<earth::Teme>, relative_to<earth::Gcrf>, in<earth::Gcrf>).coordinates(),
+      Eigen::Vector3d::Zero());
 }
 
 // Twenty rows of real data, 1973 to 2023: how far the Earth without data is off, in arcsec.

@@ -9,12 +9,11 @@
 
 #include <vectrix/frames/graph/frame_graph.hpp>
 #include <vectrix/space/earth/intermediate_frames.hpp>
-#include <vectrix/space/earth/mean_of_date.hpp>
 
 namespace vectrix::intermediate_frames_test {
 namespace {
 
-using earth::Gcrf, earth::Cirf, earth::Tirf, earth::Itrf, earth::MeanOfDate;
+using earth::Gcrf, earth::Cirf, earth::Tirf, earth::Itrf;
 using Eigen::Matrix3d, Eigen::Vector3d;
 using Rows = double[3][3];
 
@@ -154,21 +153,6 @@ RC_GTEST_PROP(IntermediateFrames, CirfDoesNotTurnAboutItsPole, ()) {
   p.dX_rate = p.dY_rate = 0.0 * (si::radian / si::second);
   constexpr double microarcsec_a_day = 5.6e-17;  // rad/s
   RC_ASSERT(std::abs(gcrf_from_cirf(t, p).angular_velocity.coordinates().z()) <= microarcsec_a_day);
-}
-
-RC_GTEST_PROP(MeanOfDate, IsErfasAndNutationIsWhatIsMissing, ()) {
-  const Epoch t = any_epoch();
-  const auto tt = t.tt_date();
-  Rows rows;
-  eraPmat06(tt.day, tt.fraction, rows);
-  const Matrix3d mean = mean_of_date_from_gcrf(t).matrix();
-  RC_ASSERT(largest(mean - matrix_of(rows)) <= rounding);
-  eraNum06a(tt.day, tt.fraction, rows);
-  const Dcm<earth::TrueOfDate, MeanOfDate> nutation =
-      true_of_date_from_gcrf(t) * inverse(mean_of_date_from_gcrf(t));
-  RC_ASSERT(largest(nutation.matrix() - matrix_of(rows)) <= rounding);
-  constexpr double arcsecond = 4.84813681109536e-6;  // rad
-  RC_ASSERT(Eigen::AngleAxisd(nutation.matrix()).angle() < 21.0 * arcsecond);
 }
 
 TEST(IntermediateFrames, AreEdgesOfAGraph) {

@@ -9,6 +9,7 @@
 #include <thread>
 #include <vector>
 
+#include <vectrix/frames/graph/frame_graph.hpp>
 #include <vectrix/space/files/csv_table.hpp>
 #include <vectrix/space/orbit/elements.hpp>
 #include <vectrix/space/orbit/sgp4.hpp>
@@ -170,6 +171,23 @@ TEST(Sgp4, PathHasTheDerivativesOfThePosition) {
           << set.catalogue_number() << ", " << k;
     }
   }
+}
+
+TEST(Sgp4, IsAnEdgeOfAGraphWithTheDerivativesOfThePosition) {
+  const auto set = sets().front();
+  const Orbit orbit(set, ten_days);
+  const Epoch t = after(orbit.elements(), 100.0);
+  const auto graph = frame_graph(edge(orbit));
+  const auto now = graph.at(t);
+  const auto path = orbit.path(t);
+  using earth::Teme;
+  EXPECT_EQ(now.position(of<Ship>, relative_to<Teme>, in<Teme>).coordinates(),
+            path.motion.position.coordinates());
+  EXPECT_EQ(now.velocity(of<Ship>, relative_to<Teme>, observed_from<Teme>, in<Teme>).coordinates(),
+            path.motion.velocity.coordinates());
+  EXPECT_EQ(now.acceleration(of<Ship>, relative_to<Teme>, observed_from<Teme>, in<Teme>).coordinates(),
+            path.acceleration.coordinates());
+  EXPECT_EQ(now.rotation(to<Teme>, from<Ship>).matrix(), Eigen::Matrix3d::Identity());
 }
 
 // What is published as velocity is not the derivative of the position, and how far it is from it.

@@ -222,14 +222,14 @@ TEST(ZeroDopplerSteering, OfSentinel1) {
   using Place = Displacement<Itrf, Satellite, In<Itrf>>;
   using Speed = Velocity<Itrf, Satellite, ObservedFrom<Itrf>, In<Itrf>>;
   using Change = Acceleration<Itrf, Satellite, ObservedFrom<Itrf>, In<Itrf>>;
-  const auto graph = frame_graph(
-      edge([&](const Epoch& t) { return orientation.at(t); }),
-      sampled_edge(places, Hermite{7}, 20.0 * si::second), sampled_edge(attitude, 2.0 * si::second),
-      static_edge(dcm_from_axes(to<Real>, -unit_y(in<QuaternionAxes>), -unit_x(in<QuaternionAxes>),
-                                -unit_z(in<QuaternionAxes>))),
-      edge([](const Place& r, const Speed& v, const Change& a) {
-        return zero_doppler_steering(from<Body>, r, v, a);
-      }));
+  const auto graph =
+      frame_graph(edge(orientation), sampled_edge(places, Hermite{7}, 20.0 * si::second),
+                  sampled_edge(attitude, 2.0 * si::second),
+                  static_edge(dcm_from_axes(to<Real>, -unit_y(in<QuaternionAxes>),
+                                            -unit_x(in<QuaternionAxes>), -unit_z(in<QuaternionAxes>))),
+                  edge([](const Place& r, const Speed& v, const Change& a) {
+                    return zero_doppler_steering(from<Body>, r, v, a);
+                  }));
   ASSERT_GT(attitude.size(), 20u);
   const auto turn_of = [&](const auto& now) {
     return euler_angles(intrinsic<3, 2, 1>, now.rotation(to<Body>, from<Real>));

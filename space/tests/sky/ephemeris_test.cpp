@@ -212,7 +212,7 @@ TEST(Ephemeris, TheApparentSunCrossesTheEquatorAtTheEquinox) {
     const auto t = Epoch::from_utc(utc);
     const Eigen::Vector3d zero = Eigen::Vector3d::Zero();
     const auto line = the_sun().line_of_sight(t, moving(zero, zero), apparent);
-    return std::asin(direction((true_of_date_from_gcrf(t) * line).vector()).z().value());
+    return std::asin(direction((true_of_date_from_gcrf(t).rotation * line).vector()).z().value());
   };
   EXPECT_LT(declination("2022-03-20T15:33:00"), 0.0);
   EXPECT_GT(declination("2022-03-20T15:34:00"), 0.0);

@@ -297,10 +297,26 @@ template <class Scale>
 concept HasDate = requires(const Epoch& t, const Scale& scale) {
   t.julian_date(scale);
 };
+template <class A, class B>
+concept ComparesInAWay = requires(const A& a, const B& b) {
+  a < b;
+}
+|| requires(const A& a, const B& b) {
+  a > b;
+}
+|| requires(const A& a, const B& b) {
+  a <= b;
+}
+|| requires(const A& a, const B& b) {
+  a >= b;
+};
 using Tt = JulianDate<scale::Tt>;
 using Utc = JulianDate<scale::Utc>;
 
 static_assert(Compares<Tt, Tt> && Equates<Tt, Tt> && Subtracts<Epoch, Epoch>);
+static_assert(Tt{2451545.5, 0.25} > Tt{2451544.5, 0.75} && Tt{2451544.5, 0.25} <= Tt{2451544.5, 0.25});
+static_assert(Tt{2451544.5, 0.5} >= Tt{2451544.5, 0.25} && !(Tt{2451544.5, 0.5} <= Tt{2451544.5, 0.25}));
+static_assert(!ComparesInAWay<Tt, Utc> && !ComparesInAWay<Tt, Epoch> && !ComparesInAWay<Tt, double>);
 static_assert(!Compares<Tt, Utc> && !Equates<Tt, Utc> && !Compares<Epoch, Tt> && !Compares<Tt, Epoch>);
 static_assert(!Equates<Epoch, Tt> && !Equates<Tt, Epoch> && !Equates<Tt, double> && !Compares<Tt, double>);
 static_assert(!Subtracts<Tt, Tt> && !Subtracts<Tt, Utc> && !Subtracts<Epoch, Tt> && !Subtracts<Tt, Epoch>);

@@ -5,6 +5,8 @@
 #include <vector>
 
 #include <vectrix/frames/export.hpp>
+#include <vectrix/kinematics/points/coincident.hpp>
+#include <vectrix/kinematics/points/moving_transform.hpp>
 #include <vectrix/kinematics/rates/moving_dcm.hpp>
 #include <vectrix/space/time/time_span.hpp>
 
@@ -55,15 +57,8 @@ struct EarthOrientationParameters {
 VECTRIX_EXPORT MovingDcm<earth::Gcrf, earth::Itrf> earth_rotation(
     const Epoch& epoch, const EarthOrientationParameters& parameters);
 
-/// The classical method with the equinox: bias, precession and nutation of the same models without observed
-/// offsets (a few 1e-9 rad), then apparent sidereal time and polar motion. With dX = dY = 0 both methods
-/// agree to 1e-11.
-VECTRIX_EXPORT Dcm<earth::TrueOfDate, earth::Gcrf> true_of_date_from_gcrf(const Epoch& epoch);
-VECTRIX_EXPORT Dcm<earth::Itrf, earth::TrueOfDate> itrf_from_true_of_date(
-    const Epoch& epoch, const EarthOrientationParameters& parameters);
-
 /// The observed orientation of the Earth, one row per day, from the IERS series finals2000A:
-///     graph edge    edge([&](const Epoch& t) { return orientation.at(t); })
+///     graph edge    edge(orientation)
 /// Between rows each parameter is a cubic spline: twice continuously differentiable, and one cubic over the
 /// first two days and over the last two. UT1 is interpolated as UT1-TAI, so that a leap second does not
 /// matter. Away from the ends a change of one row changes the curve beyond the next row by at most 14 % of
@@ -96,6 +91,10 @@ class VECTRIX_EXPORT EarthOrientation {
   [[nodiscard]] EarthOrientationParameters parameters(const Epoch& epoch, SubdailyTides) const;
   /// R_itrf^gcrf and w_gi^i.
   [[nodiscard]] MovingDcm<earth::Gcrf, earth::Itrf> at(const Epoch& epoch) const;
+  /// The same with one origin: an edge of a frame graph.
+  MovingTransform<earth::Gcrf, earth::Itrf> operator()(const Epoch& epoch) const {
+    return coincident(at(epoch));
+  }
 
  private:
   friend class EarthMotion;

@@ -8,7 +8,7 @@
 #include <vectrix/frames/frame.hpp>
 #include <vectrix/frames/trusted.hpp>
 #include <vectrix/space/earth/eme2000.hpp>
-#include <vectrix/space/earth/mean_of_date.hpp>
+#include <vectrix/space/earth/frames_of_date.hpp>
 #include <vectrix/space/earth/teme.hpp>
 
 namespace vectrix {

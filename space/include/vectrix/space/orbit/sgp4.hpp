@@ -5,6 +5,8 @@
 #include <type_traits>
 #include <vectrix/kinematics/points/acceleration.hpp>
 #include <vectrix/kinematics/points/derivative.hpp>
+#include <vectrix/kinematics/points/moving_transform.hpp>
+#include <vectrix/kinematics/points/parallel.hpp>
 #include <vectrix/space/earth/teme.hpp>
 #include <vectrix/space/orbit/mean_elements.hpp>
 #include <vectrix/space/orbit/orbit_mean_elements_message.hpp>
@@ -97,8 +99,7 @@ template <Point Q> class Sgp4 {
     return detail::point_motion_of<earth::Teme, Q, earth::Teme>(model_.at(epoch));
   }
   /// The same position with its own derivatives, exact, for edges and frames with rates:
-  ///     edge([&](const Epoch& t) { const auto now = orbit.path(t); return parallel(now.motion,
-  ///     now.acceleration); }) lvlh(from<L>, now.motion, now.acceleration, now.jerk)
+  ///     lvlh(from<L>, now.motion, now.acceleration, now.jerk)
   /// Throws BadInput as at() does.
   [[nodiscard]] PointPath<earth::Teme, Q, earth::Teme> path(const Epoch& epoch) const {
     using earth::Teme;
@@ -107,6 +108,11 @@ template <Point Q> class Sgp4 {
             Acceleration<Teme, Q, ObservedFrom<Teme>, In<Teme>>{detail::trusted, now.a},
             Derivative<Teme, Teme, si::acceleration>{detail::trusted,
                                                      Vector<Teme, si::jerk>{detail::trusted, now.jerk}}};
+  }
+  /// path() with axes parallel to those of Teme: an edge of a frame graph, edge(orbit).
+  AcceleratingTransform<earth::Teme, Q> operator()(const Epoch& epoch) const {
+    const auto now = path(epoch);
+    return parallel(now.motion, now.acceleration);
   }
 
  private:

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <compare>
 #include <concepts>
 #include <vectrix/frames/operators.hpp>
 #include <vectrix/space/time/time_scale.hpp>
@@ -17,16 +18,15 @@ template <std::derived_from<TimeScale> Scale> struct JulianDate {
   [[nodiscard]] constexpr double modified_day() const { return day - 2400000.5; }
 
   // Members: the left operand alone says the scale, so that the compiler finds few candidates for two scales.
-  bool operator==(const JulianDate& other) const { return day == other.day && fraction == other.fraction; }
-  bool operator<(const JulianDate& other) const {
-    return day < other.day || (day == other.day && fraction < other.fraction);
-  }
+  bool operator==(const JulianDate& other) const = default;
+  std::partial_ordering operator<=>(const JulianDate& other) const = default;
   template <class Other>
     requires(!std::same_as<Other, JulianDate>)
   auto operator==(const Other&) const -> bool = delete;  // dates of one scale compare; else the epochs
   template <class Other>
     requires(!std::same_as<Other, JulianDate>)
-  auto operator<(const Other&) const -> bool = delete;  // dates of one scale compare; else the epochs
+  auto operator<=>(const Other&) const  // dates of one scale compare; else the epochs
+      -> std::partial_ordering = delete;
 };
 
 // Its sums and differences are refused.
