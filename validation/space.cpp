@@ -153,6 +153,67 @@ Rows eclipse_rows() {
            std::abs(after(bright[1]) - 4388.155843)}};
 }
 
+// Two eclipses of the Sun where they were greatest, as F. Espenak, NASA's GSFC, published them: with a Sun of
+// 959.63 arcsec at 1 au, and a Moon of 0.272281 equatorial radii where it covers the Sun or lies within it.
+struct SolarEclipse {
+  const char* from;                           // UTC
+  double latitude, longitude, ut1_minus_utc;  // deg, deg, s
+};
+class SeenFromTheGround {
+ public:
+  explicit SeenFromTheGround(const SolarEclipse& eclipse)
+      : span_(from_until(Epoch::from_utc(eclipse.from), 1800.0 * si::second)),
+        earth_(EarthOrientation::unobserved(span_, eclipse.ut1_minus_utc * si::second), span_),
+        sun_(span_),
+        moon_(span_),
+        place_(wgs84::position(
+            {GeodeticLatitude(degrees(eclipse.latitude)), degrees(eclipse.longitude), 0.0 * si::metre})) {}
+
+  // The part of the Sun's disc that is covered.
+  [[nodiscard]] double covered(const Epoch& t) const {
+    const auto graph = frame_graph(
+        edge(earth_), rigid_edge(Transform{aligned(to<Itrf>, from<Satellite>),
+                                           displacement(of<Satellite>, relative_to<Itrf>, place_)}));
+    const auto now = graph.at(t);
+    return 1.0 - visible_sun(sun_.line_of_sight(now, seen_from<Satellite>, apparent, in<Gcrf>),
+                             moon_.line_of_sight(now, seen_from<Satellite>, apparent, in<Gcrf>),
+                             0.272281 * wgs84::semi_major_axis, 6.96e8 * si::metre);
+  }
+  [[nodiscard]] const TimeSpan& span() const { return span_; }
+  // While more than this part is covered.
+  [[nodiscard]] TimeSpan longest(double part) const {
+    const auto found = intervals(span_, 5.0 * si::second, [&](const Epoch& t) {
+      return Quantity<si::dimensionless>{covered(t) - part};
+    });
+    if (found.size() != 1) throw std::runtime_error("solar eclipse: not one interval");
+    return found.front();
+  }
+
+ private:
+  TimeSpan span_;
+  EarthMotion earth_;
+  Ephemeris<sky::Sun> sun_;
+  Ephemeris<sky::Moon> moon_;
+  Vector<Itrf, si::length> place_;
+};
+
+Rows solar_eclipse_rows() {
+  const SeenFromTheGround total({"2017-08-21T18:10:00", 36.0 + 58.0 / 60.0, -87.0 - 40.3 / 60.0, 0.34});
+  const TimeSpan dark = total.longest(1.0 - 1e-10);
+  const Epoch middle = dark.start() + 0.5 * (dark.end() - dark.start());
+  const double later = (middle - Epoch::from_utc("2017-08-21T18:25:32")).value();
+  const SeenFromTheGround annular({"2023-10-14T17:45:00", 11.4, -83.1, 0.0});
+  double covered = 0.0;
+  for (const Epoch& t : every(1.0 * si::second, annular.span()))
+    covered = std::max(covered, annular.covered(t));
+  return {{"Sky", "total eclipse of 2017, NASA's prediction", "duration", 6.0, "s",
+           "eraMoon98 is up to 15 km off, in a shadow 115 km wide",
+           std::abs((dark.end() - dark.start()).value() - 160.1)},
+          {"Sky", "the same", "middle", 25.0, "s", "the shadow passes 15 km in 25 s", std::abs(later)},
+          {"Sky", "annular eclipse of 2023, NASA's prediction", "covered part of the Sun", 1e-3, "",
+           "three printed decimals; the Moon's distance", std::abs(covered - 0.907)}};
+}
+
 // The nominal attitude of two Galileo satellites, by Orekit's test of it.
 Rows yaw_steering_rows() {
   const auto table = CsvTable::read(figures / "galileo_yaw_steering.csv", {"x_m", "sun_x_m", "axis_x"});
@@ -256,8 +317,8 @@ Rows field_rows() {
 
 Rows space_rows(const std::string& /*data*/) {
   Rows rows;
-  for (const auto part :
-       {earth_rows, sgp4_rows, element_rows, eclipse_rows, yaw_steering_rows, flight_rows, field_rows}) {
+  for (const auto part : {earth_rows, sgp4_rows, element_rows, eclipse_rows, solar_eclipse_rows,
+                          yaw_steering_rows, flight_rows, field_rows}) {
     const Rows more = part();
     rows.insert(rows.end(), more.begin(), more.end());
   }
