@@ -62,7 +62,7 @@ def wrong_quotation(block: Block) -> str | None:
 
 
 def runs(block: Block) -> bool:
-    return block.is_program and re.search(r"^int main\(", block.text, re.M) is not None
+    return block.is_commands or block.is_program and re.search(r"^int main\(", block.text, re.M) is not None
 
 
 def wrong_block(block: Block, before: Block | None) -> str | None:
@@ -72,6 +72,8 @@ def wrong_block(block: Block, before: Block | None) -> str | None:
         return "a program comes before this, and not what it prints"
     if block.is_program:
         return None if runs(block) else "no main(): neither a program nor said to be lines of one"
+    if block.is_commands:
+        return None
     if block.kind == "cpp":
         return wrong_quotation(block)
     if block.kind == "text":

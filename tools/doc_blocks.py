@@ -1,7 +1,8 @@
 """The fenced blocks of the pages.
 
     ```cpp                    a whole program
-    ```text                   right after a program: what it prints
+    ```sh vectrix             commands of the program vectrix
+    ```text                   right after a program or commands: what they print
     ```csv <file>             a file that the programs of the page find beside them
     ```cpp <file> [<case>]    lines out of a program that the tests compile, or out of one case of refused programs
 
@@ -30,6 +31,10 @@ class Block:
     @property
     def is_program(self) -> bool:
         return self.kind == "cpp" and not self.of
+
+    @property
+    def is_commands(self) -> bool:
+        return self.kind == "sh" and self.of == ["vectrix"]
 
 
 def all_pages(root: Path = ROOT) -> list[Path]:

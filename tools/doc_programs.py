@@ -2,7 +2,8 @@
 """Writes the programs of the pages, for cmake/tests/docs.cmake: doc_programs.py --folder build/docs --layers frames ...
 
 In <folder>/<page> each page has its programs, 1.cpp and so on, what they print, 1.txt, and its files. <folder>/programs.cmake
-names the pages, and calls doc_program(<page> <number> <layer> ALONE|PRECOMPILED) for each program. The layer is the highest of
+names the pages, and calls doc_program(<page> <number> <layer> ALONE|PRECOMPILED) for each program, and doc_commands(<page>
+<number>) for commands of the program vectrix, 1.sh and so on. The layer is the highest of
 which the program includes a header. PRECOMPILED are those that include the whole of it, <vectrix/layer.hpp>, if there are
 several: to precompile that adds nothing to what they include.
 """
@@ -40,6 +41,9 @@ def page_files(page: Path) -> dict[str, str]:
         if block.is_program:
             number += 1
             files[f"{number}.cpp"] = f'#line {block.line} "{page}"\n{block.text}'
+        elif block.is_commands:
+            number += 1
+            files[f"{number}.sh"] = block.text
         elif block.kind == "text":
             files[f"{number}.txt"] = f"{TOLERANCE}\n{block.text}"
         elif block.kind == "csv":
@@ -92,6 +96,7 @@ def main() -> int:
         if files:
             write(options.folder / page_name(page), files)
         programs += programs_of(page_name(page), files, options.layers)
+        lines += [f"doc_commands({page_name(page)} {Path(file).stem})" for file in files if file.endswith(".sh")]
     lines += calls(programs)
     write(options.folder, {"programs.cmake": "\n".join(lines) + "\n"})
     return 0

@@ -21,7 +21,7 @@ from pathlib import Path
 from typing import Iterator
 
 LAYERS = ("frames", "kinematics", "space", "dynamics")
-ABOVE = ("examples", "pictures", "validation", "accuracy")
+ABOVE = ("cli", "examples", "pictures", "validation", "accuracy")
 
 ERFA = "erfa"
 SOLVERS = "sundials/|cvode/|arkode/|nvector/|sunmatrix/|sunlinsol/|sunnonlinsol/"

@@ -35,6 +35,12 @@ endfunction()
 add_test(NAME package.install COMMAND ${CMAKE_COMMAND} --install ${PROJECT_BINARY_DIR} --prefix ${work}/prefix)
 set_tests_properties(package.install PROPERTIES FIXTURES_SETUP installed)
 
+if(TARGET vectrix_program)
+  add_test(NAME package.program COMMAND ${work}/prefix/bin/vectrix --version)
+  set_tests_properties(package.program PROPERTIES FIXTURES_REQUIRED installed
+                                                  PASS_REGULAR_EXPRESSION "^${PROJECT_VERSION}\n$")
+endif()
+
 consumer(installed package "frames;kinematics;${libraries}" ${hidden})
 consumer(fetched fetch "frames;kinematics" ${hidden})
 consumer(subdirectory subdirectory "frames;kinematics;${libraries}")

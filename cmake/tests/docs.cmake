@@ -27,6 +27,16 @@ function(doc_program page number layer headers)
            COMMAND compare_output ${folder}/${page}/${number}.txt $<TARGET_FILE:${program}>)
 endfunction()
 
+function(doc_commands page number)
+  if(NOT TARGET vectrix_program)
+    return()
+  endif()
+  file(CREATE_LINK ${PROJECT_SOURCE_DIR}/examples ${folder}/${page}/examples SYMBOLIC)
+  add_test(NAME docs.${page}.${number} WORKING_DIRECTORY ${folder}/${page}
+           COMMAND ${CMAKE_COMMAND} -E env PATH=$<TARGET_FILE_DIR:vectrix_program>:$ENV{PATH}
+                   $<TARGET_FILE:compare_output> ${folder}/${page}/${number}.txt sh ${folder}/${page}/${number}.sh)
+endfunction()
+
 include(${folder}/programs.cmake)
 file(GLOB_RECURSE found CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/docs/*.md)
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${doc_pages} ${tools}/doc_programs.py ${tools}/doc_blocks.py)

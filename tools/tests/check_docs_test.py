@@ -11,7 +11,7 @@ TOOLS = Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(TOOLS))
 
 import doc_programs  # noqa: E402
-from check_docs import is_compiled, missing_units, wrong_quotation  # noqa: E402
+from check_docs import is_compiled, missing_units, wrong_blocks, wrong_quotation  # noqa: E402
 from doc_blocks import BadPage, Block, page_name, read_blocks  # noqa: E402
 
 SAMPLE = TOOLS / "tests" / "samples" / "docs.md"
@@ -70,6 +70,16 @@ class Programs(unittest.TestCase):
         self.assertEqual(files["1.cpp"], f'#line 6 "{page}"\nint main() {{}}\n')
         self.assertEqual(files["1.txt"], f"{doc_programs.TOLERANCE}\nnothing\n")
         self.assertEqual(len(doc_programs.programs_of("page", files, ["frames", "kinematics"])), 1)
+
+    def test_runs_commands(self) -> None:
+        page = self.folder / "page.md"
+        page.write_text("```sh vectrix\nvectrix --version\n```\n```text\n0.1\n```\n")
+        files = doc_programs.page_files(page)
+        self.assertEqual(files["1.sh"], "vectrix --version\n")
+        self.assertEqual(files["1.txt"], f"{doc_programs.TOLERANCE}\n0.1\n")
+        self.assertEqual(wrong_blocks(page), [])
+        page.write_text("```sh vectrix\nvectrix --version\n```\nand no output\n")
+        self.assertEqual(len(wrong_blocks(page)), 1)
 
     def test_finds_the_layer(self) -> None:
         layers = ["frames", "kinematics", "dynamics"]

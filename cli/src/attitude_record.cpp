@@ -1,0 +1,122 @@
+#include "attitude_record.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+namespace vectrix::cli {
+namespace {
+
+constexpr double radians_per_degree = std::numbers::pi / 180.0;
+
+// A name of an inertial reference as the record has it; nothing for another frame.
+std::optional<std::string> inertial(std::string name) {
+  std::transform(name.begin(), name.end(), name.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  if (name == "EME2000" || name == "J2000") return "EME2000";
+  if (name == "GCRF" || name == "ICRF") return "GCRF";
+  return std::nullopt;
+}
+
+void require_two(const AttitudeRecord& record) {
+  if (record.size() < 2)
+    throw BadInput(record.file + ": there is " + detail::text(record.size()) +
+                   " sample; at least two are needed");
+}
+
+}  // namespace
+
+Eigen::Quaterniond AttitudeRecord::to_reference(std::size_t sample, const Convention& convention) const {
+  const auto& n = numbers[sample];
+  const Eigen::Quaterniond q = convention.scalar == Convention::Scalar::first
+                                   ? Eigen::Quaterniond(n[0], n[1], n[2], n[3])
+                                   : Eigen::Quaterniond(n[3], n[0], n[1], n[2]);
+  const Eigen::Quaterniond unit = q.normalized();
+  return convention.maps == Convention::Maps::to_reference ? unit : unit.conjugate();
+}
+
+AttitudeRecord read_table(const std::filesystem::path& file, const TableColumns& columns) {
+  const auto table = CsvTable::read(file, {});
+  AttitudeRecord record;
+  record.file = file.string();
+  record.body = "the body";
+  const auto reference = inertial(columns.reference);
+  if (!reference)
+    throw BadInput("the reference '" + columns.reference + "' is none of EME2000, J2000, GCRF, ICRF");
+  record.reference = *reference;
+  record.stated = columns.stated;
+  record.rate_axes = columns.rate_axes;
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    const auto time = table.value(row, columns.time,
+                                  [&](const std::string& text) { return Epoch::from(columns.scale, text); });
+    if (!record.times.empty() && !(record.times.back() < time))
+      table.refuse(row, columns.time, table.text(row, columns.time) + " is not after the row before");
+    record.times.push_back(time);
+    std::array<double, 4> q{};
+    double square = 0.0;
+    for (std::size_t i = 0; i < 4; ++i) {
+      q[i] = table.number(row, columns.quaternion[i]);
+      square += q[i] * q[i];
+    }
+    if (!(square > 0.0 && std::isfinite(square)))
+      table.refuse(row, columns.quaternion[0],
+                   "the squared norm of the quaternion is " + detail::text(square) + "; it has no direction");
+    record.numbers.push_back(q);
+    if (columns.rates.empty()) continue;
+    Eigen::Vector3d w;
+    for (std::size_t i = 0; i < 3; ++i)
+      w[static_cast<Eigen::Index>(i)] = table.number(row, columns.rates[i]);
+    record.rates.emplace_back(columns.rates_in_degrees ? Eigen::Vector3d(radians_per_degree * w) : w);
+  }
+  require_two(record);
+  return record;
+}
+
+AttitudeRecord read_message(const std::filesystem::path& file, std::size_t segment) {
+  const auto message = AttitudeEphemerisMessage::read(file);
+  if (segment < 1 || segment > message.segments().size())
+    throw BadInput(file.string() + ": asked for segment " + detail::text(segment) + " of " +
+                   detail::text(message.segments().size()));
+  const auto& part = message.segments()[segment - 1];
+  const auto a = inertial(part.ref_frame_a()), b = inertial(part.ref_frame_b());
+  if (a.has_value() == b.has_value())
+    throw BadInput(file.string() + ": the frames are '" + part.ref_frame_a() + "' and '" +
+                   part.ref_frame_b() + "'; one of them must be EME2000, J2000, GCRF or ICRF, the other a body");
+  const detail::AttitudeLines& lines = part.lines(detail::trusted);
+  AttitudeRecord record;
+  record.file = file.string();
+  record.body = a ? part.ref_frame_b() : part.ref_frame_a();
+  record.reference = a ? *a : *b;
+  record.times = lines.times;
+  if (part.type() == AttitudeType::euler_angle) {
+    struct Reference : inertial_frame {};
+    struct Body : moving_frame {};
+    record.has_quaternions = false;
+    record.stated = {Convention::Scalar::last, Convention::Maps::to_reference};
+    const auto& reference_name = a ? part.ref_frame_a() : part.ref_frame_b();
+    for (const auto& sample : part.samples<Reference, Body>(called<Reference>(reference_name),
+                                                            called<Body>(record.body)))
+      record.numbers.push_back(sample.q_a_from_b.scalar_last());
+  } else {
+    // A2B: v^a = R(q) v^b.
+    const bool to_a = !lines.is_b_to_a;
+    record.stated = {lines.is_scalar_first ? Convention::Scalar::first : Convention::Scalar::last,
+                     to_a == a.has_value() ? Convention::Maps::to_reference : Convention::Maps::to_body};
+    const std::size_t width = part.type() == AttitudeType::quaternion_rate ? 7 : 4;
+    for (std::size_t i = 0; i < part.size(); ++i) {
+      const double* line = lines.numbers.data() + i * width;
+      record.numbers.push_back({line[0], line[1], line[2], line[3]});
+      if (width == 7)
+        record.rates.push_back(radians_per_degree * Eigen::Vector3d(line[4], line[5], line[6]));
+    }
+    if (!record.rates.empty())
+      record.rate_axes =
+          (lines.rate_frame == "REF_FRAME_A") == a.has_value() ? RateAxes::reference : RateAxes::body;
+  }
+  require_two(record);
+  return record;
+}
+
+}  // namespace vectrix::cli

@@ -1,0 +1,90 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "flown_orbit.hpp"
+#include "space/tests/temporary_file.hpp"
+
+namespace vectrix::cli::flown_orbit_test {
+namespace {
+
+using earth::Eme2000, earth::Gcrf, earth::Itrf, earth::Teme;
+using Eigen::Vector3d;
+
+const auto start = Epoch::from_utc("2023-04-20T05:00:00");
+const auto span = from_until(start, 3600.0 * si::second);
+
+// A low circular orbit in the axes of any frame.
+template <Frame A> PointMotion<A, Satellite, A> motion(const Epoch& t) {
+  constexpr double r = 7e6, n = 1.08e-3;
+  const double u = n * (t - start).value();
+  const Vector3d x(1.0, 0.0, 0.0), y(0.0, std::cos(1.0), std::sin(1.0));
+  return point_motion(of<Satellite>, relative_to<A>, observed_from<A>,
+                      vector<si::length>(in<A>, r * (std::cos(u) * x + std::sin(u) * y)),
+                      vector<si::velocity>(in<A>, r * n * (std::cos(u) * y - std::sin(u) * x)));
+}
+template <Frame A> OrbitEphemerisSegment segment(double from, double until) {
+  std::vector<PositionSample<A, Satellite, Epoch>> samples;
+  for (double s = from; s <= until; s += 60.0) samples.push_back({start + s * si::second, motion<A>(start + s * si::second)});
+  EphemerisMetadata metadata{"SATELLITE", "2023-001A"};
+  metadata.interpolation = "HERMITE";
+  metadata.interpolation_degree = 7;
+  return {metadata, samples};
+}
+std::string message(const std::vector<OrbitEphemerisSegment>& segments) {
+  return OrbitEphemerisMessage({"2.0", "2026-11-29T00:00:00", "TEST"}, segments).text();
+}
+
+// Between samples: Hermite of degree 7 leaves 1e-6 m of a circle of 60 s steps; kilometres are written to the
+// last bit.
+constexpr double of_interpolation = 1e-5;  // m
+
+template <Frame A> Vector3d at(const Epoch& t) {
+  TemporaryFile file(message({segment<A>(0.0, 3600.0)}));
+  return orbit_of_message(file.path(), span)(t).position.coordinates();
+}
+
+TEST(FlownOrbit, IsInGcrfWhateverFrameTheMessageHas) {
+  const auto t = start + 1234.5 * si::second;
+  EXPECT_LE((at<Gcrf>(t) - motion<Gcrf>(t).position.coordinates()).norm(), of_interpolation);
+  const Vector3d by_bias =
+      (inverse(eme2000_from_gcrf()) * motion<Eme2000>(t).position.vector()).coordinates();
+  EXPECT_LE((at<Eme2000>(t) - by_bias).norm(), of_interpolation);
+  EXPECT_GT((at<Eme2000>(t) - motion<Gcrf>(t).position.coordinates()).norm(), 0.1);
+  // With an Earth as it may be observed: the pole, and another UT1. Only dX and dY do not cancel.
+  EarthOrientationParameters observed{};
+  observed.ut1_minus_tai = (0.3 - 37.0) * si::second;
+  observed.pole_x = 1e-6 * si::radian;
+  observed.pole_y = 2e-6 * si::radian;
+  const auto R_gcrf_from_teme =
+      earth_rotation(t, observed).rotation * inverse(teme_from_itrf(t, observed).rotation);
+  const Vector3d by_the_earth = (R_gcrf_from_teme * motion<Teme>(t).position.vector()).coordinates();
+  constexpr double of_equinox = 0.3 * 8e-12 * 7e6;  // m: TEME turns by 8e-12 rad/s, and UT1 by 0.3 s
+  EXPECT_LE((at<Teme>(t) - by_the_earth).norm(), of_interpolation + of_equinox);
+  EXPECT_GT((at<Teme>(t) - motion<Gcrf>(t).position.coordinates()).norm(), 1e4);
+}
+
+TEST(FlownOrbit, TakesTheFirstSegmentThatHasTheEpoch) {
+  TemporaryFile file(message({segment<Gcrf>(0.0, 1200.0), segment<Eme2000>(1800.0, 3600.0)}));
+  const auto orbit = orbit_of_message(file.path(), span);
+  const auto early = start + 601.0 * si::second, late = start + 2401.0 * si::second;
+  EXPECT_LE((orbit(early).position.coordinates() - motion<Gcrf>(early).position.coordinates()).norm(),
+            of_interpolation);
+  EXPECT_GT((orbit(late).position.coordinates() - motion<Gcrf>(late).position.coordinates()).norm(), 0.1);
+  EXPECT_EQ(complaint([&] { (void)orbit(start + 1500.0 * si::second); }, file.path()),
+            "FILE: the epoch 2023-04-20T05:25:00.000000 UTC of an attitude is in no segment");
+}
+
+TEST(FlownOrbit, RefusesAnEarthFixedMessageAndOldElements) {
+  TemporaryFile file(message({segment<Itrf>(0.0, 3600.0)}));
+  const auto fixed = complaint([&] { (void)orbit_of_message(file.path(), span); }, file.path());
+  EXPECT_NE(fixed.find("REF_FRAME is 'ITRF', earth::Itrf; asked for 'GCRF' (earth::Gcrf)"), std::string::npos)
+      << fixed;
+  const auto elements = std::filesystem::path(VECTRIX_SOURCE_DIR) / "examples/data/CTIM_20230419.tle";
+  const auto later = from_until(Epoch::from_utc("2023-05-20T05:00:00"), 60.0 * si::second);
+  const auto old = complaint([&] { (void)orbit_of_elements(elements, later)(later.start()); });
+  EXPECT_NE(old.find("604800 s"), std::string::npos) << old;
+}
+
+}  // namespace
+}  // namespace vectrix::cli::flown_orbit_test
