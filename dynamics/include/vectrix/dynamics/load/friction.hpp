@@ -153,8 +153,8 @@ JointFriction<C, On, Effort, Speed, Damping> friction(const C&, Of<On>, const Qu
   detail::not_negative("friction", "Coulomb effort", coulomb);
   detail::positive("friction", "breakaway effort", breakaway);
   if (breakaway < coulomb)
-    throw BadInput("friction: the breakaway effort is " + detail::text(breakaway) +
-                   ", less than the Coulomb effort, " + detail::text(coulomb));
+    throw BadInput("friction: the breakaway effort is " + detail::all_digits(breakaway) +
+                   ", less than the Coulomb effort, " + detail::all_digits(coulomb));
   detail::positive("friction", "Stribeck speed", stribeck_speed);
   detail::not_negative("friction", "viscous damping", viscous);
   return {coulomb, breakaway, stribeck_speed, viscous};

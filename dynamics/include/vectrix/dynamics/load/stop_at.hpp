@@ -46,8 +46,9 @@ template <CraftType C, class B, class K, class D, class Q> struct JointStops {
       for (const int side : {1, -1}) {
         const double beyond = stops.beyond(side, now);
         if (beyond > 0.0)
-          throw BadInput("stop_at: " + frame_name<B>() + " starts at " + detail::text(now.coordinate(of<B>)) +
-                         ", outside [" + detail::text(stops.lower) + ", " + detail::text(stops.upper) + "]");
+          throw BadInput("stop_at: " + frame_name<B>() + " starts at " +
+                         detail::all_digits(now.coordinate(of<B>)) + ", outside [" +
+                         detail::all_digits(stops.lower) + ", " + detail::all_digits(stops.upper) + "]");
         if (beyond == 0.0 && side * now.speed(of<B>).value() > 0.0) return State{side};
       }
       return State{};
@@ -94,8 +95,8 @@ JointStops<C, B, K, D, Q> stop_at(const C&, Of<B>, const Quantity<Q>& lower, con
   detail::finite("stop_at", "lower limit", lower);
   detail::finite("stop_at", "upper limit", upper);
   if (!(lower < upper))
-    throw BadInput("stop_at: the lower limit is " + detail::text(lower) + ", the upper " +
-                   detail::text(upper));
+    throw BadInput("stop_at: the lower limit is " + detail::all_digits(lower) + ", the upper " +
+                   detail::all_digits(upper));
   return {lower, upper, detail::positive("stop_at", "stiffness", stiffness),
           detail::not_negative("stop_at", "damping", damping)};
 }
