@@ -53,6 +53,9 @@ template <class Ends, class Begins> struct Settling {
   Ends ends;
   Begins begins;
 };
+template <class Ends, class Begins> Settling<Ends, Begins> settling(const Ends& ends, const Begins& begins) {
+  return {ends, begins};
+}
 template <class Part> inline constexpr bool is_settling = false;
 template <class Ends, class Begins> inline constexpr bool is_settling<Settling<Ends, Begins>> = true;
 template <class Ends, class Begins> struct PartOf<Settling<Ends, Begins>> {

@@ -133,7 +133,7 @@ template <CraftType C, class On, class Effort, class Speed, class Damping> struc
                       at_start(at_first),
                       when(name + " comes to rest", slipping, ode::Direction::falling, becomes(State{})),
                       when(name + " breaks away", breaking, ode::Direction::rising, as_it_is),
-                      detail::Settling{rests, begins}};
+                      detail::settling(rests, begins)};
   }
 };
 

@@ -79,7 +79,7 @@ template <CraftType C, class B, class K, class D, class Q> struct JointStops {
         when(name + " meets its upper stop", enters(1), ode::Direction::rising, becomes(State{1})),
         when(name + " meets its lower stop", enters(-1), ode::Direction::rising, becomes(State{-1})),
         when(name + " leaves its stop", leaves, ode::Direction::falling, becomes(State{})),
-        detail::Settling{stays, leans}};
+        detail::settling(stays, leans)};
   }
 };
 
