@@ -63,7 +63,7 @@ TEST(FrictionLimit, AWheelSticksUpToTheLimitAndSlipsAboveIt) {
             EXPECT_GE(sign * wheel_of(flight.at((begin + t) * s)), 0.0);
           }
           EXPECT_GT(sign * wheel_of(flight.at((begin + 9.0) * s)), 0.0);
-          const double braking = law.M_s * (1.0 / J_wheel + 1.0 / (J_hub - J_wheel));
+          const double braking = law.M_s * (1.0 / J_wheel + 1.0 / (J_hub - J_wheel + J_mass));
           EXPECT_NEAR(wheel_of(flight.at((begin + 20.0) * s)), 0.0, braking * late_rounding);
           EXPECT_EQ(flight.template held<StickSlip<Wheel>>((begin + 20.0) * s).slips, 0);
         }
@@ -74,7 +74,7 @@ TEST(FrictionLimit, AWheelSticksUpToTheLimitAndSlipsAboveIt) {
 TEST(FrictionLimit, AWheelThatCameToRestIsNotDrivenOn) {
   const Sat sat;
   const Law law{0.02, 0.05};
-  const double braking = law.M_s * (1.0 / J_wheel + 1.0 / (J_hub - J_wheel));
+  const double braking = law.M_s * (1.0 / J_wheel + 1.0 / (J_hub - J_wheel + J_mass));
   for (const double begin : {0.0, late})
     for (const double sign : {1.0, -1.0})
       for (const double above : {1e-14, 1e-12, 1e-10, 1e-8}) {
