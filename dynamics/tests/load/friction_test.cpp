@@ -204,6 +204,30 @@ TEST(Friction, SeveralStickOnOneCraft) {
   EXPECT_EQ(end.speed(of<Mass>).value(), 0.0);
 }
 
+// The accelerations are those of all joints: they are solved once for all zeros that see an instant, and only
+// while something sticks.
+TEST(Friction, SeveralThatStickCostNoMoreThanOne) {
+  const Sat sat;
+  const auto wheel = friction(sat, of<Wheel>, 0.2 * N_m, 0.2 * N_m, 1.0 * rad_s, 0.0 * N_m_s);
+  const auto panel = friction(sat, of<Panel>, 0.3 * N_m, 0.3 * N_m, 1.0 * rad_s, 0.0 * N_m_s);
+  const auto mass = friction(sat, of<Mass>, 1.0 * N, 1.0 * N, 1.0 * m_s, 0.0 * (N / m_s));
+  const auto motor = pulse(sat, of<Wheel>, 0.1 * N_m, 1.0 * s, 2.0 * s);
+  std::size_t calls = 0;
+  const auto counting = [&calls](const Now<Sat>&, Forces<Sat>&) { ++calls; };
+  // The loads are called for each rate, and besides for each instant that is solved for the zeros.
+  const auto besides = [&](double spin, const auto&... rubbing) {
+    calls = 0;
+    const auto flight = propagate(scenario(sat, rubbing..., motor, counting),
+                                  start_of(sat, {.spin = spin, .hub_rate = 0.1}), until(3.0));
+    EXPECT_EQ(flight.events().size(), 0U);
+    return calls - flight.solution().statistics().rhs_evaluations;
+  };
+  const std::size_t of_one = besides(0.0, wheel);
+  EXPECT_GT(of_one, 0U);
+  EXPECT_EQ(besides(0.0, wheel, panel, mass), of_one);
+  EXPECT_EQ(besides(50.0, wheel), 0U);
+}
+
 TEST(Friction, RefusesBadInput) {
   const Sat sat;
   const auto complaint = [&](double coulomb, double breakaway, double u_s, double c) {
