@@ -159,9 +159,13 @@ template <CraftType C, class... Parts> class Flight {
     X& value = std::get<X>(values_);
     const bool as_held = value == x;
     if (!(as_held && solved_)) {
-      const X held = std::exchange(value, x);
+      struct Restored {
+        X& value;
+        X held;
+        ~Restored() { value = std::move(held); }
+      } restored{value, std::exchange(value, x)};
+      solved_ = false;
       rates_(t_, y_.data(), ydot_.data());
-      value = held;
       solved_ = as_held;
     }
     return {{trusted, *core_, t_, y_.data(), rates_.work()}, ydot_.data()};
