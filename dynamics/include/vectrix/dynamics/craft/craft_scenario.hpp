@@ -2,6 +2,7 @@
 
 #include <concepts>
 #include <cstddef>
+#include <functional>
 #include <tuple>
 #include <type_traits>
 #include <utility>
@@ -32,23 +33,34 @@ template <class G, class F> struct PartOf<Change<Zero<G>, F>> {
   static constexpr bool load = false, held = false, ticks = false, zero = true;
 };
 
-/// What a zero or a settling value of a load sees: an instant with its accelerations, under all loads.
-template <CraftType C> struct Solved {
-  Solved(const Now<C>& at, const double* ydot = nullptr) : now(at), rates(ydot) {}
+/// An instant with the derivative of its state under all loads.
+template <CraftType C> struct Accelerated {
   Now<C> now;
-  const double* rates;  ///< the derivative of the state
+  const double* rates;
 };
-/// At the start of each smooth segment, after all changes, a held value that is X{} may become another at
-/// once: what the function of const Solved<C>& gives. A joint that sticks breaks away when its load jumps.
-template <class F> struct Settling { F function; };
-template <class F> Settling<F> settling(const F& function) {
-  return {function};
+/// What a zero or a settling value of a load sees: an instant, and its accelerations if the held X were `x`.
+/// They are solved when they are asked for; those of the held X once for all functions that see the instant.
+template <CraftType C, class X> struct Solved {
+  Solved(const Now<C>& at, std::function<Accelerated<C>(const X& x)> solve = {})
+      : now(at), with(std::move(solve)) {}
+  Now<C> now;
+  std::function<Accelerated<C>(const X& x)> with;  ///< it overwrites what it gave before
+};
+/// At the start of each smooth segment, after all changes, X may settle: `ends` says which X is no longer
+/// what it was, as a joint that is at rest no longer slips, and becomes X{}; then an X{} may become another,
+/// what `begins` gives: a joint breaks away when its load jumps.
+template <class Ends, class Begins> struct Settling {
+  Ends ends;
+  Begins begins;
+};
+template <class Ends, class Begins> Settling<Ends, Begins> settling(const Ends& ends, const Begins& begins) {
+  return {ends, begins};
 }
-template <class F> struct PartOf<Settling<F>> {
+template <class Part> inline constexpr bool is_settling = false;
+template <class Ends, class Begins> inline constexpr bool is_settling<Settling<Ends, Begins>> = true;
+template <class Ends, class Begins> struct PartOf<Settling<Ends, Begins>> {
   static constexpr bool load = false, held = false, ticks = false, zero = false;
 };
-template <class Part> inline constexpr bool is_settling = false;
-template <class F> inline constexpr bool is_settling<Settling<F>> = true;
 
 template <class... Types> using Joined = decltype(std::tuple_cat(std::declval<Types>()...));
 template <class Part> struct HeldType { using type = std::tuple<>; };
@@ -134,7 +146,8 @@ template <class C, class HeldTuple, class F>
 struct FaultOfUpdate<C, HeldTuple, F> {
   using type = Nothing;
 };
-template <class C, class HeldTuple, class F> struct FaultOfPart<C, HeldTuple, Settling<F>> {
+template <class C, class HeldTuple, class Ends, class Begins>
+struct FaultOfPart<C, HeldTuple, Settling<Ends, Begins>> {
   using type = Nothing;
 };
 template <class C, class HeldTuple, class Trigger, class F>
