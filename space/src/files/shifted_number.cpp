@@ -49,12 +49,11 @@ std::string shifted_text(double value, int shift) {
   std::array<char, 40> buffer{};
   const auto end =
       std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::scientific).ptr;
-  const std::string_view written{buffer.data(), static_cast<std::size_t>(end - buffer.data())};
-  if (shift == 0 || value == 0.0) return std::string{written};
-  const Parts parts = *parts_of(written);
-  const int exponent = parts.exponent - shift, size = std::abs(exponent);
-  return std::string{parts.digits} + (exponent < 0 ? "e-" : "e+") + (size < 10 ? "0" : "") +
-         std::to_string(size);
+  const Parts parts = *parts_of({buffer.data(), static_cast<std::size_t>(end - buffer.data())});
+  std::string written{parts.digits};
+  if (written.find('.') == std::string::npos) written += ".0";
+  const int exponent = value == 0.0 ? 0 : parts.exponent - shift, size = std::abs(exponent);
+  return written + (exponent < 0 ? "e-" : "e+") + (size < 10 ? "0" : "") + std::to_string(size);
 }
 
 }  // namespace vectrix::detail

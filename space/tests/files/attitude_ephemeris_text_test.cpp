@@ -22,10 +22,11 @@ TEST(AttitudeEphemerisMessage, ATextOfAMessageIsTheMessage) {
                            "INTERPOLATION_METHOD = LINEAR\nINTERPOLATION_DEGREE = 1\n",
                            "1996-11-28T22:08:03.555 4.2319e-01 -4.5697e-01 2.3784e-01 7.4533e-01\n"})
     EXPECT_NE(old.find(part), std::string::npos) << part << old;
-  for (const char* part : {"ATTITUDE_TYPE = QUATERNION/ANGVEL\nANGVEL_FRAME = REF_FRAME_B\n",
-                           "COMMENT before the data\nCOMMENT between\n2021-04-15T13:31:20.000",
-                           "ATTITUDE_TYPE = EULER_ANGLE\nEULER_ROT_SEQ = ZXZ\n", "CLASSIFICATION = public\n",
-                           "9e+01 -4.5e+02 1e-300\n", "COMMENT between segments\n", "COMMENT at the end\n"})
+  for (const char* part :
+       {"ATTITUDE_TYPE = QUATERNION/ANGVEL\nANGVEL_FRAME = REF_FRAME_B\n",
+        "COMMENT before the data\nCOMMENT between\n2021-04-15T13:31:20.000",
+        "ATTITUDE_TYPE = EULER_ANGLE\nEULER_ROT_SEQ = ZXZ\n", "CLASSIFICATION = public\n",
+        "9.0e+01 -4.5e+02 1.0e-300\n", "COMMENT between segments\n", "COMMENT at the end\n"})
     EXPECT_NE(newer.find(part), std::string::npos) << part << newer;
   EXPECT_EQ(newer.find("ATTITUDE_DIR"), std::string::npos);
 }

@@ -26,9 +26,9 @@ TEST(OrbitEphemerisMessage, ATextOfAMessageIsTheMessage) {
         "COMMENT between two lines\n",
         "1996-12-18T12:00:00.331 2.789619e+03 -2.80045e-01 1.746755e+03 4.73372e+00 -2.49586e+00 "
         "-1.04195e+00 "
-        "1e-03 -5.3e-07 1.5e-03\n",
-        "COV_REF_FRAME = RTN\n1e-04\n", "-1e+00 2e+00 3e+00 4e+00 5e+00 6e-09\n", "OBJECT_NAME = \n",
-        "1996-12-18T12:00:00.123456789"})
+        "1.0e-03 -5.3e-07 1.5e-03\n",
+        "COV_REF_FRAME = RTN\n1.0e-04\n", "-1.0e+00 2.0e+00 3.0e+00 4.0e+00 5.0e+00 6.0e-09\n",
+        "OBJECT_NAME = \n", "1996-12-18T12:00:00.123456789"})
     EXPECT_NE(written.find(part), std::string::npos) << part << written;
   EXPECT_THROW(Message::parse(topo).write("/no/such/folder/file"), BadInput);
 }
