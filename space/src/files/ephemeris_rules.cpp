@@ -6,6 +6,7 @@
 #include <vectrix/frames/errors.hpp>
 
 #include "epoch_text.hpp"
+#include "kvn.hpp"
 #include "text_file.hpp"
 
 namespace vectrix::detail {
@@ -51,16 +52,14 @@ bool is_outside(const EphemerisMetadata& metadata, const Epoch& time) {
 }
 
 void require_text(const std::string& place, const char* what, const std::string& value) {
-  const bool printable = std::all_of(value.begin(), value.end(), [](char c) { return c >= ' ' && c <= '~'; });
-  if (!printable || trimmed(value) != value)
+  if (first_wrong(value, KvnText::value) != std::string::npos || trimmed(value) != value)
     throw BadInput(place + ": " + what + " '" + excerpt(value) +
                    "' is not one line of printable ASCII without blanks around it");
 }
 
 void require_comments(const std::string& place, const std::vector<std::string>& comments) {
   for (const std::string& comment : comments) {
-    if (std::any_of(comment.begin(), comment.end(),
-                    [](char c) { return (c >= 0 && c < ' ' && c != '\t') || c == 127; }))
+    if (first_wrong(comment, KvnText::comment) != std::string::npos)
       throw BadInput(place + ": the comment '" + excerpt(comment) + "' is not one line of text");
   }
 }

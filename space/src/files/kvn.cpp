@@ -12,9 +12,10 @@ namespace {
 
 constexpr std::string_view comment_word = "COMMENT";
 
-bool is_control(char c) {
+bool may_stand(char c, KvnText where) {
   const auto code = static_cast<unsigned char>(c);
-  return (code < ' ' && c != '\t') || code == 127;
+  if (c == '\t') return where != KvnText::value;
+  return code >= ' ' && code != 127 && (code < 127 || where == KvnText::comment);
 }
 bool is_comment(std::string_view text) {
   return text.starts_with(comment_word) &&
@@ -30,13 +31,15 @@ std::string line_place(const std::string& place, std::size_t line, std::size_t c
   return place + ", line " + text(line) + ", column " + text(column);
 }
 
-void require_characters(const std::string& place, std::size_t number, std::string_view line, bool comment) {
-  for (std::size_t i = 0; i < line.size(); ++i) {
-    const auto code = static_cast<unsigned char>(line[i]);
-    if (is_control(line[i]) || (code > 127 && !comment))
-      throw BadInput(line_place(place, number, i + 1) + ": the byte " + text(static_cast<int>(code)) +
-                     " is no printable character of ASCII");
-  }
+// The text is a part of the line.
+void require_characters(const std::string& place, std::size_t number, std::string_view line,
+                        std::string_view text, KvnText where) {
+  const auto wrong = first_wrong(text, where);
+  if (wrong == std::string_view::npos) return;
+  const auto first = static_cast<std::size_t>(text.data() - line.data());
+  throw BadInput(line_place(place, number, first + wrong + 1) + ": the byte " +
+                 detail::text(static_cast<int>(static_cast<unsigned char>(text[wrong]))) +
+                 " is no printable character of ASCII");
 }
 
 KvnLine keyword_line(const std::string& place, std::size_t number, std::string_view line,
@@ -57,10 +60,16 @@ KvnLine keyword_line(const std::string& place, std::size_t number, std::string_v
 
 }  // namespace
 
+std::size_t first_wrong(std::string_view text, KvnText where) {
+  const auto* const wrong =
+      std::find_if_not(text.begin(), text.end(), [&](char c) { return may_stand(c, where); });
+  return wrong == text.end() ? std::string_view::npos : static_cast<std::size_t>(wrong - text.begin());
+}
+
 std::optional<KvnLine> read_kvn_line(const std::string& place, std::size_t number, std::string_view line) {
   const std::string_view content = trimmed(line);
   const bool comment = is_comment(content);
-  require_characters(place, number, line, comment);
+  require_characters(place, number, line, line, comment ? KvnText::comment : KvnText::line);
   if (content.empty() || comment) return std::nullopt;
   return keyword_line(place, number, line, content);
 }
@@ -85,7 +94,8 @@ bool KvnReader::next() {
     content_ = trimmed(file_.lines[number_++]);
   }
   comment_ = detail::is_comment(content_);
-  require_characters(place_, number_, file_.lines[number_ - 1], comment_);
+  const std::string_view line = file_.lines[number_ - 1];
+  require_characters(place_, number_, line, line, comment_ ? KvnText::comment : KvnText::line);
   const bool may_be_cut = !comment_ && !is("DATA_STOP") && !is("COVARIANCE_STOP");
   if (number_ == file_.lines.size() && !file_.whole && may_be_cut)
     throw BadInput(place_ + ", line " + text(number_) + ": " + truncated);
@@ -99,7 +109,11 @@ std::string KvnReader::comment() const {
 }
 
 KvnLine KvnReader::keyword() const {
-  return keyword_line(place_, number_, file_.lines[number_ - 1], content_);
+  const std::string_view line = file_.lines[number_ - 1];
+  KvnLine entry = keyword_line(place_, number_, line, content_);
+  require_characters(place_, number_, line, line.substr(entry.column - 1, entry.value.size()),
+                     KvnText::value);
+  return entry;
 }
 
 std::size_t KvnReader::words(std::array<KvnWord, most_words>& words) const {

@@ -24,6 +24,12 @@ struct KvnLine {
 /// and characters that are not printable ASCII, which a comment may contain except for control characters.
 std::optional<KvnLine> read_kvn_line(const std::string& place, std::size_t number, std::string_view line);
 
+/// Where a character stands, and which may: printable ASCII everywhere, tabs but in a value, and in a comment
+/// all but the other control characters.
+enum class KvnText { value, comment, line };
+/// The index of the first character that may not stand there; npos if all may.
+std::size_t first_wrong(std::string_view text, KvnText where);
+
 /// Throws BadInput with the place, line, column, keyword and value.
 [[noreturn]] void refuse(const std::string& place, const KvnLine& line, const std::string& reason);
 

@@ -102,6 +102,15 @@ TEST(OrbitEphemerisMessage, EveryFaultHasALineAColumnAndAReason) {
        "line 34, column 9 (EPOCH): '1996-12-18T12:00:00': not later than the covariance before"},
       {"COV_REF_FRAME = RTN", "COV_FRAME = RTN",
        "line 27, column 13 (COV_FRAME): 'RTN': the keyword is not of a covariance"},
+      // A tab is a blank between words and around them, but no part of a value: in the header as in the
+      // metadata.
+      {"ORIGINATOR = HERE", "ORIGINATOR =\tH\tERE\t",
+       "line 4, column 15: the byte 9 is no printable character of ASCII"},
+      {"OBJECT_ID = 1996-062A", "\tOBJECT_ID\t=\t1996\t062A",
+       "line 10, column 18: the byte 9 is no printable character of ASCII"},
+      {"COV_REF_FRAME = RTN", "COV_REF_FRAME = R\tN",
+       "line 27, column 18: the byte 9 is no printable character of ASCII"},
+      {"COMMENT between", "COMMENT \x01", "line 22, column 9: the byte 1 is no printable character of ASCII"},
       {"6789.5", "6789.5\xC2\xB5", "line 53, column 40: the byte 194 is no printable character of ASCII"},
       {"1996-12-18T12:00:00.123456789012 6789.5 0 1e-303 0 0 7", "",
        ", the segment from line 44 on: there are no data lines"},
@@ -137,6 +146,13 @@ TEST(OrbitEphemerisMessage, TheFileIsNamedAndMustBeWhole) {
     windows.insert(at, "\r");
   const TemporaryFile good("\xEF\xBB\xBF" + windows);
   EXPECT_EQ(Message::read(good.path()).text(), Message::parse(topo).text());
+}
+
+TEST(OrbitEphemerisMessage, TabsBetweenWordsAreBlanks) {
+  const std::string tabbed = replaced(replaced(replaced(full, "ORIGINATOR = HERE", "\tORIGINATOR\t=\tHERE\t"),
+                                               "2789.619 -.280045", "\t2789.619\t-.280045"),
+                                      "COMMENT between two lines", "\tCOMMENT\tbetween two lines");
+  EXPECT_EQ(Message::parse(tabbed).text(), Message::parse(full).text());
 }
 
 TEST(OrbitEphemerisMessage, WhatAVersionLacks) {

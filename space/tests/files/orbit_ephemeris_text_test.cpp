@@ -85,6 +85,8 @@ TEST(OrbitEphemerisMessage, SegmentsOfSamples) {
   const std::string place = "orbit ephemeris segment of 'SHIP': ";
   EXPECT_EQ(with([](auto& m) { m.object_id = "A\nB"; }),
             place + "OBJECT_ID 'A\nB' is not one line of printable ASCII without blanks around it");
+  EXPECT_EQ(with([](auto& m) { m.object_id = "A\tB"; }),
+            place + "OBJECT_ID 'A\tB' is not one line of printable ASCII without blanks around it");
   EXPECT_EQ(with([](auto& m) { m.object_id = " A"; }),
             place + "OBJECT_ID ' A' is not one line of printable ASCII without blanks around it");
   EXPECT_EQ(with([](auto& m) { m.comments = {"A\nB"}; }),
@@ -115,6 +117,11 @@ TEST(OrbitEphemerisMessage, SegmentsOfSamples) {
               Message({"2.0", "", ""}, {});
             }),
             "orbit ephemeris message: there are no segments");
+  EXPECT_EQ(complaint([&] {
+              Message({"2.0", "", "H\tERE"}, {segment});
+            }),
+            "orbit ephemeris message: ORIGINATOR 'H\tERE' is not one line of printable ASCII without blanks "
+            "around it");
   EphemerisMetadata in_tai = metadata;
   in_tai.time_system = scale::tai;
   EXPECT_EQ(complaint([&] {
