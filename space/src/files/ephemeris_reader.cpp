@@ -102,9 +102,9 @@ EphemerisMetadata metadata_of(const KvnEntries& entries, std::string_view interp
     entries.fail(entries.line(fault->keyword), "it is before " + std::string{fault->before});
   if (const KvnLine* method = entries.find(interpolation_keyword)) metadata.interpolation = method->value;
   if (const KvnLine* degree = entries.find("INTERPOLATION_DEGREE")) {
-    constexpr std::int64_t most = 1000;
     const std::int64_t value = entries.whole(*degree);
-    if (value > most) entries.fail(*degree, "no degree of an interpolation");
+    if (!is_degree(value))
+      entries.fail(*degree, "no degree of an interpolation, which is at most " + text(most_degree));
     metadata.interpolation_degree = static_cast<int>(value);
   }
   return metadata;

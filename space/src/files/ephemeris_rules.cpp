@@ -88,6 +88,9 @@ EphemerisMetadata checked_metadata(const std::string& place, EphemerisMetadata m
   if (!time_system(metadata.time_system.name()))
     throw BadInput(place + ": TIME_SYSTEM is " + metadata.time_system.name() +
                    "; a message has UTC, TAI, TT, TDB or GPS");
+  if (metadata.interpolation_degree && !is_degree(*metadata.interpolation_degree))
+    throw BadInput(place + ": INTERPOLATION_DEGREE is " + text(*metadata.interpolation_degree) +
+                   "; it is 0 to " + text(most_degree));
   if (times.empty()) throw BadInput(place + ": there are no samples");
   for (std::size_t i = 1; i < times.size(); ++i) {
     if (!(times[i - 1] < times[i]))

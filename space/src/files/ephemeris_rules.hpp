@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <initializer_list>
 #include <optional>
 #include <string>
@@ -24,6 +25,12 @@ struct MessageKind {
 
 /// The scale of a name in capitals. Null if it is none of UTC, TAI, TT, TDB and GPS.
 const TimeScale* time_system(const std::string& capitals);
+
+/// What INTERPOLATION_DEGREE may be: 0 to 1000, whether it makes sense or not.
+inline constexpr int most_degree = 1000;
+inline bool is_degree(std::int64_t degree) {
+  return 0 <= degree && degree <= most_degree;
+}
 
 /// The first time of the metadata that is before another one.
 struct SpanFault {

@@ -63,8 +63,9 @@ TEST(OrbitEphemerisMessage, EveryFaultHasALineAColumnAndAReason) {
        "line 23, column 1 (EPOCH): '1996-353T12:01:00.331': outside START_TIME and STOP_TIME"},
       {"INTERPOLATION_DEGREE = 3", "INTERPOLATION_DEGREE = 3.0",
        "line 18, column 24 (INTERPOLATION_DEGREE): '3.0': not a whole number"},
-      {"INTERPOLATION_DEGREE = 3", "INTERPOLATION_DEGREE = 5000",
-       "line 18, column 24 (INTERPOLATION_DEGREE): '5000': no degree of an interpolation"},
+      {"INTERPOLATION_DEGREE = 3", "INTERPOLATION_DEGREE = 1001",
+       "line 18, column 24 (INTERPOLATION_DEGREE): '1001': no degree of an interpolation, which is at most "
+       "1000"},
       data("1996-12-18T12:00:00.331 2789.619 -.280045 +1746.755",
            "1: '1996-12-18T12:00:00.331 2789.619 -.280045 +1746.755 -2.49586...': 9 fields; a line of data "
            "has an epoch and 6 numbers, or 9"),

@@ -89,6 +89,11 @@ TEST(OrbitEphemerisMessage, SegmentsOfSamples) {
             place + "OBJECT_ID 'A\tB' is not one line of printable ASCII without blanks around it");
   EXPECT_EQ(with([](auto& m) { m.object_id = " A"; }),
             place + "OBJECT_ID ' A' is not one line of printable ASCII without blanks around it");
+  for (const int degree : {-1, 1001})
+    EXPECT_EQ(with([&](auto& m) { m.interpolation_degree = degree; }),
+              place + "INTERPOLATION_DEGREE is " + std::to_string(degree) + "; it is 0 to 1000");
+  for (const int degree : {0, 1000})
+    EXPECT_EQ(with([&](auto& m) { m.interpolation_degree = degree; }), "nothing was thrown");
   EXPECT_EQ(with([](auto& m) { m.comments = {"A\nB"}; }),
             place + "the comment 'A\nB' is not one line of text");
   EXPECT_EQ(with([](auto& m) { m.center_name = "MARS"; }),
