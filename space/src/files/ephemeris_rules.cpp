@@ -30,6 +30,18 @@ const TimeScale* time_system(const std::string& capitals) {
   return nullptr;
 }
 
+namespace {
+
+std::string text_of(const std::string& place, const Epoch& time, const TimeScale& scale) {
+  try {
+    return exact_text(time, scale);
+  } catch (const BadInput& error) {
+    throw BadInput(place + ": " + error.what());
+  }
+}
+
+}  // namespace
+
 std::optional<SpanFault> span_fault(const EphemerisMetadata& metadata) {
   const std::pair<const char*, const std::optional<Epoch>*> times[] = {
       {"START_TIME", &metadata.start_time},
@@ -100,10 +112,15 @@ EphemerisMetadata checked_metadata(const std::string& place, EphemerisMetadata m
   if (!metadata.stop_time) metadata.stop_time = times.back();
   if (const auto fault = span_fault(metadata))
     throw BadInput(place + ": " + fault->keyword + " is before " + fault->before);
+  // A scale has a first epoch, and so has a text; the other times are between these.
+  for (const auto& time :
+       {metadata.start_time, metadata.stop_time, std::optional{times.front()}, std::optional{times.back()}})
+    static_cast<void>(text_of(place, *time, metadata.time_system));
   for (const Epoch& time : {times.front(), times.back()}) {
     if (is_outside(metadata, time))
       throw BadInput(place + ": the sample at " + exact_text(time, metadata.time_system) +
-                     " is outside START_TIME and STOP_TIME");
+                     " is outside START_TIME, " + exact_text(*metadata.start_time, metadata.time_system) +
+                     ", and STOP_TIME, " + exact_text(*metadata.stop_time, metadata.time_system));
   }
   return metadata;
 }

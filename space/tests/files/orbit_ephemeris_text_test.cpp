@@ -99,7 +99,9 @@ TEST(OrbitEphemerisMessage, SegmentsOfSamples) {
   EXPECT_EQ(with([](auto& m) { m.center_name = "MARS"; }),
             place + "CENTER_NAME is 'MARS'; the centre of 'EME2000' (earth::Eme2000) is 'EARTH'");
   EXPECT_EQ(with([&](auto& m) { m.start_time = samples[1].time; }),
-            place + "the sample at 2022-01-17T12:00:00.000 is outside START_TIME and STOP_TIME");
+            place +
+                "the sample at 2022-01-17T12:00:00.000 is outside START_TIME, 2022-01-17T13:00:00.000, and "
+                "STOP_TIME, 2022-01-17T13:00:00.000");
   EXPECT_EQ(with([&](auto& m) { m.useable_stop_time = samples[1].time + 1.0 * si::second; }),
             place + "STOP_TIME is before USEABLE_STOP_TIME");
   EXPECT_EQ(with([](auto& m) { m.time_system = scale::Ut1::minus_tai(-37.0 * si::second); }),

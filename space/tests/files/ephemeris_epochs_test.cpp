@@ -1,0 +1,77 @@
+#include <string>
+#include <vector>
+
+#include "files/orbit_ephemeris_texts.hpp"
+
+// The epochs of a message at the ends of the scales, and around a leap second.
+namespace vectrix::orbit_ephemeris_message_test {
+namespace {
+
+std::string message_of(const std::string& system, const std::string& time) {
+  return "CCSDS_OEM_VERS = 2.0\nCREATION_DATE =\nORIGINATOR =\nMETA_START\nOBJECT_NAME =\nOBJECT_ID =\n"
+         "CENTER_NAME = EARTH\nREF_FRAME = GCRF\nTIME_SYSTEM = " +
+         system + "\nSTART_TIME = " + time + "\nSTOP_TIME = " + time + "\nMETA_STOP\n" + time +
+         " 7000 0 0 0 7 0\n";
+}
+Epoch time_of(const std::string& text) {
+  return Message::parse(text).segments()[0].samples<Gcrf, Ship>()[0].time;
+}
+
+TEST(EphemerisEpochs, ReadBackAsTheSameFromTheFirstToTheLast) {
+  struct Case {
+    const TimeScale* scale;
+    std::vector<std::string> begins;  // of a minute
+  };
+  const std::string day_0 = "0000-01-01T00:00", day_9999 = "9999-12-31T23:59";
+  const Case cases[] = {{&scale::utc, {"1960-01-01T00:00", "1971-12-31T23:59", "2016-12-31T23:59", day_9999}},
+                        {&scale::gps, {"1980-01-06T00:00", day_9999}},
+                        {&scale::tai, {day_0, day_9999}},
+                        {&scale::tt, {day_0, day_9999}},
+                        {&scale::tdb, {day_0, day_9999}}};
+  for (const auto& [scale, begins] : cases) {
+    for (const std::string& begin : begins) {
+      std::vector<std::string> seconds{"00",
+                                       "00.000000000001",
+                                       "00.0000000001",
+                                       "00.000000000499",
+                                       "00.0000000005",
+                                       "00.000000000999",
+                                       "59.9994",
+                                       "59.9995",
+                                       "59.9999999994",
+                                       "59.9999999996",
+                                       "59.999999999999"};
+      if (begin == "2016-12-31T23:59")
+        seconds.insert(seconds.end(), {"60", "60.0000000001", "60.999999999999"});
+      for (const std::string& second : seconds) {
+        const std::string time = begin + ":" + second;
+        const std::string written = Message::parse(message_of(scale->name(), time)).text();
+        EXPECT_EQ(time_of(written), Epoch::from(*scale, time)) << scale->name() << " " << time << written;
+      }
+    }
+  }
+}
+
+TEST(EphemerisEpochs, WithoutATextAreRefusedWithTheSamples) {
+  const auto at = [](const TimeScale& system, const Epoch& time) {
+    EphemerisMetadata metadata{"SHIP", "2026-001A"};
+    metadata.time_system = system;
+    const std::vector<PositionSample<Gcrf, Ship, Epoch>> one{
+        {time, Message::parse(message_of("TT", "2020-01-01T00:00:00"))
+                   .segments()[0]
+                   .samples<Gcrf, Ship>()[0]
+                   .motion}};
+    return complaint([&] { Segment(metadata, one); });
+  };
+  const std::string place = "orbit ephemeris segment of 'SHIP': ";
+  EXPECT_EQ(at(scale::utc, Epoch::from_tt("1959-01-01T00:00:00")),
+            place + "Epoch 1958-12-31T23:59:27.816000 TAI: UTC is not known before 1960");
+  EXPECT_EQ(at(scale::gps, Epoch::from_tt("1979-01-01T00:00:32.184")),
+            place + "Epoch 1979-01-01T00:00:00.000000 TAI: GPS time begins in 1980");
+  EXPECT_EQ(at(scale::tai, Epoch::from_julian_date(scale::tai, 5373485.5)),
+            place + "the epoch 10000-01-02T00:00:00.000000000 TAI is not of the years 0 to 9999");
+  EXPECT_EQ(at(scale::tai, Epoch::from_julian_date(scale::tai, 5373484.5, -1e-5)), "nothing was thrown");
+}
+
+}  // namespace
+}  // namespace vectrix::orbit_ephemeris_message_test
