@@ -48,8 +48,9 @@ struct OrbitLines {
 ///     segment.samples<earth::Eme2000, Satellite>()
 ///     segment.samples<MarsInertial, Orbiter>(called<MarsInertial>("EME2000", "MARS BARYCENTER"))
 /// BadInput that names both frames if REF_FRAME or CENTER_NAME is another one. The standard names are GCRF
-/// and ICRF for earth::Gcrf, EME2000 and J2000 for Eme2000, ITRF of any year for Itrf, TEME and TEMEOFDATE
-/// for Teme, TOD for TrueOfDate, MOD for MeanOfDate; with REF_FRAME_EPOCH the last four are other frames.
+/// and ICRF for earth::Gcrf, EME2000 and J2000 for Eme2000, ITRF, also of a year, for Itrf, TEME and
+/// TEMEOFDATE for Teme, TOD for TrueOfDate, MOD for MeanOfDate; with REF_FRAME_EPOCH the last four are other
+/// frames.
 class VECTRIX_EXPORT OrbitEphemerisSegment {
  public:
   /// Of samples. Throws BadInput if there are none, the times do not increase, a number is not finite, a
