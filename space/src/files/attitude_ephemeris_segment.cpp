@@ -17,12 +17,8 @@ constexpr double degree = std::numbers::pi / 180.0;
 Eigen::Quaterniond hamilton(const detail::AttitudeLines& lines, const double* x) {
   if (lines.type == AttitudeType::euler_angle) {
     Eigen::Quaterniond q = Eigen::Quaterniond::Identity();
-    for (const int axis : detail::euler_axes(lines.euler_sequence)) {
-      const double half = 0.5 * degree * *x++;
-      Eigen::Quaterniond turn(std::cos(half), 0.0, 0.0, 0.0);
-      turn.coeffs()[axis] = std::sin(half);
-      q = q * turn;
-    }
+    for (const int axis : lines.euler_axes)
+      q = q * Eigen::AngleAxisd(degree * *x++, Eigen::Vector3d::Unit(axis));
     return q;
   }
   if (lines.is_scalar_first) return {x[0], x[1], x[2], x[3]};

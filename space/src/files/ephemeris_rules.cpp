@@ -5,6 +5,7 @@
 
 #include <vectrix/frames/errors.hpp>
 
+#include "../time/date.hpp"
 #include "epoch_text.hpp"
 #include "kvn.hpp"
 #include "text_file.hpp"
@@ -19,15 +20,6 @@ std::string MessageKind::list() const {
   std::string list;
   for (const char* version : versions) list += (list.empty() ? "" : ", ") + std::string{version};
   return list;
-}
-
-const TimeScale* time_system(const std::string& capitals) {
-  static constexpr const TimeScale* systems[] = {&scale::utc, &scale::tai, &scale::tt, &scale::tdb,
-                                                 &scale::gps};
-  for (const TimeScale* system : systems) {
-    if (capitals == system->name()) return system;
-  }
-  return nullptr;
 }
 
 namespace {
@@ -97,7 +89,7 @@ EphemerisMetadata checked_metadata(const std::string& place, EphemerisMetadata m
   require_text(place, "CENTER_NAME", metadata.center_name);
   require_text(place, "the interpolation", metadata.interpolation);
   require_comments(place, metadata.comments);
-  if (!time_system(metadata.time_system.name()))
+  if (!scale_named(metadata.time_system.name()))
     throw BadInput(place + ": TIME_SYSTEM is " + metadata.time_system.name() +
                    "; a message has UTC, TAI, TT, TDB or GPS");
   if (metadata.interpolation_degree && !is_degree(*metadata.interpolation_degree))

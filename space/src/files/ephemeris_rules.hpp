@@ -3,7 +3,9 @@
 #include <cstdint>
 #include <initializer_list>
 #include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <vectrix/space/files/ephemeris_metadata.hpp>
@@ -12,19 +14,26 @@ namespace vectrix::detail {
 
 // What holds for orbit and attitude ephemeris messages, whether they are read or made of samples.
 
+enum class MessagePart { header, metadata };
+
+/// A keyword of a part, and the versions that have it.
+struct EphemerisKeyword {
+  std::string_view name;
+  MessagePart part = MessagePart::metadata;
+  std::string_view since = "1.0", until = "9.9";
+};
+
 struct MessageKind {
   const char* name;
   const char* version_keyword;
   std::initializer_list<const char*> versions;
+  std::span<const EphemerisKeyword> keywords;
 
   [[nodiscard]] bool has(const std::string& version) const;
   [[nodiscard]] std::string newest() const { return *(versions.end() - 1); }
   /// 1.0, 2.0, 3.0
   [[nodiscard]] std::string list() const;
 };
-
-/// The scale of a name in capitals. Null if it is none of UTC, TAI, TT, TDB and GPS.
-const TimeScale* time_system(const std::string& capitals);
 
 /// What INTERPOLATION_DEGREE may be: 0 to 1000, whether it makes sense or not.
 inline constexpr int most_degree = 1000;

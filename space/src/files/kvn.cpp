@@ -86,57 +86,67 @@ std::string upper_case(std::string text) {
   return text;
 }
 
-KvnReader::KvnReader(std::string place, TextFile file) : place_(std::move(place)), file_(std::move(file)) {}
+KvnReader::KvnReader(std::string place, std::string_view text, bool whole)
+    : place_(std::move(place)), rest_(without_byte_order_mark(text)), whole_(whole) {}
 
 bool KvnReader::next() {
-  for (content_ = {}; content_.empty();) {
-    if (number_ >= file_.lines.size()) return false;
-    content_ = trimmed(file_.lines[number_++]);
+  for (content_ = {}; content_.empty(); ++number_) {
+    if (rest_.empty()) return false;
+    line_ = take_line(rest_);
+    content_ = trimmed(line_);
   }
-  comment_ = detail::is_comment(content_);
-  const std::string_view line = file_.lines[number_ - 1];
-  require_characters(place_, number_, line, line, comment_ ? KvnText::comment : KvnText::line);
-  const bool may_be_cut = !comment_ && !is("DATA_STOP") && !is("COVARIANCE_STOP");
-  if (number_ == file_.lines.size() && !file_.whole && may_be_cut)
+  const bool may_be_cut = !is_comment() && (has_keyword() || !content_.ends_with("_STOP"));
+  if (rest_.empty() && !whole_ && may_be_cut)
     throw BadInput(place_ + ", line " + text(number_) + ": " + truncated);
   return true;
 }
 
+bool KvnReader::is_comment() const {
+  return detail::is_comment(content_);
+}
+
 std::string KvnReader::comment() const {
-  const std::string_view line = file_.lines[number_ - 1];
-  const auto behind = static_cast<std::size_t>(content_.data() - line.data()) + comment_word.size();
-  return std::string{line.substr(std::min(behind + 1, line.size()))};
+  require_characters(line_, KvnText::comment);
+  const auto behind = static_cast<std::size_t>(content_.data() - line_.data()) + comment_word.size();
+  return std::string{line_.substr(std::min(behind + 1, line_.size()))};
 }
 
 KvnLine KvnReader::keyword() const {
-  const std::string_view line = file_.lines[number_ - 1];
-  KvnLine entry = keyword_line(place_, number_, line, content_);
-  require_characters(place_, number_, line, line.substr(entry.column - 1, entry.value.size()),
-                     KvnText::value);
+  require_characters(line_, KvnText::line);
+  KvnLine entry = keyword_line(place_, number_, line_, content_);
+  require_characters(line_.substr(entry.column - 1, entry.value.size()), KvnText::value);
   return entry;
 }
 
-std::size_t KvnReader::words(std::array<KvnWord, most_words>& words) const {
-  const char* const line = file_.lines[number_ - 1].data();
-  std::string_view rest = content_;
+std::size_t KvnReader::words(std::array<std::string_view, most_words>& words) const {
+  const auto is_blank = [](char c) { return c == ' ' || c == '\t'; };
+  const char *at = content_.data(), *const end = at + content_.size();
   std::size_t count = 0;
-  while (!rest.empty()) {
-    const auto end = count + 1 < most_words ? rest.find_first_of(" \t") : std::string_view::npos;
-    const std::string_view word = rest.substr(0, end);
-    words[count++] = {word, static_cast<std::size_t>(word.data() - line) + 1};
-    rest = end == std::string_view::npos ? std::string_view{} : trimmed(rest.substr(end));
+  for (; at != end; ++count) {
+    const char* const word = at;
+    while (at != end && !is_blank(*at)) ++at;
+    if (count < most_words) words[count] = {word, static_cast<std::size_t>(at - word)};
+    while (at != end && is_blank(*at)) ++at;
   }
   return count;
 }
 
 void KvnReader::fail(const std::string& reason) const {
-  const auto first = static_cast<std::size_t>(content_.data() - file_.lines[number_ - 1].data());
-  throw BadInput(line_place(place_, number_, first + 1) + ": '" + excerpt(content_) + "': " + reason);
+  require_characters(line_, KvnText::line);
+  throw BadInput(here(content_) + ": '" + excerpt(content_) + "': " + reason);
 }
 
-void KvnReader::fail(const KvnWord& word, std::string_view name, const std::string& reason) const {
-  throw BadInput(line_place(place_, number_, word.column) + " (" + std::string{name} + "): '" +
-                 excerpt(word.text) + "': " + reason);
+void KvnReader::fail(std::string_view word, std::string_view name, const std::string& reason) const {
+  require_characters(line_, KvnText::line);
+  throw BadInput(here(word) + " (" + std::string{name} + "): '" + excerpt(word) + "': " + reason);
+}
+
+void KvnReader::require_characters(std::string_view text, KvnText where) const {
+  detail::require_characters(place_, number_, line_, text, where);
+}
+
+std::string KvnReader::here(std::string_view part) const {
+  return line_place(place_, number_, static_cast<std::size_t>(part.data() - line_.data()) + 1);
 }
 
 }  // namespace vectrix::detail

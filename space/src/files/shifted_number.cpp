@@ -4,6 +4,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <cstdint>
 
 #include "text_file.hpp"
 
@@ -28,10 +29,42 @@ std::optional<Parts> parts_of(std::string_view text) {
   return Parts{text.substr(0, e), exponent};
 }
 
+// Of a number without an exponent and with few digits: these digits and the power of ten are exact, so that
+// their product or quotient is rounded once.
+std::optional<double> parse_short(std::string_view text, int shift) {
+  constexpr std::array<double, 23> powers{1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
+                                          1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
+                                          1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
+  constexpr int most_digits = 18;
+  constexpr std::int64_t most = std::int64_t{1} << 53;
+  const bool is_negative = text.starts_with('-');
+  if (is_negative || text.starts_with('+')) text.remove_prefix(1);
+  std::int64_t digits = 0;
+  int count = 0, decimals = 0;
+  bool has_point = false;
+  for (const char c : text) {
+    if (c >= '0' && c <= '9' && count < most_digits) {
+      digits = 10 * digits + (c - '0');
+      decimals += int{has_point};
+      ++count;
+    } else if (c == '.' && !has_point) {
+      has_point = true;
+    } else {
+      return std::nullopt;
+    }
+  }
+  const int exponent = shift - decimals;
+  if (count == 0 || digits > most) return std::nullopt;
+  const double whole = is_negative ? -static_cast<double>(digits) : static_cast<double>(digits);
+  return exponent < 0 ? whole / powers[static_cast<std::size_t>(-exponent)]
+                      : whole * powers[static_cast<std::size_t>(exponent)];
+}
+
 }  // namespace
 
 std::optional<double> parse_shifted(std::string_view text, int shift) {
   constexpr std::size_t most = 100;
+  if (const auto value = parse_short(text, shift)) return value;
   const auto finite = [](std::optional<double> value) {
     return value && std::isfinite(*value) ? value : std::nullopt;
   };

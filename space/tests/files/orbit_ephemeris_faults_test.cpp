@@ -141,7 +141,8 @@ TEST(OrbitEphemerisMessage, TheFileIsNamedAndMustBeWhole) {
   EXPECT_EQ(complaint([] { return Message::read("/no/such/file"); }),
             "orbit ephemeris message /no/such/file: cannot be read");
   EXPECT_EQ(complaint_of(""), "orbit ephemeris message: there is no message");
-  EXPECT_EQ(complaint_of("CCSDS_OEM_VERS = 2.0\n"), "orbit ephemeris message: there is no META_START");
+  EXPECT_EQ(complaint_of("CCSDS_OEM_VERS = 2.0\n"),
+            "orbit ephemeris message, line 1: there is no META_START");
   std::string windows = topo;
   for (std::size_t at = 0; (at = windows.find('\n', at)) != std::string::npos; at += 2)
     windows.insert(at, "\r");

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <numbers>
 #include <string>
@@ -33,8 +34,9 @@ struct AttitudeLines {
   std::string ref_frame_a{}, ref_frame_b{};
   AttitudeType type = AttitudeType::quaternion;
   bool is_b_to_a = false, is_scalar_first = false;
-  std::string euler_sequence{};  // as it is written, 321 or ZYX
-  std::string rate_frame{};      // REF_FRAME_A or REF_FRAME_B
+  std::string euler_sequence{};     // as it is written, 321 or ZYX
+  std::array<int, 3> euler_axes{};  // of it, 0 to 2
+  std::string rate_frame{};         // REF_FRAME_A or REF_FRAME_B
   std::vector<Epoch> times{};
   std::vector<double> numbers{};
   std::vector<std::string> comments{};
