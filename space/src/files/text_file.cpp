@@ -29,6 +29,8 @@ std::optional<std::string> read_bytes(const std::filesystem::path& file) {
   if (!in) return std::nullopt;
   std::string bytes;
   constexpr std::size_t at_once = 1 << 16;
+  std::error_code unknown;
+  if (const auto size = std::filesystem::file_size(file, unknown); !unknown) bytes.reserve(size + at_once);
   while (in) {
     const std::size_t size = bytes.size();
     bytes.resize(size + at_once);
