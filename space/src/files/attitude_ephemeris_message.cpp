@@ -145,7 +145,9 @@ class SegmentReader {
     const double norm = detail::scaled_norm(Eigen::Map<const Eigen::Vector4d>(q));
     const double error = std::abs(norm - 1.0);
     if (!(error <= most_norm_error))
-      reader_.fail(first, column(lines, 0), "of a quaternion whose norm is " + detail::text(norm));
+      reader_.fail(first, column(lines, 0),
+                   "of a quaternion whose norm is " + detail::text(norm) + "; it may differ from 1 by " +
+                       detail::text(most_norm_error));
     if (error <= lines.norm_error) return;
     lines.norm_error = error;
     lines.norm_line = reader_.line();

@@ -44,9 +44,10 @@ AttitudeEphemerisSegment::AttitudeEphemerisSegment(detail::Trusted, EphemerisMet
     throw BadInput(lines_.place + ": both frames have the name '" + detail::excerpt(lines_.ref_frame_a) +
                    "'");
   metadata_ = detail::checked_metadata(lines_.place, std::move(metadata), lines_.times);
-  for (const double number : lines_.numbers) {
-    if (!std::isfinite(number))
-      throw BadInput(lines_.place + ": a sample has the number " + detail::text(number));
+  for (std::size_t i = 0; i < lines_.numbers.size(); ++i) {
+    if (!std::isfinite(lines_.numbers[i]))
+      throw BadInput(lines_.place + ": sample " + detail::text(i / detail::numbers_in_line(lines_.type)) +
+                     " has the number " + detail::text(lines_.numbers[i]));
   }
   static_cast<void>(is_reversed(a, b));
 }
@@ -81,7 +82,8 @@ std::vector<Eigen::Vector3d> AttitudeEphemerisSegment::rates(const detail::Frame
                                                              const detail::FrameClaim& b, bool in_a) const {
   const bool reversed = is_reversed(a, b);
   if (lines_.type != AttitudeType::quaternion_rate)
-    throw BadInput(lines_.place + ": the attitude type has no rates");
+    throw BadInput(lines_.place + ": ATTITUDE_TYPE is " + detail::type_name(lines_.type, "2.0") +
+                   ", which has no rates");
   if (lines_.is_b_to_a)
     throw BadInput(lines_.place + ": with ATTITUDE_DIR B2A it is not said whether the rates are of " +
                    ref_frame_a() + " or of " + ref_frame_b());

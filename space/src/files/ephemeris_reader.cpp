@@ -5,6 +5,7 @@
 
 #include <vectrix/frames/errors.hpp>
 
+#include "epoch_text.hpp"
 #include "shifted_number.hpp"
 
 namespace vectrix::detail {
@@ -89,7 +90,8 @@ EphemerisMetadata metadata_of(const KvnEntries& entries, std::string_view interp
   if (const KvnLine* stop = entries.find("USEABLE_STOP_TIME"))
     metadata.useable_stop_time = entries.epoch(*stop, *scale);
   if (const auto fault = span_fault(metadata))
-    entries.fail(entries.line(fault->keyword), "it is before " + std::string{fault->before});
+    entries.fail(entries.line(fault->keyword), "it is before " + std::string{fault->before} + ", " +
+                                                   exact_text(fault->limit, metadata.time_system));
   if (const KvnLine* method = entries.find(interpolation_keyword)) metadata.interpolation = method->value;
   if (const KvnLine* degree = entries.find("INTERPOLATION_DEGREE")) {
     const std::int64_t value = entries.whole(*degree);
@@ -110,15 +112,16 @@ void require_same_system(const KvnEntries& entries, const EphemerisMetadata& met
 
 double read_number(const KvnReader& reader, std::string_view word, std::string_view name, int shift) {
   const auto value = parse_shifted(word, shift);
-  if (!value) reader.fail(word, name, "not a finite number");
+  if (!value) reader.fail(word, name, number_fault(word));
   return *value;
 }
 
 Epoch TimeReader::read(std::string_view word) {
   const auto fail = [&](const std::string& reason) { reader_.fail(word, "EPOCH", reason); };
   const Epoch time = epoch_of(epochs_, word, fail);
-  if (before_ && !(*before_ < time)) fail("not later than the line before");
-  if (is_outside(metadata_, time)) fail("outside START_TIME and STOP_TIME");
+  if (before_ && !(*before_ < time))
+    fail("not later than the line before, at " + exact_text(*before_, metadata_.time_system));
+  if (is_outside(metadata_, time)) fail("outside " + span_text(metadata_));
   before_ = time;
   return time;
 }

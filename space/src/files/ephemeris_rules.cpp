@@ -43,10 +43,16 @@ std::optional<SpanFault> span_fault(const EphemerisMetadata& metadata) {
   const std::pair<const char*, const std::optional<Epoch>*>* before = nullptr;
   for (const auto& time : times) {
     if (!*time.second) continue;
-    if (before && **time.second < **before->second) return SpanFault{time.first, before->first};
+    if (before && **time.second < **before->second)
+      return SpanFault{time.first, before->first, **before->second};
     before = &time;
   }
   return std::nullopt;
+}
+
+std::string span_text(const EphemerisMetadata& metadata) {
+  return "START_TIME, " + exact_text(*metadata.start_time, metadata.time_system) + ", and STOP_TIME, " +
+         exact_text(*metadata.stop_time, metadata.time_system);
 }
 
 bool is_outside(const EphemerisMetadata& metadata, const Epoch& time) {
@@ -96,23 +102,23 @@ EphemerisMetadata checked_metadata(const std::string& place, EphemerisMetadata m
     throw BadInput(place + ": INTERPOLATION_DEGREE is " + text(*metadata.interpolation_degree) +
                    "; it is 0 to " + text(most_degree));
   if (times.empty()) throw BadInput(place + ": there are no samples");
+  const auto shown = [&](const Epoch& time) { return text_of(place, time, metadata.time_system); };
   for (std::size_t i = 1; i < times.size(); ++i) {
     if (!(times[i - 1] < times[i]))
-      throw BadInput(place + ": sample " + text(i) + " is not later than the one before");
+      throw BadInput(place + ": sample " + text(i) + ", at " + shown(times[i]) +
+                     ", is not later than the one before, at " + shown(times[i - 1]));
   }
   if (!metadata.start_time) metadata.start_time = times.front();
   if (!metadata.stop_time) metadata.stop_time = times.back();
-  if (const auto fault = span_fault(metadata))
-    throw BadInput(place + ": " + fault->keyword + " is before " + fault->before);
   // A scale has a first epoch, and so has a text; the other times are between these.
-  for (const auto& time :
-       {metadata.start_time, metadata.stop_time, std::optional{times.front()}, std::optional{times.back()}})
-    static_cast<void>(text_of(place, *time, metadata.time_system));
+  for (const Epoch& time : {*metadata.start_time, *metadata.stop_time, times.front(), times.back()})
+    static_cast<void>(shown(time));
+  if (const auto fault = span_fault(metadata))
+    throw BadInput(place + ": " + fault->keyword + " is before " + fault->before + ", " +
+                   shown(fault->limit));
   for (const Epoch& time : {times.front(), times.back()}) {
     if (is_outside(metadata, time))
-      throw BadInput(place + ": the sample at " + exact_text(time, metadata.time_system) +
-                     " is outside START_TIME, " + exact_text(*metadata.start_time, metadata.time_system) +
-                     ", and STOP_TIME, " + exact_text(*metadata.stop_time, metadata.time_system));
+      throw BadInput(place + ": the sample at " + shown(time) + " is outside " + span_text(metadata));
   }
   return metadata;
 }

@@ -44,8 +44,11 @@ inline bool is_degree(std::int64_t degree) {
 /// The first time of the metadata that is before another one.
 struct SpanFault {
   const char *keyword, *before;
+  Epoch limit;  // of the other one
 };
 std::optional<SpanFault> span_fault(const EphemerisMetadata& metadata);
+/// "START_TIME, <text>, and STOP_TIME, <text>" of metadata that have them.
+std::string span_text(const EphemerisMetadata& metadata);
 /// Whether the time of a line is more than 1 ms outside START_TIME and STOP_TIME.
 bool is_outside(const EphemerisMetadata& metadata, const Epoch& time);
 

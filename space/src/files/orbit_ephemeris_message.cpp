@@ -7,6 +7,7 @@
 #include <vectrix/frames/errors.hpp>
 
 #include "ephemeris_reader.hpp"
+#include "epoch_text.hpp"
 #include "orbit_ephemeris_text.hpp"
 
 namespace vectrix {
@@ -110,7 +111,9 @@ class SegmentReader {
         require_whole();
         const Epoch epoch = entry_epoch(line, scale);
         if (!lines.covariances.empty() && !(lines.covariances.back().epoch < epoch))
-          detail::refuse(reader_.place(), line, "not later than the covariance before");
+          detail::refuse(reader_.place(), line,
+                         "not later than the covariance before, at " +
+                             detail::exact_text(lines.covariances.back().epoch, scale));
         lines.covariances.push_back({epoch, "", {}});
         row = 0;
       } else if (line.keyword == "COV_REF_FRAME") {

@@ -1,5 +1,7 @@
 #include <vectrix/space/files/orbit_ephemeris_segment.hpp>
 
+#include <cmath>
+
 #include <vectrix/frames/errors.hpp>
 
 #include "ephemeris_rules.hpp"
@@ -20,8 +22,13 @@ std::vector<Epoch> times_of(const std::string& place, const std::vector<detail::
   times.reserve(lines.size());
   for (const detail::OrbitLine& line : lines) {
     times.push_back(line.time);
-    if (!line.position.allFinite() || !line.velocity.allFinite())
-      throw BadInput(place + ": sample " + detail::text(times.size() - 1) + " is not finite");
+    for (const Eigen::Vector3d* v : {&line.position, &line.velocity}) {
+      for (const double number : *v) {
+        if (!std::isfinite(number))
+          throw BadInput(place + ": sample " + detail::text(times.size() - 1) + " has the number " +
+                         detail::text(number));
+      }
+    }
   }
   return times;
 }

@@ -11,6 +11,8 @@
 namespace vectrix::detail {
 namespace {
 
+constexpr std::size_t most_characters = 100;
+
 struct Parts {
   std::string_view digits;
   int exponent;
@@ -63,19 +65,29 @@ std::optional<double> parse_short(std::string_view text, int shift) {
 }  // namespace
 
 std::optional<double> parse_shifted(std::string_view text, int shift) {
-  constexpr std::size_t most = 100;
   if (const auto value = parse_short(text, shift)) return value;
   const auto finite = [](std::optional<double> value) {
     return value && std::isfinite(*value) ? value : std::nullopt;
   };
   if (shift == 0) return finite(parse_number(text));
   const auto parts = parts_of(text);
-  if (!parts || text.size() > most) return std::nullopt;
-  std::array<char, most + 16> buffer{};
+  if (!parts || text.size() > most_characters) return std::nullopt;
+  std::array<char, most_characters + 16> buffer{};
   char* end = std::copy(parts->digits.begin(), parts->digits.end(), buffer.data());
   *end++ = 'e';
   end = std::to_chars(end, buffer.data() + buffer.size(), parts->exponent + shift).ptr;
   return finite(parse_number({buffer.data(), static_cast<std::size_t>(end - buffer.data())}));
+}
+
+const char* number_fault(std::string_view text) {
+  if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
+  double value = 0.0;
+  const char* const end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  if (stop != end || error == std::errc::invalid_argument || !std::isfinite(value))
+    return "not a finite number";
+  return text.size() > most_characters ? "a number of more than 100 characters"
+                                       : "in SI units too large or too small for a double, 5e-324 to 1.8e308";
 }
 
 std::string shifted_text(double value, int shift) {

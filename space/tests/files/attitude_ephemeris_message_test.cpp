@@ -111,7 +111,7 @@ TEST(AttitudeEphemerisMessage, OtherFramesAreRefused) {
   EXPECT_EQ(complaint([&] { return segment.samples<Gcrf, Body>(body, called<Gcrf>("EME2000")); }),
             place + "REF_FRAME_A is 'EME2000', earth::Eme2000; it was claimed to be earth::Gcrf");
   EXPECT_EQ(complaint([&] { return segment.angular_velocities<Eme2000, Body>(in<Body>, body); }),
-            place + "the attitude type has no rates");
+            place + "ATTITUDE_TYPE is QUATERNION, which has no rates");
   EXPECT_NO_THROW(static_cast<void>(segment.samples<Other, Body>(body, called<Other>("EME2000"))));
 }
 

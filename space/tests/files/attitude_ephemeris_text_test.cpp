@@ -84,11 +84,23 @@ TEST(AttitudeEphemerisMessage, SegmentsOfSamples) {
   EXPECT_EQ(complaint([&] {
               Segment(metadata, std::vector{samples[1], samples[0]}, body);
             }),
-            place + "sample 1 is not later than the one before");
+            place +
+                "sample 1, at 2000-01-01T11:59:28.000, is not later than the one before, at "
+                "2000-01-01T12:00:28.000");
   EXPECT_EQ(complaint([&] {
               Segment(metadata, samples, std::vector<AngularVelocity<Eme2000, Body, In<Body>>>{}, body);
             }),
             "attitude ephemeris segment: there are 3 samples and 0 rates");
+  // Its rate is finite, but not in degrees.
+  const std::vector<AttitudeSample<Eme2000, Body, Epoch>> two{samples[0], samples[1]};
+  const auto w = [](double z) {
+    return angular_velocity(of<Body>, relative_to<Eme2000>,
+                            vectrix::vector<si::angular_velocity>(in<Body>, Eigen::Vector3d(0, 0, z)));
+  };
+  EXPECT_EQ(complaint([&] {
+              Segment(metadata, two, std::vector{w(1.0), w(1e308)}, body);
+            }),
+            place + "sample 1 has the number inf");
   EXPECT_EQ(complaint([&] {
               Message({"1.1", "", ""}, {segment});
             }),

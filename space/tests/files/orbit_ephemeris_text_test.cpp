@@ -102,8 +102,8 @@ TEST(OrbitEphemerisMessage, SegmentsOfSamples) {
             place +
                 "the sample at 2022-01-17T12:00:00.000 is outside START_TIME, 2022-01-17T13:00:00.000, and "
                 "STOP_TIME, 2022-01-17T13:00:00.000");
-  EXPECT_EQ(with([&](auto& m) { m.useable_stop_time = samples[1].time + 1.0 * si::second; }),
-            place + "STOP_TIME is before USEABLE_STOP_TIME");
+  EXPECT_EQ(with([&](auto& m) { m.useable_stop_time = Epoch::from_utc("2022-01-17T13:00:01"); }),
+            place + "STOP_TIME is before USEABLE_STOP_TIME, 2022-01-17T13:00:01.000");
   EXPECT_EQ(with([](auto& m) { m.time_system = scale::Ut1::minus_tai(-37.0 * si::second); }),
             place + "TIME_SYSTEM is UT1; a message has UTC, TAI, TT, TDB or GPS");
   EXPECT_EQ(complaint([&] { Segment(metadata, std::vector<PositionSample<Eme2000, Ship, Epoch>>{}); }),
@@ -111,11 +111,18 @@ TEST(OrbitEphemerisMessage, SegmentsOfSamples) {
   EXPECT_EQ(complaint([&] {
               Segment(metadata, std::vector{samples[1], samples[0]});
             }),
-            place + "sample 1 is not later than the one before");
+            place +
+                "sample 1, at 2022-01-17T12:00:00.000, is not later than the one before, at "
+                "2022-01-17T13:00:00.000");
   EXPECT_EQ(complaint([&] {
               Segment(metadata, std::vector{samples[0], samples[0]});
             }),
-            place + "sample 1 is not later than the one before");
+            place +
+                "sample 1, at 2022-01-17T12:00:00.000, is not later than the one before, at "
+                "2022-01-17T12:00:00.000");
+  auto infinite = samples;
+  infinite[1].motion.velocity = {detail::trusted, Eigen::Vector3d(0, HUGE_VAL, 0)};  // as of a sum
+  EXPECT_EQ(complaint([&] { Segment(metadata, infinite); }), place + "sample 1 has the number inf");
   EXPECT_EQ(complaint([&] {
               Message({"2.1", "", ""}, {segment});
             }),
