@@ -121,7 +121,8 @@ TEST(OrbitEphemerisMessage, SegmentsOfSamples) {
                 "sample 1, at 2022-01-17T12:00:00.000, is not later than the one before, at "
                 "2022-01-17T12:00:00.000");
   auto infinite = samples;
-  infinite[1].motion.velocity = {detail::trusted, Eigen::Vector3d(0, HUGE_VAL, 0)};  // as of a sum
+  infinite[1].motion.velocity =
+      decltype(infinite[1].motion.velocity){detail::trusted, Eigen::Vector3d(0, HUGE_VAL, 0)};  // as of a sum
   EXPECT_EQ(complaint([&] { Segment(metadata, infinite); }), place + "sample 1 has the number inf");
   EXPECT_EQ(complaint([&] {
               Message({"2.1", "", ""}, {segment});
