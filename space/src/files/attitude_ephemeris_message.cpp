@@ -93,9 +93,11 @@ class SegmentReader {
     const std::size_t start = reader_.line();
     std::vector<std::string> comments = std::move(between_);
     between_.clear();
-    const KvnEntries entries = detail::read_metadata(reader_, kind, version_, comments);
+    std::vector<OtherKeyword> others;
+    const KvnEntries entries = detail::read_metadata(reader_, kind, version_, comments, others);
     EphemerisMetadata metadata = detail::metadata_of(entries, detail::attitude_interpolation);
     metadata.comments = std::move(comments);
+    metadata.others = std::move(others);
     if (!segments_.empty()) detail::require_same_system(entries, metadata, segments_.front().metadata());
     detail::AttitudeLines lines = read_type(entries, version_);
     lines.place = reader_.place() + ", the segment from line " + detail::text(start) + " on";

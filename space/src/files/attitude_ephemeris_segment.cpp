@@ -43,7 +43,8 @@ AttitudeEphemerisSegment::AttitudeEphemerisSegment(detail::Trusted, EphemerisMet
   if (detail::upper_case(lines_.ref_frame_a) == detail::upper_case(lines_.ref_frame_b))
     throw BadInput(lines_.place + ": both frames have the name '" + detail::excerpt(lines_.ref_frame_a) +
                    "'");
-  metadata_ = detail::checked_metadata(lines_.place, std::move(metadata), lines_.times);
+  metadata_ =
+      detail::checked_metadata(lines_.place, detail::attitude_ephemeris, std::move(metadata), lines_.times);
   for (std::size_t i = 0; i < lines_.numbers.size(); ++i) {
     if (!std::isfinite(lines_.numbers[i]))
       throw BadInput(lines_.place + ": sample " + detail::text(i / detail::numbers_in_line(lines_.type)) +

@@ -29,7 +29,7 @@ void write_segment(std::string& out, const AttitudeEphemerisSegment& segment, co
   if (has_direction(version)) detail::write_line(out, "ATTITUDE_DIR", lines.is_b_to_a ? "B2A" : "A2B");
   detail::write_span(out, metadata);
   write_type(out, lines, version);
-  detail::write_interpolation(out, metadata, detail::attitude_interpolation);
+  detail::write_rest(out, metadata, detail::attitude_interpolation);
   out.append("META_STOP\n\nDATA_START\n");
   detail::write_comments(out, lines.comments);
   auto number = lines.numbers.begin();

@@ -14,9 +14,9 @@ namespace {
 // The entries of a part, from the line behind its begin to the line that ends it, at which the reader is
 // then.
 void read_entries(KvnReader& reader, const MessageKind& kind, MessagePart part, const std::string& version,
-                  KvnEntries& entries, std::vector<std::string>& comments) {
-  const bool of_header = part == MessagePart::header;
-  const char* end = of_header ? "META_START" : "META_STOP";
+                  KvnEntries& entries, std::vector<std::string>& comments,
+                  std::vector<OtherKeyword>& others) {
+  const char* end = part == MessagePart::header ? "META_START" : "META_STOP";
   while (true) {
     if (!reader.next())
       throw BadInput(reader.place() + ", line " + text(reader.line()) + ": there is no " + end);
@@ -30,13 +30,15 @@ void read_entries(KvnReader& reader, const MessageKind& kind, MessagePart part, 
         std::find_if(kind.keywords.begin(), kind.keywords.end(), [&](const EphemerisKeyword& keyword) {
           return keyword.name == line.keyword && keyword.part == part;
         });
-    if (known == kind.keywords.end())
-      entries.fail(line, std::string{"the keyword is not of the "} +
-                             (of_header ? "header, which META_START ends" : "metadata"));
-    if (version < known->since || version > known->until)
+    if (known == kind.keywords.end()) {
+      if (const std::string fault = other_fault(kind, line.keyword); !fault.empty())
+        entries.fail(line, fault);
+      others.push_back({line.keyword, line.value});
+    } else if (version < known->since || version > known->until) {
       entries.fail(line, "the keyword is of version " +
                              std::string{version < known->since ? known->since : known->until} +
                              ", the message of version " + version);
+    }
     entries.add(std::move(line));
   }
 }
@@ -57,7 +59,7 @@ MessageHeader read_header(KvnReader& reader, const MessageKind& kind) {
   header.version = version.value;
 
   KvnEntries entries(reader.place(), "the message from line " + text(version.line) + " on");
-  read_entries(reader, kind, MessagePart::header, header.version, entries, header.comments);
+  read_entries(reader, kind, MessagePart::header, header.version, entries, header.comments, header.others);
   const auto value = [&](const char* keyword) {
     const KvnLine* line = entries.find(keyword);
     return line ? line->value : std::string{};
@@ -70,9 +72,9 @@ MessageHeader read_header(KvnReader& reader, const MessageKind& kind) {
 }
 
 KvnEntries read_metadata(KvnReader& reader, const MessageKind& kind, const std::string& version,
-                         std::vector<std::string>& comments) {
+                         std::vector<std::string>& comments, std::vector<OtherKeyword>& others) {
   KvnEntries entries(reader.place(), "the segment from line " + text(reader.line()) + " on");
-  read_entries(reader, kind, MessagePart::metadata, version, entries, comments);
+  read_entries(reader, kind, MessagePart::metadata, version, entries, comments, others);
   return entries;
 }
 

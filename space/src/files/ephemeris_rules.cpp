@@ -1,6 +1,7 @@
 #include "ephemeris_rules.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 #include <vectrix/frames/errors.hpp>
@@ -24,6 +25,23 @@ std::string MessageKind::list() const {
 
 namespace {
 
+constexpr std::string_view words[] = {"COMMENT",   "META_START",       "META_STOP",      "DATA_START",
+                                      "DATA_STOP", "COVARIANCE_START", "COVARIANCE_STOP"};
+
+// How many characters must be put in, left out or exchanged to make one text of the other.
+std::size_t edits(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t diagonal = std::exchange(row[0], i);
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t exchanged = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+      diagonal = std::exchange(row[j], std::min({exchanged, row[j] + 1, row[j - 1] + 1}));
+    }
+  }
+  return row.back();
+}
+
 std::string text_of(const std::string& place, const Epoch& time, const TimeScale& scale) {
   try {
     return exact_text(time, scale);
@@ -33,6 +51,40 @@ std::string text_of(const std::string& place, const Epoch& time, const TimeScale
 }
 
 }  // namespace
+
+std::string other_fault(const MessageKind& kind, std::string_view keyword) {
+  if (keyword.starts_with("USER_DEFINED_")) return "";
+  std::string_view nearest = kind.version_keyword;
+  std::size_t fewest = edits(keyword, nearest);
+  const auto compare = [&](std::string_view known) {
+    const std::size_t count = edits(keyword, known);
+    if (count < fewest) nearest = known;
+    fewest = std::min(fewest, count);
+  };
+  for (const EphemerisKeyword& known : kind.keywords) compare(known.name);
+  for (const std::string_view word : words) compare(word);
+  constexpr std::size_t most_of_a_slip = 2;
+  if (fewest == 0) return "the keyword has its place in another part of the message";
+  if (fewest <= most_of_a_slip)
+    return "the keyword is not of the standard, but nearly " + std::string{nearest};
+  return "";
+}
+
+void require_others(const std::string& place, const MessageKind& kind,
+                    const std::vector<OtherKeyword>& others) {
+  for (std::size_t i = 0; i < others.size(); ++i) {
+    const std::string& keyword = others[i].keyword;
+    const auto fail = [&](const std::string& reason) {
+      throw BadInput(place + ": '" + excerpt(keyword) + "' among the other keywords: " + reason);
+    };
+    if (!is_keyword(keyword)) fail("a keyword is of A-Z, 0-9 and _");
+    if (const std::string fault = other_fault(kind, keyword); !fault.empty()) fail(fault);
+    for (std::size_t j = 0; j < i; ++j) {
+      if (others[j].keyword == keyword) fail("it is there twice");
+    }
+    require_text(place, keyword.c_str(), others[i].value);
+  }
+}
 
 std::optional<SpanFault> span_fault(const EphemerisMetadata& metadata) {
   const std::pair<const char*, const std::optional<Epoch>*> times[] = {
@@ -83,18 +135,20 @@ void require_header(const MessageHeader& header, const MessageKind& kind) {
   require_text(kind.name, "ORIGINATOR", header.originator);
   require_text(kind.name, "CLASSIFICATION", header.classification);
   require_text(kind.name, "MESSAGE_ID", header.message_id);
+  require_others(kind.name, kind, header.others);
   if (header.version != kind.newest() && !(header.classification.empty() && header.message_id.empty()))
     throw BadInput(std::string{kind.name} + ": CLASSIFICATION and MESSAGE_ID are of version " +
                    kind.newest() + ", the message of version " + header.version);
 }
 
-EphemerisMetadata checked_metadata(const std::string& place, EphemerisMetadata metadata,
-                                   const std::vector<Epoch>& times) {
+EphemerisMetadata checked_metadata(const std::string& place, const MessageKind& kind,
+                                   EphemerisMetadata metadata, const std::vector<Epoch>& times) {
   require_text(place, "OBJECT_NAME", metadata.object_name);
   require_text(place, "OBJECT_ID", metadata.object_id);
   require_text(place, "CENTER_NAME", metadata.center_name);
   require_text(place, "the interpolation", metadata.interpolation);
   require_comments(place, metadata.comments);
+  require_others(place, kind, metadata.others);
   if (!scale_named(metadata.time_system.name()))
     throw BadInput(place + ": TIME_SYSTEM is " + metadata.time_system.name() +
                    "; a message has UTC, TAI, TT, TDB or GPS");

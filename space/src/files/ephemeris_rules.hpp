@@ -35,6 +35,12 @@ struct MessageKind {
   [[nodiscard]] std::string list() const;
 };
 
+/// Why a keyword that the part does not have cannot be kept as another one: it has its place elsewhere, or is
+/// nearly one that is known, and so misspelt. Empty if it can be kept.
+std::string other_fault(const MessageKind& kind, std::string_view keyword);
+void require_others(const std::string& place, const MessageKind& kind,
+                    const std::vector<OtherKeyword>& others);
+
 /// What INTERPOLATION_DEGREE may be: 0 to 1000, whether it makes sense or not.
 inline constexpr int most_degree = 1000;
 inline bool is_degree(std::int64_t degree) {
@@ -60,7 +66,7 @@ void require_header(const MessageHeader& header, const MessageKind& kind);
 void require_same_system(const std::string& place, const EphemerisMetadata& metadata,
                          const EphemerisMetadata& first);
 /// The metadata of samples with these times, with START_TIME and STOP_TIME. Throws BadInput.
-EphemerisMetadata checked_metadata(const std::string& place, EphemerisMetadata metadata,
-                                   const std::vector<Epoch>& times);
+EphemerisMetadata checked_metadata(const std::string& place, const MessageKind& kind,
+                                   EphemerisMetadata metadata, const std::vector<Epoch>& times);
 
 }  // namespace vectrix::detail

@@ -22,10 +22,6 @@ bool is_comment(std::string_view text) {
          (text.size() == comment_word.size() || text[comment_word.size()] == ' ' ||
           text[comment_word.size()] == '\t');
 }
-bool is_keyword(std::string_view text) {
-  return !text.empty() &&
-         text.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_") == std::string_view::npos;
-}
 
 std::string line_place(const std::string& place, std::size_t line, std::size_t column) {
   return place + ", line " + text(line) + ", column " + text(column);
@@ -59,6 +55,11 @@ KvnLine keyword_line(const std::string& place, std::size_t number, std::string_v
 }
 
 }  // namespace
+
+bool is_keyword(std::string_view text) {
+  return !text.empty() &&
+         text.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_") == std::string_view::npos;
+}
 
 std::size_t first_wrong(std::string_view text, KvnText where) {
   const auto* const wrong =

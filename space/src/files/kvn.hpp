@@ -27,6 +27,9 @@ enum class KvnText { value, comment, line };
 /// The index of the first character that may not stand there; npos if all may.
 std::size_t first_wrong(std::string_view text, KvnText where);
 
+/// Whether a text is of A-Z, 0-9 and _.
+bool is_keyword(std::string_view text);
+
 /// Throws BadInput with the place, line, column, keyword and value.
 [[noreturn]] void refuse(const std::string& place, const KvnLine& line, const std::string& reason);
 

@@ -34,10 +34,12 @@ class SegmentReader {
     detail::OrbitLines lines;
     lines.place = reader_.place() + ", the segment from line " + detail::text(reader_.line()) + " on";
     std::vector<std::string> comments;
-    const detail::KvnEntries entries = detail::read_metadata(reader_, kind, version_, comments);
+    std::vector<OtherKeyword> others;
+    const detail::KvnEntries entries = detail::read_metadata(reader_, kind, version_, comments, others);
     EphemerisMetadata metadata = detail::metadata_of(entries, detail::orbit_interpolation);
     static_cast<void>(entries.filled("CENTER_NAME"));
     metadata.comments = std::move(comments);
+    metadata.others = std::move(others);
     lines.ref_frame = entries.filled("REF_FRAME").value;
     if (const auto* epoch = entries.find("REF_FRAME_EPOCH"))
       lines.ref_frame_epoch = entries.epoch(*epoch, metadata.time_system);

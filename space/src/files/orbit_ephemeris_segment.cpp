@@ -8,6 +8,7 @@
 #include "epoch_text.hpp"
 #include "frame_claim.hpp"
 #include "kvn.hpp"
+#include "orbit_ephemeris_text.hpp"
 #include "text_file.hpp"
 
 namespace vectrix {
@@ -52,8 +53,8 @@ OrbitEphemerisSegment::OrbitEphemerisSegment(detail::Trusted, EphemerisMetadata 
       lines_{place_of(metadata_), detail::name_of(claim), std::nullopt, std::move(lines), {}, {}} {
   if (metadata_.center_name.empty()) metadata_.center_name = claim.center;
   detail::require_text(lines_.place, "REF_FRAME", lines_.ref_frame);
-  metadata_ =
-      detail::checked_metadata(lines_.place, std::move(metadata_), times_of(lines_.place, lines_.lines));
+  metadata_ = detail::checked_metadata(lines_.place, detail::orbit_ephemeris, std::move(metadata_),
+                                       times_of(lines_.place, lines_.lines));
   require_frame(claim);
 }
 

@@ -2,8 +2,8 @@
 
 #include "files/attitude_ephemeris_texts.hpp"
 
-// Messages with every keyword of their version, exactly as they are written: no keyword can be read into
-// another place, or be left out, without a test that fails.
+// Messages with every keyword of their version, and with others, exactly as they are written: no keyword can
+// be read into another place, or be left out, without a test that fails.
 namespace vectrix::attitude_ephemeris_message_test {
 namespace {
 
@@ -13,6 +13,8 @@ CLASSIFICATION = public
 CREATION_DATE = 2026-01-02T03:04:05
 ORIGINATOR = HERE
 MESSAGE_ID = 8
+MISSION_PHASE = cruise, 2
+USER_DEFINED_META_STAR = 1
 
 META_START
 COMMENT of the metadata
@@ -30,6 +32,8 @@ ATTITUDE_TYPE = QUATERNION/ANGVEL
 ANGVEL_FRAME = REF_FRAME_B
 INTERPOLATION_METHOD = LINEAR
 INTERPOLATION_DEGREE = 1
+ZEROTH = = [m]
+MASS_KG =
 META_STOP
 
 DATA_START
@@ -74,10 +78,13 @@ void expect_attitude(const Message& message, const std::string& version) {
   EXPECT_EQ(header.comments, std::vector<std::string>{"of the header"});
   EXPECT_EQ(header.creation_date, "2026-01-02T03:04:05");
   EXPECT_EQ(header.originator, "HERE");
+  EXPECT_EQ(header.others,
+            (std::vector<OtherKeyword>{{"MISSION_PHASE", "cruise, 2"}, {"USER_DEFINED_META_STAR", "1"}}));
   ASSERT_EQ(message.segments().size(), 2U);
   const Segment& segment = message.segments()[0];
   const EphemerisMetadata& metadata = segment.metadata();
   EXPECT_EQ(metadata.comments, std::vector<std::string>{"of the metadata"});
+  EXPECT_EQ(metadata.others, (std::vector<OtherKeyword>{{"ZEROTH", "= [m]"}, {"MASS_KG", ""}}));
   EXPECT_EQ(metadata.object_name, "ORBITER");
   EXPECT_EQ(metadata.object_id, "1996-062A");
   EXPECT_EQ(metadata.center_name, "MARS");

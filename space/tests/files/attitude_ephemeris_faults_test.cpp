@@ -31,7 +31,7 @@ TEST(AttitudeEphemerisMessage, EveryFaultHasALineAColumnAndAReason) {
        "line 8, column 15 (OBJECT_NAME): 'NoId': the keyword is there for the second time, after line 7"},
       {gmat_quaternions, "OBJECT_ID = NoId", "", "the segment from line 5 on: there is no OBJECT_ID"},
       {gmat_quaternions, "OBJECT_ID = NoId", "REF_FRAME = NoId",
-       "line 8, column 13 (REF_FRAME): 'NoId': the keyword is not of the metadata"},
+       "line 8, column 13 (REF_FRAME): 'NoId': the keyword is not of the standard, but nearly REF_FRAME_A"},
       {gmat_quaternions, "REF_FRAME_A = EME2000", "", "the segment from line 5 on: there is no REF_FRAME_A"},
       {gmat_quaternions, "REF_FRAME_B = SC_BODY_1",
        "REF_FRAME_B =", "line 11, column 14 (REF_FRAME_B): '': it is empty"},

@@ -2,8 +2,8 @@
 
 #include "files/orbit_ephemeris_texts.hpp"
 
-// Messages with every keyword of their version, exactly as they are written: no keyword can be read into
-// another place, or be left out, without a test that fails.
+// Messages with every keyword of their version, and with others, exactly as they are written: no keyword can
+// be read into another place, or be left out, without a test that fails.
 namespace vectrix::orbit_ephemeris_message_test {
 namespace {
 
@@ -13,6 +13,8 @@ CLASSIFICATION = public
 CREATION_DATE = 2026-01-02T03:04:05
 ORIGINATOR = HERE
 MESSAGE_ID = 7
+MISSION_PHASE = cruise, 2
+USER_DEFINED_META_STAR = 1
 
 META_START
 COMMENT of the metadata
@@ -28,6 +30,8 @@ USEABLE_STOP_TIME = 1996-12-18T12:00:50.331
 STOP_TIME = 1996-12-18T12:01:00.331
 INTERPOLATION = HERMITE
 INTERPOLATION_DEGREE = 3
+ZEROTH = = [m]
+MASS_KG =
 META_STOP
 
 COMMENT of the data
@@ -51,6 +55,8 @@ const std::string oldest = R"(CCSDS_OEM_VERS = 1.0
 COMMENT of the header
 CREATION_DATE = 2026-01-02T03:04:05
 ORIGINATOR = HERE
+MISSION_PHASE = cruise, 2
+USER_DEFINED_META_STAR = 1
 
 META_START
 COMMENT of the metadata
@@ -65,6 +71,8 @@ USEABLE_STOP_TIME = 1996-12-18T12:00:50.331
 STOP_TIME = 1996-12-18T12:01:00.331
 INTERPOLATION = HERMITE
 INTERPOLATION_DEGREE = 3
+ZEROTH = = [m]
+MASS_KG =
 META_STOP
 
 COMMENT of the data
@@ -84,10 +92,13 @@ void expect_orbit(const Message& message, const std::string& version) {
   EXPECT_EQ(header.comments, std::vector<std::string>{"of the header"});
   EXPECT_EQ(header.creation_date, "2026-01-02T03:04:05");
   EXPECT_EQ(header.originator, "HERE");
+  EXPECT_EQ(header.others,
+            (std::vector<OtherKeyword>{{"MISSION_PHASE", "cruise, 2"}, {"USER_DEFINED_META_STAR", "1"}}));
   ASSERT_EQ(message.segments().size(), 1U);
   const Segment& segment = message.segments().front();
   const EphemerisMetadata& metadata = segment.metadata();
   EXPECT_EQ(metadata.comments, std::vector<std::string>{"of the metadata"});
+  EXPECT_EQ(metadata.others, (std::vector<OtherKeyword>{{"ZEROTH", "= [m]"}, {"MASS_KG", ""}}));
   EXPECT_EQ(metadata.object_name, "ORBITER");
   EXPECT_EQ(metadata.object_id, "1996-062A");
   EXPECT_EQ(metadata.center_name, "MARS");

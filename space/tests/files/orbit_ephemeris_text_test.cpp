@@ -28,7 +28,7 @@ TEST(OrbitEphemerisMessage, ATextOfAMessageIsTheMessage) {
         "-1.04195e+00 "
         "1.0e-03 -5.3e-07 1.5e-03\n",
         "COV_REF_FRAME = RTN\n1.0e-04\n", "-1.0e+00 2.0e+00 3.0e+00 4.0e+00 5.0e+00 6.0e-09\n",
-        "OBJECT_NAME = \n", "1996-12-18T12:00:00.123456789"})
+        "OBJECT_NAME =\n", "1996-12-18T12:00:00.123456789"})
     EXPECT_NE(written.find(part), std::string::npos) << part << written;
   EXPECT_THROW(Message::parse(topo).write("/no/such/folder/file"), BadInput);
 }
@@ -96,6 +96,22 @@ TEST(OrbitEphemerisMessage, SegmentsOfSamples) {
     EXPECT_EQ(with([&](auto& m) { m.interpolation_degree = degree; }), "nothing was thrown");
   EXPECT_EQ(with([](auto& m) { m.comments = {"A\nB"}; }),
             place + "the comment 'A\nB' is not one line of text");
+  const auto with_other = [&](const std::string& keyword, const std::string& value) {
+    return with([&](auto& m) { m.others = {{"FIRST", "1"}, {keyword, value}}; });
+  };
+  EXPECT_EQ(with_other("SECOND", "2"), "nothing was thrown");
+  EXPECT_EQ(with_other("second", "2"),
+            place + "'second' among the other keywords: a keyword is of A-Z, 0-9 and _");
+  EXPECT_EQ(with_other("FIRST", "2"), place + "'FIRST' among the other keywords: it is there twice");
+  EXPECT_EQ(
+      with_other("STOP_TIM", "2"),
+      place +
+          "'STOP_TIM' among the other keywords: the keyword is not of the standard, but nearly STOP_TIME");
+  EXPECT_EQ(
+      with_other("COMMENT", "2"),
+      place + "'COMMENT' among the other keywords: the keyword has its place in another part of the message");
+  EXPECT_EQ(with_other("SECOND", "2 "),
+            place + "SECOND '2 ' is not one line of printable ASCII without blanks around it");
   EXPECT_EQ(with([](auto& m) { m.center_name = "MARS"; }),
             place + "CENTER_NAME is 'MARS'; the centre of 'EME2000' (earth::Eme2000) is 'EARTH'");
   EXPECT_EQ(with([&](auto& m) { m.start_time = samples[1].time; }),
