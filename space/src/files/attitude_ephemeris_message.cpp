@@ -45,7 +45,7 @@ void read_rate_frame(const KvnEntries& entries, const std::string& version, deta
   const bool in_a = word == "REF_FRAME_A" || word == detail::upper_case(lines.ref_frame_a);
   if (!in_a && word != "REF_FRAME_B" && word != detail::upper_case(lines.ref_frame_b))
     entries.fail(*line, "it is REF_FRAME_A or REF_FRAME_B");
-  lines.rate_frame = in_a ? "REF_FRAME_A" : "REF_FRAME_B";
+  lines.rate_frame = in_a ? detail::RateFrame::a : detail::RateFrame::b;
 }
 
 /// What the metadata say of the data lines.

@@ -88,9 +88,9 @@ std::vector<Eigen::Vector3d> AttitudeEphemerisSegment::rates(const detail::Frame
   if (lines_.is_b_to_a)
     throw BadInput(lines_.place + ": with ATTITUDE_DIR B2A it is not said whether the rates are of " +
                    ref_frame_a() + " or of " + ref_frame_b());
-  const bool are_in_a = lines_.rate_frame == "REF_FRAME_A";
+  const bool are_in_a = lines_.rate_frame == detail::RateFrame::a;
   if (are_in_a != (in_a != reversed))
-    throw BadInput(lines_.place + ": the rates are in " + lines_.rate_frame + ", '" +
+    throw BadInput(lines_.place + ": the rates are in " + detail::rate_frame_name(lines_.rate_frame) + ", '" +
                    detail::excerpt(are_in_a ? ref_frame_a() : ref_frame_b()) + "'; asked for " +
                    detail::shown(in_a ? a : b));
   std::vector<Eigen::Vector3d> all;

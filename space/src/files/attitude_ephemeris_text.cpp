@@ -16,7 +16,8 @@ void write_type(std::string& out, const detail::AttitudeLines& lines, const std:
   if (has_direction(version) && lines.type != AttitudeType::euler_angle)
     detail::write_line(out, "QUATERNION_TYPE", lines.is_scalar_first ? "FIRST" : "LAST");
   if (!lines.euler_sequence.empty()) detail::write_line(out, "EULER_ROT_SEQ", lines.euler_sequence);
-  if (!lines.rate_frame.empty()) detail::write_line(out, rate_keyword(version), lines.rate_frame);
+  if (lines.rate_frame != detail::RateFrame::none)
+    detail::write_line(out, rate_keyword(version), detail::rate_frame_name(lines.rate_frame));
 }
 
 void write_segment(std::string& out, const AttitudeEphemerisSegment& segment, const std::string& version) {

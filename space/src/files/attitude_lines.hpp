@@ -45,6 +45,10 @@ inline bool has_direction(const std::string& version) {
 inline const char* rate_keyword(const std::string& version) {
   return has_direction(version) ? "RATE_FRAME" : "ANGVEL_FRAME";
 }
+/// REF_FRAME_A or REF_FRAME_B.
+constexpr const char* rate_frame_name(RateFrame frame) {
+  return frame == RateFrame::a ? "REF_FRAME_A" : "REF_FRAME_B";
+}
 std::string type_name(AttitudeType type, const std::string& version);
 constexpr std::size_t numbers_in_line(AttitudeType type) {
   return type == AttitudeType::quaternion ? 4 : type == AttitudeType::quaternion_rate ? 7 : 3;

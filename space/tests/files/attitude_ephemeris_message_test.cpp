@@ -156,6 +156,18 @@ TEST(AttitudeEphemerisMessage, RatesOfTheFile) {
       "whether the rates are of EME2000 or of SC_BODY_1");
 }
 
+// QUATERNION_TYPE says nothing of angles, wherever it comes from.
+TEST(AttitudeEphemerisMessage, AnglesHaveNoScalar) {
+  const std::string with = replaced(gmat_angles, "EULER_ROT_SEQ", "QUATERNION_TYPE = FIRST\nEULER_ROT_SEQ");
+  const Segment segment = segment_of(with);
+  EXPECT_EQ((segment.samples<Eme2000, Body>(body)[0].q_a_from_b.scalar_last()),
+            (segment_of(gmat_angles).samples<Eme2000, Body>(body)[0].q_a_from_b.scalar_last()));
+  EXPECT_NO_THROW(Message({"2.0", "", ""}, {segment}));
+  EXPECT_EQ(
+      complaint_of(replaced(with, "FIRST", "SECOND")),
+      "attitude ephemeris message, line 16, column 19 (QUATERNION_TYPE): 'SECOND': it is FIRST or LAST");
+}
+
 TEST(AttitudeEphemerisMessage, DatesByTheDayOfTheYearWithZ) {
   const std::string text = replaced(replaced(spin, "SPIN/NUTATION", "EULER_ANGLE\nEULER_ROT_SEQ = 321"),
                                     " -109.9677896  0.366382445 18.16999799 -156.19211", "");

@@ -116,9 +116,9 @@ class VECTRIX_EXPORT OrbitEphemerisSegment {
     const bool hermite = is_hermite();
     const int degree = interpolation_degree();
     using Motion = InterpolatedPosition<A, Q, Epoch>;
-    const auto motion = hermite ? Motion(samples<A, Q>(called...), Hermite{degree}, longest_gap)
-                                : Motion(samples<A, Q>(called...), Lagrange{degree}, longest_gap);
-    return edge(EphemerisPosition<A, Q>(motion, useable()));
+    auto motion = hermite ? Motion(samples<A, Q>(called...), Hermite{degree}, longest_gap)
+                          : Motion(samples<A, Q>(called...), Lagrange{degree}, longest_gap);
+    return edge(EphemerisPosition<A, Q>(std::move(motion), useable()));
   }
   template <class A, class Q, class... Given>
   auto sampled_edge(  // if A has no standard name in a file: sampled_edge<A, Q>(gap, called<A>("NAME"))
