@@ -115,10 +115,12 @@ TEST(AttitudeEphemerisMessage, SegmentsOfSamples) {
       }),
       "attitude ephemeris message, the segment from line 5 on: version 2.0 has the direction A2B and the "
       "scalar last; the segment has B2A");
-  EXPECT_NE(complaint([&] {
-              Message({"2.0", "", ""}, {segment_of(replaced(gmat_quaternions, "LAST", "FIRST"))});
-            }).find("QUATERNION_TYPE FIRST"),
-            std::string::npos);
+  EXPECT_EQ(
+      complaint([&] {
+        Message({"2.0", "", ""}, {segment_of(replaced(gmat_quaternions, "LAST", "FIRST"))});
+      }),
+      "attitude ephemeris message, the segment from line 5 on: version 2.0 has the direction A2B and the "
+      "scalar last; the segment has QUATERNION_TYPE FIRST");
 }
 
 }  // namespace

@@ -158,8 +158,10 @@ TEST(OrbitEphemerisMessage, TheFileIsNamedAndMustBeWhole) {
             "orbit ephemeris message FILE, line 22: the file stops within this line; it was truncated");
   // What stands before the end is named first, and after COVARIANCE_STOP nothing can be missing.
   const TemporaryFile cut_and_wrong(replaced(topo.substr(0, topo.size() - 4), "UTC", "TCG"));
-  EXPECT_NE(complaint([&] { Message::read(cut_and_wrong.path()); }).find("line 10, column 24 (TIME_SYSTEM)"),
-            std::string::npos);
+  EXPECT_EQ(
+      complaint([&] { Message::read(cut_and_wrong.path()); }, cut_and_wrong.path()),
+      "orbit ephemeris message FILE, line 10, column 24 (TIME_SYSTEM): 'TCG': the time systems that are "
+      "read are UTC, TAI, TT, TDB and GPS");
   const TemporaryFile whole(full.substr(0, full.find("COVARIANCE_STOP") + 15));
   EXPECT_EQ(Message::read(whole.path()).segments().size(), 1U);
   EXPECT_EQ(complaint([] { return Message::read("/no/such/file"); }),
@@ -182,27 +184,38 @@ TEST(OrbitEphemerisMessage, TabsBetweenWordsAreBlanks) {
 }
 
 TEST(OrbitEphemerisMessage, WhatAVersionLacks) {
-  EXPECT_NE(complaint_of(replaced(replaced(full, "3.0", "1.0"), "CLASSIFICATION = public, test-data\n", ""))
-                .find("MESSAGE_ID"),
-            std::string::npos);
+  EXPECT_EQ(
+      complaint_of(replaced(replaced(full, "3.0", "1.0"), "CLASSIFICATION = public, test-data\n", "")),
+      "orbit ephemeris message, line 4, column 14 (MESSAGE_ID): '7': the keyword is of version 3.0, the "
+      "message of version 1.0");
   const std::string plain = replaced(topo, "2.0", "1.0");
   EXPECT_NO_THROW(Message::parse(plain));
   EXPECT_EQ(complaint_of(plain + "2022-01-17T14:00:00 1 2 3 4 5 6 7 8 9\n"),
             "orbit ephemeris message, line 23, column 33 (X_DDOT): '7': version 1.0 has no acceleration");
   EXPECT_EQ(complaint_of(plain + "COVARIANCE_START\n"),
             "orbit ephemeris message, line 23, column 1: 'COVARIANCE_START': version 1.0 has no covariance");
-  EXPECT_NE(
-      complaint_of(replaced(plain, "TIME_SYSTEM ", "REF_FRAME_EPOCH = 2020-01-01T00:00:00\nTIME_SYSTEM "))
-          .find("the keyword is of version 2.0, the message of version 1.0"),
-      std::string::npos);
+  EXPECT_EQ(
+      complaint_of(replaced(plain, "TIME_SYSTEM ", "REF_FRAME_EPOCH = 2020-01-01T00:00:00\nTIME_SYSTEM ")),
+      "orbit ephemeris message, line 10, column 19 (REF_FRAME_EPOCH): '2020-01-01T00:00:00': the keyword is "
+      "of "
+      "version 2.0, the message of version 1.0");
   EXPECT_EQ(complaint([&] { return Message::parse(topo).segments()[0].accelerations<Eme2000, Ship>(); }),
             "orbit ephemeris message, the segment from line 5 on: the line of 2022-01-17T12:00:00.000 has no "
             "acceleration");
   auto header = Message::parse(full).header();
   header.classification = header.message_id = "";
   header.version = "1.0";
-  EXPECT_NE(complaint([&] { Message(header, Message::parse(full).segments()); }).find("version 1.0 has no"),
-            std::string::npos);
+  const std::string place = "orbit ephemeris message, the segment from line ";
+  const auto as_oldest = [&](const std::string& text) {
+    return complaint([&] { Message(header, Message::parse(text).segments()); });
+  };
+  const std::string epoch = "REF_FRAME_EPOCH = 2000-001T11:58:55.816\n";
+  EXPECT_EQ(as_oldest(full), place + "7 on: version 1.0 has no REF_FRAME_EPOCH, the segment has one");
+  EXPECT_EQ(as_oldest(replaced(full, epoch, "")),
+            place + "7 on: version 1.0 has no covariance, the segment has one");
+  EXPECT_EQ(as_oldest(topo + "2022-01-17T14:00:00 1 2 3 4 5 6 7 8 9\n"),
+            place + "5 on: version 1.0 has no acceleration, the segment has one");
+  EXPECT_EQ(as_oldest(topo), "nothing was thrown");
 }
 
 }  // namespace
