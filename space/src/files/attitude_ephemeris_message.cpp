@@ -75,10 +75,10 @@ detail::AttitudeLines read_type(const KvnEntries& entries, const std::string& ve
   return lines;
 }
 
-const char* column(const detail::AttitudeLines& lines, std::size_t number) {
-  static constexpr const char *angles[] = {"ANGLE_1", "ANGLE_2", "ANGLE_3"},
-                              *first[] = {"QC", "Q1", "Q2", "Q3", "X_RATE", "Y_RATE", "Z_RATE"},
-                              *last[] = {"Q1", "Q2", "Q3", "QC", "X_RATE", "Y_RATE", "Z_RATE"};
+std::string_view column(const detail::AttitudeLines& lines, std::size_t number) {
+  static constexpr std::string_view angles[] = {"ANGLE_1", "ANGLE_2", "ANGLE_3"},
+                                    first[] = {"QC", "Q1", "Q2", "Q3", "X_RATE", "Y_RATE", "Z_RATE"},
+                                    last[] = {"Q1", "Q2", "Q3", "QC", "X_RATE", "Y_RATE", "Z_RATE"};
   if (lines.type == AttitudeType::euler_angle) return angles[number];
   return lines.is_scalar_first ? first[number] : last[number];
 }

@@ -120,7 +120,7 @@ KvnLine KvnReader::keyword() const {
 }
 
 std::size_t KvnReader::words(std::array<std::string_view, most_words>& words) const {
-  const auto is_blank = [](char c) { return c == ' ' || c == '\t'; };
+  const auto is_blank = [](char c) { return c <= ' ' && (c == ' ' || c == '\t'); };
   const char *at = content_.data(), *const end = at + content_.size();
   std::size_t count = 0;
   for (; at != end; ++count) {

@@ -17,8 +17,8 @@ using detail::KvnReader, detail::kilo;
 
 constexpr const detail::MessageKind& kind = detail::orbit_ephemeris;
 
-constexpr std::array<const char*, 10> columns{"EPOCH", "X",     "Y",      "Z",      "X_DOT",
-                                              "Y_DOT", "Z_DOT", "X_DDOT", "Y_DDOT", "Z_DDOT"};
+constexpr std::array<std::string_view, 10> columns{"EPOCH", "X",     "Y",      "Z",      "X_DOT",
+                                                   "Y_DOT", "Z_DOT", "X_DDOT", "Y_DDOT", "Z_DDOT"};
 
 bool is_oldest(const std::string& version) {
   return version == *kind.versions.begin();

@@ -31,32 +31,37 @@ std::optional<Parts> parts_of(std::string_view text) {
   return Parts{text.substr(0, e), exponent};
 }
 
+// Puts the digits behind those that are there.
+const char* after_digits(const char* at, const char* end, std::int64_t& digits) {
+  std::int64_t all = digits;
+  for (; at != end; ++at) {
+    const auto digit = static_cast<unsigned>(*at - '0');
+    if (digit > 9) break;
+    all = 10 * all + digit;
+  }
+  digits = all;
+  return at;
+}
+
 // Of a number without an exponent and with few digits: these digits and the power of ten are exact, so that
 // their product or quotient is rounded once.
 std::optional<double> parse_short(std::string_view text, int shift) {
-  constexpr std::array<double, 23> powers{1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
-                                          1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
-                                          1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
-  constexpr int most_digits = 18;
+  static constexpr std::array<double, 23> powers{1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
+                                                 1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
+                                                 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
+  constexpr std::size_t most_digits = 18;
   constexpr std::int64_t most = std::int64_t{1} << 53;
   const bool is_negative = text.starts_with('-');
   if (is_negative || text.starts_with('+')) text.remove_prefix(1);
+  if (text.size() > most_digits + 1) return std::nullopt;
   std::int64_t digits = 0;
-  int count = 0, decimals = 0;
-  bool has_point = false;
-  for (const char c : text) {
-    if (c >= '0' && c <= '9' && count < most_digits) {
-      digits = 10 * digits + (c - '0');
-      decimals += int{has_point};
-      ++count;
-    } else if (c == '.' && !has_point) {
-      has_point = true;
-    } else {
-      return std::nullopt;
-    }
-  }
+  const char* const end = text.data() + text.size();
+  const char* const point = after_digits(text.data(), end, digits);
+  const char* const first_decimal = point != end && *point == '.' ? point + 1 : point;
+  const bool is_read = after_digits(first_decimal, end, digits) == end;
+  const auto decimals = static_cast<int>(end - first_decimal);
+  if (!is_read || point - text.data() + decimals == 0 || digits > most) return std::nullopt;
   const int exponent = shift - decimals;
-  if (count == 0 || digits > most) return std::nullopt;
   const double whole = is_negative ? -static_cast<double>(digits) : static_cast<double>(digits);
   return exponent < 0 ? whole / powers[static_cast<std::size_t>(-exponent)]
                       : whole * powers[static_cast<std::size_t>(exponent)];

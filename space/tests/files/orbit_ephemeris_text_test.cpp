@@ -1,6 +1,9 @@
+#include <charconv>
 #include <cmath>
 #include <limits>
 #include <random>
+#include <string>
+#include <system_error>
 #include <vector>
 
 #include "files/orbit_ephemeris_texts.hpp"
@@ -68,6 +71,32 @@ TEST(OrbitEphemerisMessage, SamplesReadBackToTheLastBit) {
       EXPECT_EQ(again[i].motion.velocity.coordinates(), samples[i].motion.velocity.coordinates());
     }
   }
+}
+
+// Numbers without an exponent, of few and of many digits: the double next to the written metres.
+TEST(OrbitEphemerisMessage, KilometresBecomeMetresRoundedOnce) {
+  std::mt19937_64 random(20261129);
+  for (int run = 0; run < 5000; ++run) {
+    std::string number = random() % 2 ? "-" : random() % 2 ? "+" : "";
+    const std::size_t digits = 1 + random() % 22, point = random() % (digits + 2);
+    for (std::size_t i = 0; i < digits; ++i) {
+      if (i == point) number += '.';
+      number += static_cast<char>('0' + random() % 10);
+    }
+    if (point == digits) number += '.';
+    const std::string metres = (number[0] == '+' ? number.substr(1) : number) + "e3";
+    double expected = 0.0;
+    ASSERT_EQ(std::from_chars(metres.data(), metres.data() + metres.size(), expected).ec, std::errc{})
+        << metres;
+    const auto message = Message::parse(replaced(topo, "545.284043961596", number));
+    const double x = message.segments()[0].samples<Eme2000, Ship>()[0].motion.position.coordinates().x();
+    EXPECT_EQ(x, expected) << number;
+    EXPECT_EQ(std::signbit(x), std::signbit(expected)) << number;
+  }
+  for (const char* wrong : {".", "-", "-.", "1.2.3", "1-", "--1", "1..2"})
+    EXPECT_EQ(
+        complaint_of(replaced(topo, "545.284043961596", wrong)),
+        "orbit ephemeris message, line 21, column 25 (X): '" + std::string{wrong} + "': not a finite number");
 }
 
 TEST(OrbitEphemerisMessage, SegmentsOfSamples) {
