@@ -32,8 +32,8 @@ std::optional<Parts> parts_of(std::string_view text) {
 }
 
 // Puts the digits behind those that are there.
-const char* after_digits(const char* at, const char* end, std::int64_t& digits) {
-  std::int64_t all = digits;
+const char* after_digits(const char* at, const char* end, std::uint64_t& digits) {
+  std::uint64_t all = digits;
   for (; at != end; ++at) {
     const auto digit = static_cast<unsigned>(*at - '0');
     if (digit > 9) break;
@@ -49,12 +49,12 @@ std::optional<double> parse_short(std::string_view text, int shift) {
   static constexpr std::array<double, 23> powers{1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
                                                  1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
                                                  1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
-  constexpr std::size_t most_digits = 18;
-  constexpr std::int64_t most = std::int64_t{1} << 53;
+  constexpr std::size_t longest = 19;
+  constexpr std::uint64_t most = std::uint64_t{1} << 53;
   const bool is_negative = text.starts_with('-');
   if (is_negative || text.starts_with('+')) text.remove_prefix(1);
-  if (text.size() > most_digits + 1) return std::nullopt;
-  std::int64_t digits = 0;
+  if (text.size() > longest) return std::nullopt;
+  std::uint64_t digits = 0;  // of 19 at most
   const char* const end = text.data() + text.size();
   const char* const point = after_digits(text.data(), end, digits);
   const char* const first_decimal = point != end && *point == '.' ? point + 1 : point;
