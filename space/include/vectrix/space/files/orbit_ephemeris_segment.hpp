@@ -53,8 +53,9 @@ struct OrbitLines {
 /// frames.
 class VECTRIX_EXPORT OrbitEphemerisSegment {
  public:
-  /// Of samples. Throws BadInput if there are none, the times do not increase, a number is not finite, a
-  /// text cannot be a line of a message, or a sample is more than 1 ms outside START_TIME and STOP_TIME.
+  /// Of samples. Throws BadInput if there are none, the times do not increase or are before the first one of
+  /// the time system, a number is not finite, a text cannot be a line of a message, another keyword cannot be
+  /// kept, or a sample is more than 1 ms outside START_TIME and STOP_TIME.
   template <Frame A, Frame Q, class... Given>
     requires(detail::is_claim<A, Given...>)
   OrbitEphemerisSegment(EphemerisMetadata metadata, const std::vector<PositionSample<A, Q, Epoch>>& samples,
