@@ -124,7 +124,7 @@ void EpochReader::begin_day(std::string_view text, const Written& written) {
     refuse(text, std::string{"there is no such "} + wrong.at(static_cast<std::size_t>(-status - 1)));
   const double day = zero + modified;
   if (scale_.kind() == TimeScale::Kind::utc) {
-    static_cast<void>(tai_of(scale_, {day, 0.0}, what(text)));  // refuses a day before UTC
+    require_known_utc({day, 0.0}, what(text));
     day_ = utc_day(day);
   } else {
     day_ = {day, 0.0, 0.0, 0.0};

@@ -29,10 +29,6 @@ std::string tai_text(const Date& tai) {
   return "Epoch " + calendar_text(tai, ERFA_DAYSEC, DayStyle::month_and_day, 6) + " TAI";
 }
 
-void require_known_utc(const Date& utc, const std::string& what) {
-  if (utc.modified_day() < first_utc_day) throw BadInput(what + ": UTC is not known before 1960");
-}
-
 Date tai_of_utc(const Date& utc, const std::string& what) {
   require_known_utc(utc, what);
   return tai_of(utc_day(utc.day), utc.fraction);
@@ -52,6 +48,10 @@ double tdb_minus_tt(const Date& date) {
 }
 
 }  // namespace
+
+void require_known_utc(const Date& utc, const std::string& what) {
+  if (utc.modified_day() < first_utc_day) throw BadInput(what + ": UTC is not known before 1960");
+}
 
 // Each part is split by itself: both splits are exact, so that only the sum of two fractions is rounded.
 Date normalised(double day, double fraction) {
