@@ -23,7 +23,8 @@ struct Node {
 };
 
 /// One zero of a root function: the index of the root in Problem::roots, its name, the first time at which
-/// the function has its new sign (or is 0), the state at that time, and `rising` or `falling`.
+/// the function has its new sign (or is 0), the state at that time, and `rising` or `falling`. A new sign
+/// that no double sees, as it lasts for less than a rounding of time, is at the nearest one.
 struct Event {
   std::size_t root;
   std::string name;
