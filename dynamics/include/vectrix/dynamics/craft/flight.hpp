@@ -165,11 +165,12 @@ template <CraftType C, class... Parts> class Flight {
       std::apply([&](const auto&... part) { (one(part), ...); }, parts_);
     } while (!settled);
   }
-  template <class F> typename UpdateOf<F>::result found(const F& update, const Now<C>& now) const {
+  template <class F>
+  static typename UpdateOf<F>::result found(const F& update, const Now<C>& now, const HeldTuple& values) {
     if constexpr (is_becomes<F>)
       return update.value;
     else
-      return with_held(std::type_identity<Taken<1, F>>{}, update, values_, now);
+      return with_held(std::type_identity<Taken<1, F>>{}, update, values, now);
   }
   template <class X> void put(HeldTuple& next, double t, X value) {
     record(t, value);
@@ -182,15 +183,21 @@ template <CraftType C, class... Parts> class Flight {
     else
       history.push_back({t, value});
   }
+  /// Of several ticks of one list at one instant each sees what the one before gave. Those of a clock, which
+  /// may have a latency, are at instants of their own.
   template <class Trigger, class F>
   void tick(const Change<Trigger, F>& change, Running<Change<Trigger, F>>& running, const Now<C>& now,
             HeldTuple& next) {
+    using X = typename UpdateOf<F>::result;
     const double t = now.time().value();
     const auto due = [&](std::size_t tick, double latency) {
       const auto& times = running.list.times;
       return tick < times.size() && times[tick] + latency <= t + apart_;
     };
-    for (; due(running.sampled, 0.0); ++running.sampled) running.waiting.push_back(found(change.update, now));
+    for (HeldTuple seen = values_; due(running.sampled, 0.0); ++running.sampled) {
+      running.waiting.push_back(found(change.update, now, seen));
+      std::get<X>(seen) = running.waiting.back();
+    }
     for (; due(running.applied, running.list.latency); ++running.applied) {
       put(next, t, std::move(running.waiting.front()));
       running.waiting.pop_front();
@@ -202,7 +209,7 @@ template <CraftType C, class... Parts> class Flight {
     if constexpr (!is_effect<F>) {
       const auto is_this = [&](const ode::Event& event) { return event.root == root; };
       if (std::any_of(ended_by.begin(), ended_by.end(), is_this))
-        put(next, now.time().value(), found(change.update, now));
+        put(next, now.time().value(), found(change.update, now, values_));
     }
   }
   template <class G, class F> ode::Root root(const Change<Zero<G>, F>& change) {
