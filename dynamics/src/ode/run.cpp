@@ -65,7 +65,7 @@ void Run::integrate() {
   }
 }
 
-void Run::change(std::span<const Event> ended_by) const {
+void Run::change(std::span<const Event> ended_by) {
   try {
     problem_.at_segment_start(segment_start_, state_, ended_by);
   } catch (...) {
@@ -73,6 +73,13 @@ void Run::change(std::span<const Event> ended_by) const {
                   "the change at the start of the segment at t = " + text(segment_start_) + " threw",
                   std::current_exception()};
   }
+  const auto bad = std::ranges::find_if_not(state_, [](double y) { return std::isfinite(y); });
+  if (bad == state_.end()) return;
+  throw Trouble{flag::rhs_failed, segment_start_,
+                "the change at the start of the segment at t = " + text(segment_start_) + " sets " +
+                    detail::component_name(problem_, static_cast<std::size_t>(bad - state_.begin())) +
+                    " to " + text(*bad),
+                nullptr};
 }
 
 std::vector<double> Run::segment_ends() const {

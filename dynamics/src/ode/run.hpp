@@ -22,7 +22,7 @@ class Run {
  private:
   void integrate();
   [[nodiscard]] std::vector<double> segment_ends() const;
-  void change(std::span<const Event> ended_by) const;
+  void change(std::span<const Event> ended_by);
   [[nodiscard]] std::vector<Event> integrate_segment();
   double step();
   [[nodiscard]] double time(double elapsed) const;

@@ -50,6 +50,13 @@ template <class F> struct PartOf<Settling<F>> {
 template <class Part> inline constexpr bool is_settling = false;
 template <class F> inline constexpr bool is_settling<Settling<F>> = true;
 
+/// While the held X is X{}, a number of the state is zero, as the speed of a joint that sticks: what it is
+/// when X becomes X{}, as the time of the zero is rounded, it is no longer.
+template <class X> struct StandsStill { std::size_t at; };
+template <class X> struct PartOf<StandsStill<X>> {
+  static constexpr bool load = false, held = false, ticks = false, zero = false;
+};
+
 template <class... Types> using Joined = decltype(std::tuple_cat(std::declval<Types>()...));
 template <class Part> struct HeldType { using type = std::tuple<>; };
 template <class X> struct HeldType<Held<X>> { using type = std::tuple<X>; };
@@ -135,6 +142,9 @@ struct FaultOfUpdate<C, HeldTuple, F> {
   using type = Nothing;
 };
 template <class C, class HeldTuple, class F> struct FaultOfPart<C, HeldTuple, Settling<F>> {
+  using type = Nothing;
+};
+template <class C, class HeldTuple, class X> struct FaultOfPart<C, HeldTuple, StandsStill<X>> {
   using type = Nothing;
 };
 template <class C, class HeldTuple, class Trigger, class F>

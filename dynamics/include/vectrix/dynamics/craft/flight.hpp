@@ -106,7 +106,7 @@ template <CraftType C, class... Parts> class Flight {
     return roots;
   }
   /// All changes that are due see the values from before.
-  void change(double t, std::span<const double> y, std::span<const ode::Event> ended_by) {
+  void change(double t, std::span<double> y, std::span<const ode::Event> ended_by) {
     if constexpr (!std::is_same_v<HeldTuple, std::tuple<>>) {
       const Now<C> now = now_at(t, y);
       HeldTuple next = values_;
@@ -116,6 +116,7 @@ template <CraftType C, class... Parts> class Flight {
         if constexpr (PartOf<Part<i>>::ticks) tick(std::get<i>(parts_), std::get<i>(running_), now, next);
       });
       values_ = std::move(next);
+      std::apply([&](const auto&... part) { (stand_still(part, y), ...); }, parts_);
       settle(t, y);
     }
   }
@@ -146,6 +147,10 @@ template <CraftType C, class... Parts> class Flight {
   Solved<C> solved_at(double t, std::span<const double> y) {
     rates_(t, y.data(), ydot_.data());
     return {Now<C>{trusted, *core_, t, y.data(), rates_.work()}, ydot_.data()};
+  }
+  template <class Part> void stand_still(const Part&, std::span<double>) const {}
+  template <class X> void stand_still(const StandsStill<X>& part, std::span<double> y) const {
+    if (std::get<X>(values_) == X{}) y[part.at] = 0.0;
   }
   void settle(double t, std::span<const double> y) {
     bool settled = true;

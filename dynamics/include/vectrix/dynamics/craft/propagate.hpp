@@ -53,7 +53,7 @@ typename detail::TrajectoryOf<C, detail::HeldTypes<Parts...>>::type propagate(
   detail::Flight<C, Parts...> flight(scenario, problem.start, problem.end);
   problem.breakpoints = flight.breakpoints(problem.start, problem.end);
   problem.roots = flight.roots();
-  problem.at_segment_start = [&](double t, std::span<const double> y, std::span<const ode::Event> ended_by) {
+  problem.at_segment_start = [&](double t, std::span<double> y, std::span<const ode::Event> ended_by) {
     flight.change(t, y, ended_by);
   };
   auto rates =

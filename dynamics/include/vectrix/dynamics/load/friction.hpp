@@ -42,6 +42,14 @@ template <class C, class On> double speed_of(const Now<C>& now) {
     return now.speed(of<On>).value();
 }
 
+/// Where the speed is among the numbers of the state.
+template <class C, class On> constexpr std::size_t speed_number() {
+  if constexpr (C::shape::template has_rotor<On>)
+    return C::shape::template spin_at<On>;
+  else
+    return C::shape::template speed_at<On>;
+}
+
 /// The effort that keeps the speed of a locked joint or rotor, besides what the loads apply.
 template <class C, class On> double sticking_effort(const Now<C>& now) {
   using Shape = typename C::shape;
@@ -107,16 +115,18 @@ template <CraftType C, class On, class Effort, class Speed, class Damping> struc
                       at_start(at_first),
                       when(name + " comes to rest", slipping, ode::Direction::falling, becomes(State{})),
                       when(name + " breaks away", excess, ode::Direction::rising, as_it_is),
+                      detail::StandsStill<State>{detail::speed_number<C, On>()},
                       detail::settling(breaking)};
   }
 };
 
 /// Friction of Coulomb, Stribeck and viscous on a hinge, a slider or a rotor with the speed u:
 ///     M = -sign(u) (M_c + (M_s - M_c) exp(-(u/u_s)^2)) - c u
-/// At rest it sticks, and keeps at rest exactly, until the effort that this needs reaches the breakaway
-/// effort M_s, also by a jump of another load. Whether it sticks is the held value StickSlip<On>; the zeros
-/// are events of the run. Coulomb's law alone has M_s = M_c and any u_s. Throws BadInput for a number that is
-/// not finite, negative, or 0 for M_s or u_s, and if M_s < M_c.
+/// At rest it sticks, its speed is zero exactly, until the effort that this needs reaches the breakaway
+/// effort M_s, also by a jump of another load. What is left of the speed as it comes to rest, at a rounded
+/// time, is set to zero: the momentum changes by less than M times the rounding of time. Whether it sticks is
+/// the held value StickSlip<On>; the zeros are events of the run. Coulomb's law alone has M_s = M_c and any
+/// u_s. Throws BadInput for a number that is not finite, negative, or 0 for M_s or u_s, and if M_s < M_c.
 template <CraftType C, class On, class Effort, class Speed, class Damping>
   requires(detail::is_friction<C, On, Effort, Speed, Damping>())
 JointFriction<C, On, Effort, Speed, Damping> friction(const C&, Of<On>, const Quantity<Effort>& coulomb,

@@ -44,8 +44,9 @@ struct Record;
 /// The result of a run. It is immutable and cheap to copy. After a failure it ends at the last accepted step.
 ///
 /// Nodes are ordered by time. Smooth segments lie between consecutive breakpoints, and zeros that end a
-/// segment. Such an instant is a node of both its segments, with the same state and two one-sided rates. A
-/// temporary solution gives no spans.
+/// segment. Such an instant is a node of both its segments, with two one-sided rates and the same state,
+/// unless Problem::at_segment_start changed it: the later node has the new one, and so has at(). A temporary
+/// solution gives no spans.
 class VECTRIX_EXPORT Solution {
  public:
   explicit Solution(std::shared_ptr<const Record> record);
