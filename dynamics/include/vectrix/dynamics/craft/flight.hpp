@@ -83,14 +83,14 @@ template <CraftType C, class... Parts> class Flight {
               return Runnings{Running<std::remove_cvref_t<decltype(part)>>(part, start, end)...};
             },
             parts_)),
-        rates_(rates_under(scenario.craft(), loads())) {
+        rates_(rates_under(scenario.craft(), held_loads(parts_, values_))) {
     std::apply([&](const auto&... value) { (record(start, value), ...); }, values_);
   }
   Flight(const Flight&) = delete;
   Flight& operator=(const Flight&) = delete;
 
-  auto loads() const { return held_loads(parts_, values_); }
-
+  /// The derivative of the state under the loads, with the values that are held now.
+  void rates(double t, const double* y, double* ydot) { rates_(t, y, ydot); }
   std::vector<double> breakpoints(double start, double end) const {
     std::vector<const TickList*> lists;
     for_each_part([&]<std::size_t i>() {

@@ -124,8 +124,8 @@ template <CraftType C, class On, class Effort, class Speed, class Damping> struc
 ///     M = -sign(u) (M_c + (M_s - M_c) exp(-(u/u_s)^2)) - c u
 /// At rest it sticks, its speed is zero exactly, until the effort that this needs reaches the breakaway
 /// effort M_s, also by a jump of another load. What is left of the speed as it comes to rest, at a rounded
-/// time, is set to zero: the momentum changes by less than M times the rounding of time. Whether it sticks is
-/// the held value StickSlip<On>; the zeros are events of the run. Coulomb's law alone has M_s = M_c and any
+/// time, is set to zero; the momentum loses it. Whether it sticks is the held value StickSlip<On>; the zeros
+/// are events of the run. Coulomb's law alone has M_s = M_c and any
 /// u_s. Throws BadInput for a number that is not finite, negative, or 0 for M_s or u_s, and if M_s < M_c.
 template <CraftType C, class On, class Effort, class Speed, class Damping>
   requires(detail::is_friction<C, On, Effort, Speed, Damping>())
