@@ -209,6 +209,29 @@ TEST(Tree, AHeldHingeAtRestIsAFixedJoint) {
   }
 }
 
+// A lock is for one solution, and is what a given acceleration of zero is.
+TEST(Tree, ALockedLinkKeepsItsSpeedOnce) {
+  RandomCraft random(20260307);
+  for (int trial = 0; trial < trials(30); ++trial) {
+    Case c(random, 6);
+    auto k = c.tree.work();
+    const auto solve = [&](std::size_t locked) {
+      c.tree.place(c.y.data(), k);
+      if (locked < k.locked_links.size()) k.locked_links[locked] = 1;
+      c.tree.solve(c.y.data(), c.ydot.data(), k);
+      return c.ydot;
+    };
+    const auto free = solve(k.held.size());
+    for (std::size_t link = 0; link < k.held.size(); ++link) {
+      const auto locked = solve(link);
+      EXPECT_EQ(solve(k.held.size()), free);
+      k.held[link] = 1;
+      EXPECT_EQ(solve(k.held.size()), locked);
+      k.held[link] = 0;
+    }
+  }
+}
+
 TEST(Tree, RefusesATreeOutOfOrder) {
   RandomCraft random(20260306);
   const auto numbers = lowered<double>(random.craft(3), mb::HubMotion::free).numbers;
