@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <concepts>
 #include <cstddef>
 #include <tuple>
@@ -34,10 +35,13 @@ template <class G, class F> struct PartOf<Change<Zero<G>, F>> {
 
 /// What a zero or a settling value of a load sees: an instant with its accelerations, under all loads.
 template <CraftType C> struct Solved {
-  Solved(const Now<C>& at, const double* ydot = nullptr) : now(at), rates(ydot) {}
   Now<C> now;
-  const double* rates;  ///< the derivative of the state
+  const std::array<double, C::state_size>& rates;  ///< the derivative of the state
 };
+/// What a function of the state with these arguments sees: Solved<C> if it takes one, else Now<C>.
+template <class C, class Arguments> struct SeenBy : std::type_identity<Now<C>> {};
+template <class C, class... Rest>
+struct SeenBy<C, std::tuple<Solved<C>, Rest...>> : std::type_identity<Solved<C>> {};
 /// At the start of each smooth segment, after all changes, a held value that is X{} may become another at
 /// once: what the function of const Solved<C>& gives. A joint that sticks breaks away when its load jumps.
 template <class F> struct Settling { F function; };
@@ -97,8 +101,9 @@ template <class U> inline constexpr bool is_size<Quantity<U>> = true;
 template <class C, class G, class Tuple> struct GivesSize;
 template <class C, class G, class... X> struct GivesSize<C, G, std::tuple<X...>> {
   static constexpr bool test() {
-    if constexpr (std::invocable<const G&, const Now<C>&, const X&...>)
-      return is_size<std::remove_cvref_t<std::invoke_result_t<const G&, const Now<C>&, const X&...>>>;
+    using Seen = typename SeenBy<C, Arguments<G>>::type;
+    if constexpr (std::invocable<const G&, const Seen&, const X&...>)
+      return is_size<std::remove_cvref_t<std::invoke_result_t<const G&, const Seen&, const X&...>>>;
     else
       return false;
   }

@@ -57,10 +57,6 @@ template <CraftType C, class... Loads>
 CraftRates<C, Loads...> rates_under(const C& craft, const std::tuple<Loads...>& loads) {
   return std::apply([&](const Loads&... load) { return CraftRates<C, Loads...>(craft, load...); }, loads);
 }
-/// Whether a function sees the accelerations.
-template <class C, class Arguments> inline constexpr bool sees_accelerations = false;
-template <class C, class... Rest>
-inline constexpr bool sees_accelerations<C, std::tuple<Solved<C>, Rest...>> = true;
 
 /// The values that a run holds, and their changes. Its loads, roots and changes refer to it.
 template <CraftType C, class... Parts> class Flight {
@@ -146,7 +142,7 @@ template <CraftType C, class... Parts> class Flight {
   }
   Solved<C> solved_at(double t, std::span<const double> y) {
     rates_(t, y.data(), ydot_.data());
-    return {Now<C>{trusted, *core_, t, y.data(), rates_.work()}, ydot_.data()};
+    return {Now<C>{trusted, *core_, t, y.data(), rates_.work()}, ydot_};
   }
   template <class Part> void stand_still(const Part&, std::span<double>) const {}
   template <class X> void stand_still(const StandsStill<X>& part, std::span<double> y) const {
@@ -220,7 +216,7 @@ template <CraftType C, class... Parts> class Flight {
   template <class G, class F> ode::Root root(const Change<Zero<G>, F>& change) {
     const auto value = [this, &g = change.trigger.function](double t, std::span<const double> y) -> double {
       const auto at = [&] {
-        if constexpr (sees_accelerations<C, Arguments<G>>)
+        if constexpr (std::is_same_v<typename SeenBy<C, Arguments<G>>::type, Solved<C>>)
           return solved_at(t, y);
         else
           return now_at(t, y);
