@@ -273,8 +273,9 @@ TEST_P(OdeChanges, an_exception_arrives_with_the_solution_until_then) {
         << failure.what();
     EXPECT_THROW(std::rethrow_if_nested(failure), std::domain_error);
     EXPECT_EQ(failure.solution().end(), 3.0);
-    EXPECT_NEAR(failure.solution().at(3.0)[0], std::cos(3.0),
-                100 * error_of(GetParam()));  // 1e-10, not 1e-12
+    // Some ten steps with an error of 1e-10 each; those of Adams and BDF are some hundred.
+    const bool multistep = GetParam() == Method::cvode_adams || GetParam() == Method::cvode_bdf;
+    EXPECT_NEAR(failure.solution().at(3.0)[0], std::cos(3.0), (multistep ? 100 : 10) * 1e-10);
   }
 }
 
