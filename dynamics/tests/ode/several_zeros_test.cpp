@@ -127,5 +127,29 @@ TEST_P(OdeSeveralZeros, AnEndAtANodeHasItsNewSign) {
   }
 }
 
+// Changes some roundings of time apart: breakpoints, ends of segments by zeros, and plain zeros.
+TEST_P(OdeSeveralZeros, SegmentsOfSomeRoundings) {
+  for (const double start : {0.0, 8e8}) {
+    const double at = start + 1.0, rounding = std::nextafter(at, 2.0 * at) - at;
+    for (int k = -12; k <= 12; ++k) {
+      for (const int width : {1, 2, 3, 7}) {
+        Problem problem = oscillator(GetParam(), start + 2.0, 1e-9);
+        problem.start = start;
+        problem.breakpoints = {at, at + width * rounding};
+        const double zero = at + k * rounding;
+        problem.roots = {{"ends", [=](double t, State) { return t - zero; }, Direction::any, false, true},
+                         {"later", [=](double t, State) { return t - (zero + rounding); }}};
+        problem.output_times = {at, at + rounding, at + 5.0 * rounding};
+        const Solution solution = solve(problem);
+        ASSERT_EQ(solution.events().size(), 2U) << k << ' ' << width;
+        EXPECT_NEAR(solution.events()[0].time, zero, two_roundings(zero));
+        EXPECT_NEAR(solution.events()[1].time, zero + rounding, two_roundings(zero));
+        EXPECT_EQ(solution.output_times().size(), 3U);
+        EXPECT_EQ(solution.end(), problem.end);
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace vectrix::ode::test::several_zeros_test
