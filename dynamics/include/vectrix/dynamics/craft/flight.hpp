@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <deque>
+#include <limits>
 #include <memory>
 #include <span>
 #include <tuple>
@@ -57,6 +58,11 @@ template <CraftType C, class... Loads>
 CraftRates<C, Loads...> rates_under(const C& craft, const std::tuple<Loads...>& loads) {
   return std::apply([&](const Loads&... load) { return CraftRates<C, Loads...>(craft, load...); }, loads);
 }
+/// The held X with which a function sees the accelerations; void if it does not see them.
+template <class C, class Arguments> struct SolvesWith { using type = void; };
+template <class C, class X, class... Rest> struct SolvesWith<C, std::tuple<Solved<C, X>, Rest...>> {
+  using type = X;
+};
 
 /// The values that a run holds, and their changes. Its loads, roots and changes refer to it.
 template <CraftType C, class... Parts> class Flight {
@@ -86,7 +92,10 @@ template <CraftType C, class... Parts> class Flight {
   Flight& operator=(const Flight&) = delete;
 
   /// The derivative of the state under the loads, with the values that are held now.
-  void rates(double t, const double* y, double* ydot) { rates_(t, y, ydot); }
+  void rates(double t, const double* y, double* ydot) {
+    solved_ = false;
+    rates_(t, y, ydot);
+  }
   std::vector<double> breakpoints(double start, double end) const {
     std::vector<const TickList*> lists;
     for_each_part([&]<std::size_t i>() {
@@ -112,7 +121,7 @@ template <CraftType C, class... Parts> class Flight {
         if constexpr (PartOf<Part<i>>::ticks) tick(std::get<i>(parts_), std::get<i>(running_), now, next);
       });
       values_ = std::move(next);
-      std::apply([&](const auto&... part) { (stand_still(part, y), ...); }, parts_);
+      solved_ = false;
       settle(t, y);
     }
   }
@@ -136,34 +145,66 @@ template <CraftType C, class... Parts> class Flight {
     (std::index_sequence_for<Parts...>{});
   }
 
+  /// An instant is placed once for all functions that see it.
   Now<C> now_at(double t, std::span<const double> y) {
-    core_->tree.place(y.data(), work_);
-    return {trusted, *core_, t, y.data(), work_};
+    if (!(t == t_ && std::equal(y.begin(), y.end(), y_.begin()))) {
+      t_ = t;
+      std::copy(y.begin(), y.end(), y_.begin());
+      core_->tree.place(y_.data(), work_);
+      solved_ = false;
+    }
+    return {trusted, *core_, t_, y_.data(), work_};
   }
-  Solved<C> solved_at(double t, std::span<const double> y) {
-    rates_(t, y.data(), ydot_.data());
-    return {Now<C>{trusted, *core_, t, y.data(), rates_.work()}, ydot_};
+  template <class X> Solved<C, X> solved_at(double t, std::span<const double> y) {
+    return {now_at(t, y), [this](const X& x) { return solve_with(x); }};
   }
-  template <class Part> void stand_still(const Part&, std::span<double>) const {}
-  template <class X> void stand_still(const StandsStill<X>& part, std::span<double> y) const {
-    if (std::get<X>(values_) == X{}) y[part.at] = 0.0;
+  template <class X> Accelerated<C> solve_with(const X& x) {
+    X& value = std::get<X>(values_);
+    const bool as_held = value == x;
+    if (!(as_held && solved_)) {
+      struct Restored {
+        X& value;
+        X held;
+        ~Restored() { value = std::move(held); }
+      } restored{value, std::exchange(value, x)};
+      solved_ = false;
+      rates_(t_, y_.data(), ydot_.data());
+      solved_ = as_held;
+    }
+    return {{trusted, *core_, t_, y_.data(), rates_.work()}, ydot_};
   }
-  void settle(double t, std::span<const double> y) {
+  void settle(double t, std::span<double> y) {
     bool settled = true;
-    const auto one = [&]<class Part>(const Part& part) {
+    const auto end = [&]<class Part>(const Part& part) {
       if constexpr (is_settling<Part>) {
-        using X = decltype(part.function(std::declval<const Solved<C>&>()));
+        using X = typename UpdateOf<decltype(part.begins)>::result;
         X& value = std::get<X>(values_);
-        if (!(value == X{})) return;
-        value = part.function(solved_at(t, y));
-        if (value == X{}) return;
+        if (value == X{} || !part.ends(now_at(t, y), value)) return;
+        value = X{};
         record(t, value);
-        settled = false;
       }
     };
+    const auto begin = [&]<class Part>(const Part& part) {
+      if constexpr (is_settling<Part>) {
+        using X = typename UpdateOf<decltype(part.begins)>::result;
+        X& value = std::get<X>(values_);
+        if (!(value == X{})) return;
+        X next = part.begins(solved_at<X>(t, y));
+        if (next == X{}) return;
+        value = std::move(next);
+        record(t, value);
+        settled = solved_ = false;
+      }
+    };
+    const auto stand_still = [&]<class Part>(const Part& part) {
+      if constexpr (stands_still<Part>)
+        if (std::get<typename Part::held>(values_) == typename Part::held{}) y[part.at] = 0.0;
+    };
+    std::apply([&](const auto&... part) { (end(part), ...); }, parts_);
+    std::apply([&](const auto&... part) { (stand_still(part), ...); }, parts_);
     do {
       settled = true;
-      std::apply([&](const auto&... part) { (one(part), ...); }, parts_);
+      std::apply([&](const auto&... part) { (begin(part), ...); }, parts_);
     } while (!settled);
   }
   template <class F>
@@ -216,10 +257,11 @@ template <CraftType C, class... Parts> class Flight {
   template <class G, class F> ode::Root root(const Change<Zero<G>, F>& change) {
     const auto value = [this, &g = change.trigger.function](double t, std::span<const double> y) -> double {
       const auto at = [&] {
-        if constexpr (std::is_same_v<typename SeenBy<C, Arguments<G>>::type, Solved<C>>)
-          return solved_at(t, y);
-        else
+        using X = typename SolvesWith<C, Arguments<G>>::type;
+        if constexpr (std::is_void_v<X>)
           return now_at(t, y);
+        else
+          return solved_at<X>(t, y);
       };
       const auto found = with_held(std::type_identity<Taken<1, G>>{}, g, values_, at());
       if constexpr (std::is_convertible_v<decltype(found), double>)
@@ -237,7 +279,9 @@ template <CraftType C, class... Parts> class Flight {
   HeldTuple values_;
   Runnings running_;
   Rates rates_;
-  std::array<double, C::state_size> ydot_{};
+  double t_ = std::numeric_limits<double>::quiet_NaN();  ///< the instant of work_, and of rates_ if solved_
+  std::array<double, C::state_size> y_{}, ydot_{};
+  bool solved_ = false;
   typename HistoryOf<HeldTuple>::type history_;
 };
 
