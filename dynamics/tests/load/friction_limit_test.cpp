@@ -22,8 +22,9 @@ constexpr double few_digits = 1e-15;  // of a torque near 1
 struct Law {
   double M_c, M_s;
 };
-/// The second sum M_c + (M_s - M_c) rounds up, the third down.
-constexpr Law laws[] = {{0.05, 0.05}, {0.02, 0.05}, {0.1, 0.3}, {0.0, 0.05}};
+/// In the last two M_c + (M_s - M_c) is not M_s: it rounds up, and down.
+constexpr Law laws[] = {{0.05, 0.05}, {0.0, 0.05}, {0.04, 0.11}, {0.05, 0.21}};
+static_assert(0.04 + (0.11 - 0.04) > 0.11 && 0.05 + (0.21 - 0.05) < 0.21);
 
 auto rub(const Sat& sat, auto on, const Law& law) {
   return friction(sat, on, law.M_c * N_m, law.M_s * N_m, 1.0 * rad_s, 0.0 * N_m_s);
