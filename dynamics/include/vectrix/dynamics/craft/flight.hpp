@@ -85,14 +85,17 @@ template <CraftType C, class... Parts> class Flight {
               return Runnings{Running<std::remove_cvref_t<decltype(part)>>(part, start, end)...};
             },
             parts_)),
-        rates_(rates_under(scenario.craft(), loads())) {
+        rates_(rates_under(scenario.craft(), held_loads(parts_, values_))) {
     std::apply([&](const auto&... value) { (record(start, value), ...); }, values_);
   }
   Flight(const Flight&) = delete;
   Flight& operator=(const Flight&) = delete;
 
-  auto loads() const { return held_loads(parts_, values_); }
-
+  /// The derivative of the state under the loads, with the values that are held now.
+  void rates(double t, const double* y, double* ydot) {
+    solved_ = false;
+    rates_(t, y, ydot);
+  }
   std::vector<double> breakpoints(double start, double end) const {
     std::vector<const TickList*> lists;
     for_each_part([&]<std::size_t i>() {
@@ -108,7 +111,7 @@ template <CraftType C, class... Parts> class Flight {
     return roots;
   }
   /// All changes that are due see the values from before.
-  void change(double t, std::span<const double> y, std::span<const ode::Event> ended_by) {
+  void change(double t, std::span<double> y, std::span<const ode::Event> ended_by) {
     if constexpr (!std::is_same_v<HeldTuple, std::tuple<>>) {
       const Now<C> now = now_at(t, y);
       HeldTuple next = values_;
@@ -168,9 +171,9 @@ template <CraftType C, class... Parts> class Flight {
       rates_(t_, y_.data(), ydot_.data());
       solved_ = as_held;
     }
-    return {{trusted, *core_, t_, y_.data(), rates_.work()}, ydot_.data()};
+    return {{trusted, *core_, t_, y_.data(), rates_.work()}, ydot_};
   }
-  void settle(double t, std::span<const double> y) {
+  void settle(double t, std::span<double> y) {
     bool settled = true;
     const auto end = [&]<class Part>(const Part& part) {
       if constexpr (is_settling<Part>) {
@@ -193,17 +196,23 @@ template <CraftType C, class... Parts> class Flight {
         settled = solved_ = false;
       }
     };
+    const auto stand_still = [&]<class Part>(const Part& part) {
+      if constexpr (stands_still<Part>)
+        if (std::get<typename Part::held>(values_) == typename Part::held{}) y[part.at] = 0.0;
+    };
     std::apply([&](const auto&... part) { (end(part), ...); }, parts_);
+    std::apply([&](const auto&... part) { (stand_still(part), ...); }, parts_);
     do {
       settled = true;
       std::apply([&](const auto&... part) { (begin(part), ...); }, parts_);
     } while (!settled);
   }
-  template <class F> typename UpdateOf<F>::result found(const F& update, const Now<C>& now) const {
+  template <class F>
+  static typename UpdateOf<F>::result found(const F& update, const Now<C>& now, const HeldTuple& values) {
     if constexpr (is_becomes<F>)
       return update.value;
     else
-      return with_held(std::type_identity<Taken<1, F>>{}, update, values_, now);
+      return with_held(std::type_identity<Taken<1, F>>{}, update, values, now);
   }
   template <class X> void put(HeldTuple& next, double t, X value) {
     record(t, value);
@@ -216,15 +225,21 @@ template <CraftType C, class... Parts> class Flight {
     else
       history.push_back({t, value});
   }
+  /// Of several ticks of one list at one instant each sees what the one before gave. Those of a clock, which
+  /// may have a latency, are at instants of their own.
   template <class Trigger, class F>
   void tick(const Change<Trigger, F>& change, Running<Change<Trigger, F>>& running, const Now<C>& now,
             HeldTuple& next) {
+    using X = typename UpdateOf<F>::result;
     const double t = now.time().value();
     const auto due = [&](std::size_t tick, double latency) {
       const auto& times = running.list.times;
       return tick < times.size() && times[tick] + latency <= t + apart_;
     };
-    for (; due(running.sampled, 0.0); ++running.sampled) running.waiting.push_back(found(change.update, now));
+    for (HeldTuple seen = values_; due(running.sampled, 0.0); ++running.sampled) {
+      running.waiting.push_back(found(change.update, now, seen));
+      std::get<X>(seen) = running.waiting.back();
+    }
     for (; due(running.applied, running.list.latency); ++running.applied) {
       put(next, t, std::move(running.waiting.front()));
       running.waiting.pop_front();
@@ -236,7 +251,7 @@ template <CraftType C, class... Parts> class Flight {
     if constexpr (!is_effect<F>) {
       const auto is_this = [&](const ode::Event& event) { return event.root == root; };
       if (std::any_of(ended_by.begin(), ended_by.end(), is_this))
-        put(next, now.time().value(), found(change.update, now));
+        put(next, now.time().value(), found(change.update, now, values_));
     }
   }
   template <class G, class F> ode::Root root(const Change<Zero<G>, F>& change) {

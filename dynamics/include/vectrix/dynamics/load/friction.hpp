@@ -133,17 +133,19 @@ template <CraftType C, class On, class Effort, class Speed, class Damping> struc
                       at_start(at_first),
                       when(name + " comes to rest", slipping, ode::Direction::falling, becomes(State{})),
                       when(name + " breaks away", breaking, ode::Direction::rising, as_it_is),
+                      detail::StandsStill<State>{detail::speed_number<C, On>()},
                       detail::settling(rests, begins)};
   }
 };
 
 /// Friction of Coulomb, Stribeck and viscous on a hinge, a slider or a rotor with the speed u:
 ///     M = -sign(u) (M_c + (M_s - M_c) exp(-(u/u_s)^2)) - c u
-/// At rest it sticks, with the speed that it came to rest with, 0 but for the rounding of the time, until the
-/// effort that this needs is above the breakaway effort M_s, also by a jump of another load; it then slips in
-/// the direction of the effort. Whether it sticks is the held value StickSlip<On>; the zeros are events of
-/// the run. Coulomb's law alone has M_s = M_c and any u_s. Throws BadInput for a number that is not finite,
-/// negative, or 0 for M_s or u_s, and if M_s < M_c.
+/// At rest it sticks, with a speed of exactly zero, until the effort that this needs is above the breakaway
+/// effort M_s, also by a jump of another load; it then slips in the direction of the effort. The speed that
+/// is left at the rounded time at which it comes to rest is set to zero, and the momentum loses it. Whether
+/// it sticks is the held value StickSlip<On>; the zeros are events of the run. Coulomb's law alone has M_s =
+/// M_c and any u_s. Throws BadInput for a number that is not finite, negative, or 0 for M_s or u_s, and if
+/// M_s < M_c.
 template <CraftType C, class On, class Effort, class Speed, class Damping>
   requires(detail::is_friction<C, On, Effort, Speed, Damping>())
 JointFriction<C, On, Effort, Speed, Damping> friction(const C&, Of<On>, const Quantity<Effort>& coulomb,
