@@ -153,7 +153,8 @@ TEST(FrictionLimit, FrictionAlwaysOpposes) {
         const double factors[] = {1.0, 1.0 + 0x1p-52, 1.0 - 0x1p-53, 0.0, 0.5, 3.0};
         const auto one = [&](double t) {
           const double torque = (random() % 2 == 0 ? 1.0 : -1.0) * factors[random() % 6] * law.M_s;
-          return pulse(sat, on, torque * N_m, (begin + t) * s, (begin + t + 1.0 + random() % 3) * s);
+          return pulse(sat, on, torque * N_m, (begin + t) * s,
+                       (begin + t + 1.0 + static_cast<double>(random() % 3)) * s);
         };
         return std::array{one(0.0), one(2.0), one(4.0)};
       };
