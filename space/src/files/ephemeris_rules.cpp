@@ -5,7 +5,7 @@
 
 #include <vectrix/frames/errors.hpp>
 
-#include "epoch_text.hpp"
+#include <vectrix/space/time/exact_text.hpp>
 #include "text_file.hpp"
 
 namespace vectrix::detail {

@@ -2,7 +2,7 @@
 
 #include <vectrix/frames/errors.hpp>
 
-#include "epoch_text.hpp"
+#include <vectrix/space/time/exact_text.hpp>
 
 namespace vectrix::detail {
 

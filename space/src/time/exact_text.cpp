@@ -1,11 +1,11 @@
-#include "epoch_text.hpp"
+#include <vectrix/space/time/exact_text.hpp>
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
 
-namespace vectrix::detail {
+namespace vectrix {
 namespace {
 
 constexpr std::size_t nine = 9;
@@ -42,4 +42,4 @@ std::string exact_text(const Epoch& epoch, const TimeScale& scale) {
   return later_text(begin, picoseconds);
 }
 
-}  // namespace vectrix::detail
+}  // namespace vectrix
