@@ -4,12 +4,12 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "median.hpp"
+#include "quantile.hpp"
+#include "sample_faults.hpp"
 
 namespace vectrix::cli {
 namespace {
 
-using earth::Eme2000, earth::Gcrf;
 using Eigen::Quaterniond, Eigen::Vector3d;
 
 constexpr double decisive = 3.0;  // a disagreement so many times smaller decides
@@ -39,7 +39,7 @@ std::vector<Step> steps_of(const AttitudeRecord& record) {
   std::vector<double> durations;
   for (std::size_t i = 0; i + 1 < record.size(); ++i)
     durations.push_back((record.times[i + 1] - record.times[i]).value());
-  const double longest = 3.0 * median(durations);
+  const double longest = longest_step(median(durations));
   std::vector<Step> steps;
   for (std::size_t i = 0; i < durations.size(); ++i)
     if (durations[i] <= longest) steps.push_back({i, durations[i]});
@@ -89,12 +89,6 @@ std::vector<SignedAxes> right_handed_axes() {
     }
   } while (std::next_permutation(order.begin(), order.end()));
   return all;
-}
-
-// R_reference^gcrf.
-Eigen::Matrix3d gcrf_from(const std::string& reference) {
-  if (reference == "EME2000") return inverse(eme2000_from_gcrf()).matrix();
-  return Eigen::Matrix3d::Identity();
 }
 
 }  // namespace
@@ -156,26 +150,12 @@ std::vector<double> steadiness(const AttitudeRecord& record, const FlownOrbit& o
 
 std::vector<double> off_target(const AttitudeRecord& record, const Vector3d& axis, Target target,
                                const FlownOrbit& orbit) {
-  const auto span = from_until(record.times.front(), record.times.back());
-  const Ephemeris<sky::Sun> sun(span);
-  const Ephemeris<sky::Moon> moon(span);
-  const Eigen::Matrix3d R_reference_from_gcrf = gcrf_from(record.reference).transpose();
-  std::vector<Vector3d> directions;  // in the reference
-  for (const Epoch& t : record.times) {
-    Vector3d line = Vector3d::Zero();
-    if (target == Target::sun) line = sun.motion(t).position.coordinates();
-    if (target == Target::moon) line = moon.motion(t).position.coordinates();
-    if (orbit) line -= orbit(t).position.coordinates();
-    directions.emplace_back(R_reference_from_gcrf * line.normalized());
-  }
+  const auto to_target = directions(record, target, geometric, orbit);
   std::vector<double> found;
   for (const Reading& reading : readings_of(record)) {
     const auto q = to_reference(record, reading);
     std::vector<double> angles;
-    for (std::size_t i = 0; i < record.size(); ++i) {
-      const Vector3d looked = q[i] * axis.normalized();
-      angles.push_back(std::atan2(looked.cross(directions[i]).norm(), looked.dot(directions[i])));
-    }
+    for (std::size_t i = 0; i < record.size(); ++i) angles.push_back(angle_between(q[i] * axis, to_target[i]));
     found.push_back(median(angles));
   }
   return found;

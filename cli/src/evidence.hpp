@@ -8,6 +8,7 @@
 #include "attitude_record.hpp"
 #include "flown_orbit.hpp"
 #include "reading.hpp"
+#include "target.hpp"
 
 namespace vectrix::cli {
 
@@ -38,9 +39,7 @@ std::optional<RatesInOtherAxes> axes_of_rates(const AttitudeRecord& record);
 /// The rms rate of the body relative to LVLH, rad/s, by reading.
 std::vector<double> steadiness(const AttitudeRecord& record, const FlownOrbit& orbit);
 
-enum class Target { sun, moon, earth };
-/// The median angle between an axis of the body and the target, rad, by reading. The target is geometric; the
-/// Sun may be seen from the centre of the Earth, if there is no orbit.
+/// The median angle between an axis of the body and the target, rad, by reading. The target is geometric.
 std::vector<double> off_target(const AttitudeRecord& record, const Eigen::Vector3d& axis, Target target,
                                const FlownOrbit& orbit);
 

@@ -5,20 +5,36 @@
 #include <map>
 
 #include "check.hpp"
+#include "pointing.hpp"
 
 namespace {
 
 using namespace vectrix;
 using namespace vectrix::cli;
 
-constexpr int fits = 0, does_not_fit = 1, bad_input = 2;
+constexpr int yes = 0, no = 1, bad_input = 2;
 
-// What the options of `check` say, before the file tells whether it is a table.
-struct Words {
-  CheckOptions options;
+// What the options say of an attitude, before the file tells whether it is a table.
+struct AttitudeWords {
+  AttitudeSource source;
   TableColumns columns;
-  std::string time, scale = "utc", scalar, maps, rate_unit, rate_axes = "body", target;
+  std::string from, until, scale = "utc", scalar, maps, rate_unit, rate_axes = "body";
+};
+// What should look where.
+struct TargetWords {
   std::vector<double> axis;
+  std::string target;
+};
+struct CheckWords {
+  AttitudeWords attitude;
+  TargetWords target;
+  CheckOptions options;
+};
+struct PointingWords {
+  AttitudeWords attitude;
+  TargetWords target;
+  PointingOptions options;
+  std::string correction;
 };
 
 bool is_message(const std::filesystem::path& file) {
@@ -33,10 +49,12 @@ bool is_message(const std::filesystem::path& file) {
 const std::map<std::string, TimeScale> scales{
     {"utc", scale::utc}, {"tai", scale::tai}, {"tt", scale::tt}, {"tdb", scale::tdb}, {"gps", scale::gps}};
 const std::map<std::string, Target> targets{
-    {"sun", Target::sun}, {"moon", Target::moon}, {"earth", Target::earth}};
+    {"sun", Target::sun}, {"moon", Target::moon}, {"earth", Target::earth}, {"velocity", Target::velocity}};
+const std::map<std::string, SkyCorrection> corrections{
+    {"geometric", geometric}, {"light_time", light_time}, {"apparent", apparent}};
 
 // No convention is taken that nobody has stated.
-TableColumns columns_of(const Words& words) {
+TableColumns columns_of(const AttitudeWords& words) {
   std::string missing;
   const auto need = [&](bool given, const char* option) {
     if (!given) missing += std::string(missing.empty() ? "" : ", ") + option;
@@ -48,7 +66,7 @@ TableColumns columns_of(const Words& words) {
   need(!words.columns.reference.empty(), "--reference EME2000|GCRF");
   need(words.columns.rates.empty() || !words.rate_unit.empty(), "--rate-unit rad/s|deg/s");
   if (!missing.empty())
-    throw BadInput(words.options.file.string() +
+    throw BadInput(words.source.file.string() +
                    ": a table does not say what its columns mean; missing: " + missing);
   TableColumns columns = words.columns;
   columns.scale = scales.at(words.scale);
@@ -59,7 +77,69 @@ TableColumns columns_of(const Words& words) {
   return columns;
 }
 
-void add_check(CLI::App& app, Words& words) {
+AttitudeSource source_of(const AttitudeWords& words) {
+  AttitudeSource source = words.source;
+  if (!words.from.empty()) source.from = Epoch::from(words.from);
+  if (!words.until.empty()) source.until = Epoch::from(words.until);
+  if (!is_message(source.file)) source.columns = columns_of(words);
+  return source;
+}
+
+Eigen::Vector3d axis_of(const TargetWords& words) {
+  return {words.axis[0], words.axis[1], words.axis[2]};
+}
+
+void add_attitude(CLI::App& command, AttitudeWords& words) {
+  command.add_option("file", words.source.file, "CCSDS AEM (KVN), or a table with a header line")->required();
+  command.add_option("--segment", words.source.segment, "of an AEM with several, counted from 1");
+  command.add_option("--from", words.from, "only samples from this time on: '2023-04-20T05:00:00 UTC'");
+  command.add_option("--until", words.until, "only samples until this time");
+  const char* table = "A table";
+  command.add_option("--time", words.columns.time, "column of the time")->group(table);
+  command.add_option("--scale", words.scale, "of the time: utc, tai, tt, tdb, gps")
+      ->group(table)
+      ->check(CLI::IsMember({"utc", "tai", "tt", "tdb", "gps"}));
+  command.add_option("--quaternion", words.columns.quaternion, "the four columns, with commas, in their order")
+      ->group(table)
+      ->delimiter(',')
+      ->expected(4);
+  command.add_option("--scalar", words.scalar, "which of them is the scalar: first or last")
+      ->group(table)
+      ->check(CLI::IsMember({"first", "last"}));
+  command.add_option("--maps", words.maps, "R(q) takes coordinates to the axes of: body or reference")
+      ->group(table)
+      ->check(CLI::IsMember({"body", "reference"}));
+  command.add_option("--reference", words.columns.reference, "EME2000 (J2000) or GCRF (ICRF)")->group(table);
+  command.add_option("--rates", words.columns.rates, "three columns: the rate of the body relative to the reference")
+      ->group(table)
+      ->delimiter(',')
+      ->expected(3);
+  command.add_option("--rate-unit", words.rate_unit, "rad/s or deg/s")
+      ->group(table)
+      ->check(CLI::IsMember({"rad/s", "deg/s"}));
+  command.add_option("--rate-axes", words.rate_axes, "of the rates: body (default) or reference")
+      ->group(table)
+      ->check(CLI::IsMember({"body", "reference"}));
+}
+
+void add_orbit(CLI::App& command, OrbitSource& orbit, const char* group) {
+  command.add_option("--tle", orbit.elements, "file of two-line elements")->group(group);
+  command.add_option("--oem", orbit.message, "CCSDS OEM (KVN) in EME2000, GCRF or TEME")->group(group);
+}
+
+void add_target(CLI::App& command, TargetWords& words, bool needed, const char* group) {
+  command.add_option("--axis", words.axis, "x,y,z in the body: what should look at the target")
+      ->group(group)
+      ->delimiter(',')
+      ->expected(3)
+      ->required(needed);
+  command.add_option("--target", words.target, "sun, moon, earth (its centre) or velocity (relative to GCRF)")
+      ->group(group)
+      ->check(CLI::IsMember({"sun", "moon", "earth", "velocity"}))
+      ->required(needed);
+}
+
+void add_check(CLI::App& app, CheckWords& words) {
   auto& check = *app.add_subcommand("check", "say which reading of an attitude file its rates, orbit or target fit");
   check.footer(
       "Readings: as stated; transposed; with the scalar at the other end; both. None is chosen for you.\n"
@@ -68,51 +148,53 @@ void add_check(CLI::App& app, Words& words) {
       "  vectrix check attitude.aem --tle satellite.tle\n"
       "  vectrix check attitude.csv --time time_utc --quaternion q0,q1,q2,q3 --scalar last --maps reference \\\n"
       "      --reference EME2000 --rates wx,wy,wz --rate-unit rad/s");
-  check.add_option("file", words.options.file, "CCSDS AEM (KVN), or a table with a header line")->required();
-  check.add_option("--segment", words.options.segment, "of an AEM with several, counted from 1");
-  const char* table = "A table";
-  check.add_option("--time", words.columns.time, "column of the time")->group(table);
-  check.add_option("--scale", words.scale, "of the time: utc, tai, tt, tdb, gps")
-      ->group(table)
-      ->check(CLI::IsMember({"utc", "tai", "tt", "tdb", "gps"}));
-  check.add_option("--quaternion", words.columns.quaternion, "the four columns, with commas, in their order")
-      ->group(table)
-      ->delimiter(',')
-      ->expected(4);
-  check.add_option("--scalar", words.scalar, "which of them is the scalar: first or last")
-      ->group(table)
-      ->check(CLI::IsMember({"first", "last"}));
-  check.add_option("--maps", words.maps, "R(q) takes coordinates to the axes of: body or reference")
-      ->group(table)
-      ->check(CLI::IsMember({"body", "reference"}));
-  check.add_option("--reference", words.columns.reference, "EME2000 (J2000) or GCRF (ICRF)")->group(table);
-  check.add_option("--rates", words.columns.rates, "three columns: the rate of the body relative to the reference")
-      ->group(table)
-      ->delimiter(',')
-      ->expected(3);
-  check.add_option("--rate-unit", words.rate_unit, "rad/s or deg/s")
-      ->group(table)
-      ->check(CLI::IsMember({"rad/s", "deg/s"}));
-  check.add_option("--rate-axes", words.rate_axes, "of the rates: body (default) or reference")
-      ->group(table)
-      ->check(CLI::IsMember({"body", "reference"}));
-  const char* compared = "To compare with";
-  check.add_option("--tle", words.options.elements, "file of two-line elements")->group(compared);
-  check.add_option("--oem", words.options.orbit, "CCSDS OEM (KVN) in EME2000, GCRF or TEME")->group(compared);
-  check.add_option("--axis", words.axis, "x,y,z in the body: what should look at the target")
-      ->group(compared)
-      ->delimiter(',')
-      ->expected(3);
-  check.add_option("--target", words.target, "sun, moon or earth")
-      ->group(compared)
-      ->check(CLI::IsMember({"sun", "moon", "earth"}));
+  add_attitude(check, words.attitude);
+  add_orbit(check, words.options.orbit, "To compare with");
+  add_target(check, words.target, false, "To compare with");
 }
 
-int run_check(Words& words) {
-  if (!is_message(words.options.file)) words.options.columns = columns_of(words);
-  if (!words.axis.empty()) words.options.axis = Eigen::Vector3d(words.axis[0], words.axis[1], words.axis[2]);
-  if (!words.target.empty()) words.options.target = targets.at(words.target);
-  return check(words.options, std::cout) ? fits : does_not_fit;
+void add_pointing(CLI::App& app, PointingWords& words) {
+  auto& pointing = *app.add_subcommand("pointing", "how far an axis of the body is from a target, and whether that is good enough");
+  pointing.footer(
+      "Absolute error (APE): the angle at each sample. Relative error (RPE): for each window that begins at a\n"
+      "sample, the most that the target moves in the body from its mean direction.\n"
+      "Exit code: 0 if what is required is fulfilled, or nothing is required, 1 if not, 2 if the input is wrong.\n\n"
+      "  vectrix pointing attitude.aem --tle satellite.tle --axis 0,0,1 --target sun --correction apparent \\\n"
+      "      --require 0.5 --percent 99.7");
+  add_attitude(pointing, words.attitude);
+  const char* where = "Where it should look";
+  add_target(pointing, words.target, true, where);
+  pointing
+      .add_option("--correction", words.correction,
+                  "of the Sun or the Moon: geometric (where it is), light_time (where it was when the light left), "
+                  "apparent (that with aberration)")
+      ->group(where)
+      ->check(CLI::IsMember({"geometric", "light_time", "apparent"}));
+  add_orbit(pointing, words.options.orbit, where);
+  const char* required = "What is required";
+  pointing.add_option("--require", words.options.required, "deg: the largest absolute error that is allowed")->group(required);
+  pointing.add_option("--percent", words.options.percent, "how many of the samples, or windows, have to fulfil it")
+      ->group(required);
+  pointing.add_option("--window", words.options.window, "s: of the relative error")->group(required);
+  pointing.add_option("--require-relative", words.options.required_relative, "deg: the largest relative error that is allowed")
+      ->group(required);
+  pointing.add_option("--csv", words.options.csv, "writes the angle of every sample to this file");
+  pointing.add_flag("--force", words.options.force, "overwrites it");
+}
+
+bool run_check(CheckWords& words) {
+  words.options.attitude = source_of(words.attitude);
+  if (!words.target.axis.empty()) words.options.axis = axis_of(words.target);
+  if (!words.target.target.empty()) words.options.target = targets.at(words.target.target);
+  return check(words.options, std::cout);
+}
+
+bool run_pointing(PointingWords& words) {
+  words.options.attitude = source_of(words.attitude);
+  words.options.axis = axis_of(words.target);
+  words.options.target = targets.at(words.target.target);
+  if (!words.correction.empty()) words.options.correction = corrections.at(words.correction);
+  return pointing(words.options, std::cout);
 }
 
 }  // namespace
@@ -121,11 +203,13 @@ int main(int count, char** arguments) {
   CLI::App app("Vectrix: attitude files read, compared and checked");
   app.set_version_flag("--version", VECTRIX_VERSION);
   app.require_subcommand(1);
-  Words words;
+  CheckWords check;
+  PointingWords pointing;
   try {
-    add_check(app, words);
+    add_check(app, check);
+    add_pointing(app, pointing);
     app.parse(count, arguments);
-    return run_check(words);
+    return (app.got_subcommand("check") ? run_check(check) : run_pointing(pointing)) ? yes : no;
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : bad_input;
   } catch (const std::exception& error) {

@@ -19,14 +19,14 @@ const std::filesystem::path data = std::filesystem::path(VECTRIX_SOURCE_DIR) / "
 // Two hours of a cubesat that looks at the Sun with -z.
 CheckOptions cubesat() {
   CheckOptions options;
-  options.file = data / "CTIM_20230420_attitude.csv";
-  options.columns = {"UTC",
+  options.attitude.file = data / "CTIM_20230420_attitude.csv";
+  options.attitude.columns = {"UTC",
                      scale::utc,
                      {"quaternion_c", "quaternion_x", "quaternion_y", "quaternion_z"},
                      {Scalar::first, Maps::to_body},
                      "J2000",
                      {}};
-  options.elements = data / "CTIM_20230419.tle";
+  options.orbit.elements = data / "CTIM_20230419.tle";
   options.axis = Eigen::Vector3d(0.0, 0.0, -1.0);
   options.target = Target::sun;
   return options;
@@ -34,8 +34,8 @@ CheckOptions cubesat() {
 // 25 s of Sentinel-1A with its gyros, whose axes are not those of the quaternions.
 CheckOptions sentinel() {
   CheckOptions options;
-  options.file = data / "S1A_IW_20220414T102211_attitude.csv";
-  options.columns = {"time_utc",    scale::utc, {"q0", "q1", "q2", "q3"}, {Scalar::last, Maps::to_reference}, "GCRF",
+  options.attitude.file = data / "S1A_IW_20220414T102211_attitude.csv";
+  options.attitude.columns = {"time_utc",    scale::utc, {"q0", "q1", "q2", "q3"}, {Scalar::last, Maps::to_reference}, "GCRF",
                      {"wx", "wy", "wz"}};
   return options;
 }
@@ -59,12 +59,12 @@ TEST(Check, ConfirmsTheCubesatAndFindsEachMistakeMadeOnPurpose) {
   EXPECT_TRUE(says(right, "The file as stated fits.\n")) << right.text;
   CheckOptions options = cubesat();
   for (const bool without_orbit : {false, true}) {
-    if (without_orbit) options.elements.clear();
-    options.columns->stated = {Scalar::first, Maps::to_reference};
+    if (without_orbit) options.orbit.elements.clear();
+    options.attitude.columns->stated = {Scalar::first, Maps::to_reference};
     EXPECT_TRUE(says(checked(options), "Another reading fits three times better: transposed.\n"));
-    options.columns->stated = {Scalar::last, Maps::to_body};
+    options.attitude.columns->stated = {Scalar::last, Maps::to_body};
     EXPECT_TRUE(says(checked(options), "Another reading fits three times better: other order of numbers.\n"));
-    options.columns->stated = {Scalar::last, Maps::to_reference};
+    options.attitude.columns->stated = {Scalar::last, Maps::to_reference};
     const auto both = checked(options);
     EXPECT_FALSE(both.fits);
     EXPECT_TRUE(says(both, "Another reading fits three times better: other order and transposed.\n"));
@@ -85,7 +85,7 @@ TEST(Check, FindsTheAxesOfSentinelsGyros) {
   EXPECT_FALSE(found.fits);
   EXPECT_TRUE(says(found, "as stated, with x, y, z of the rates along -y, -x, -z of the body")) << found.text;
   CheckOptions transposed = sentinel();
-  transposed.columns->stated.maps = Maps::to_body;
+  transposed.attitude.columns->stated.maps = Maps::to_body;
   EXPECT_TRUE(says(checked(transposed), "transposed, with x, y, z of the rates along -y, -x, -z of the body"));
 }
 
@@ -105,7 +105,7 @@ TEST(Check, TakesTheConventionOfAMessageFromIt) {
   const auto text = [](const std::string& written) {
     TemporaryFile file(written);
     CheckOptions options;
-    options.file = file.path();
+    options.attitude.file = file.path();
     return checked(options).text;
   };
   const auto a2b = text(message("A2B", "FIRST", "1 0 0 0", "0.8 0.6 0 0"));
@@ -116,7 +116,7 @@ TEST(Check, TakesTheConventionOfAMessageFromIt) {
 }
 
 std::string refusal(const CheckOptions& options) {
-  return complaint([&] { (void)checked(options); }, options.file);
+  return complaint([&] { (void)checked(options); }, options.attitude.file);
 }
 
 TEST(Check, RefusesWhatItCannotCompare) {
@@ -129,17 +129,17 @@ TEST(Check, RefusesWhatItCannotCompare) {
   options.axis.reset();
   EXPECT_EQ(refusal(options), "--axis and --target go together: an axis of the body, and what it should look at");
   options = cubesat();
-  options.elements.clear();
+  options.orbit.elements.clear();
   options.target = Target::moon;
   EXPECT_EQ(refusal(options), "the direction of the Moon needs an orbit: --tle or --oem");
   options = cubesat();
-  options.columns->reference = "ITRF";
+  options.attitude.columns->reference = "ITRF";
   EXPECT_EQ(refusal(options), "the reference 'ITRF' is none of EME2000, J2000, GCRF, ICRF");
   options = cubesat();
-  options.orbit = "some.oem";
-  EXPECT_EQ(refusal(options), "two orbits are given, --tle " + options.elements.string() + " and --oem some.oem");
+  options.orbit.message = "some.oem";
+  EXPECT_EQ(refusal(options), "two orbits are given, --tle " + options.orbit.elements.string() + " and --oem some.oem");
   options = cubesat();
-  options.columns->time = "TIME";
+  options.attitude.columns->time = "TIME";
   EXPECT_EQ(refusal(options).substr(0, 10), "table FILE");
 }
 
@@ -147,8 +147,8 @@ TEST(Check, RefusesTablesThatAreNoAttitude) {
   const auto of = [](const std::string& rows) {
     TemporaryFile file("t,w,x,y,z\n" + rows);
     CheckOptions options;
-    options.file = file.path();
-    options.columns = {"t", scale::utc, {"w", "x", "y", "z"}, {Scalar::first, Maps::to_body}, "GCRF", {}};
+    options.attitude.file = file.path();
+    options.attitude.columns = {"t", scale::utc, {"w", "x", "y", "z"}, {Scalar::first, Maps::to_body}, "GCRF", {}};
     return refusal(options);
   };
   EXPECT_EQ(of("2026-11-29T00:00:00,1,0,0,0\n"), "FILE: there is 1 sample; at least two are needed");
