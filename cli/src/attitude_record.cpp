@@ -108,9 +108,13 @@ AttitudeRecord read_message(const std::filesystem::path& file, std::size_t segme
     for (std::size_t i = 0; i < part.size(); ++i) {
       const double* line = lines.numbers.data() + i * width;
       record.numbers.push_back({line[0], line[1], line[2], line[3]});
-      if (width == 7)
-        record.rates.push_back(radians_per_degree * Eigen::Vector3d(line[4], line[5], line[6]));
+      // Of B relative to A.
+      if (width == 7 && !lines.is_b_to_a)
+        record.rates.push_back((a ? 1.0 : -1.0) * radians_per_degree * Eigen::Vector3d(line[4], line[5], line[6]));
     }
+    if (width == 7 && lines.is_b_to_a)
+      record.no_rates = "The rates are not used: with ATTITUDE_DIR B2A the message does not say whether they are of " +
+                        part.ref_frame_a() + " or of " + part.ref_frame_b() + ".";
     if (!record.rates.empty())
       record.rate_axes =
           (lines.rate_frame == "REF_FRAME_A") == a.has_value() ? RateAxes::reference : RateAxes::body;

@@ -111,8 +111,15 @@ TEST(Check, TakesTheConventionOfAMessageFromIt) {
   const auto a2b = text(message("A2B", "FIRST", "1 0 0 0", "0.8 0.6 0 0"));
   EXPECT_NE(a2b.find("2 samples of SC_BODY_1 relative to EME2000"), std::string::npos) << a2b;
   EXPECT_NE(a2b.find("As stated, R(q) takes coordinates to SC_BODY_1; the scalar is first."), std::string::npos);
+  // The rate of B relative to A, as AttitudeEphemerisSegment has it: that of the body is its negative.
+  EXPECT_NE(a2b.find("This decides nothing."), std::string::npos) << a2b;  // x is one axis in both frames
+  EXPECT_EQ(a2b.find("Another reading"), std::string::npos) << a2b;
   const auto b2a = text(message("B2A", "LAST", "0 0 0 1", "0.6 0 0 0.8"));
   EXPECT_NE(b2a.find("As stated, R(q) takes coordinates to EME2000; the scalar is last."), std::string::npos) << b2a;
+  EXPECT_NE(b2a.find("The rates are not used: with ATTITUDE_DIR B2A the message does not say whether they are of "
+                     "SC_BODY_1 or of EME2000."),
+            std::string::npos)
+      << b2a;
 }
 
 std::string refusal(const CheckOptions& options) {
