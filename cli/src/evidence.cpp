@@ -95,30 +95,32 @@ std::vector<SignedAxes> right_handed_axes() {
 
 RateEvidence compare_rates(const AttitudeRecord& record) {
   const auto steps = steps_of(record);
-  RateEvidence evidence{{}, {}, rms_of(record.rates)};
+  const auto rates = record.rates_in_radians();
+  RateEvidence evidence{{}, {}, rms_of(rates)};
   for (const Reading& reading : readings_of(record)) {
     const auto q = to_reference(record, reading);
-    evidence.stated_axes.push_back(rate_difference(q, steps, record.rates, record.rate_axes));
-    evidence.other_axes.push_back(rate_difference(q, steps, record.rates, other(record.rate_axes)));
+    evidence.stated_axes.push_back(rate_difference(q, steps, rates, record.rate_axes));
+    evidence.other_axes.push_back(rate_difference(q, steps, rates, other(record.rate_axes)));
   }
   return evidence;
 }
 
 std::optional<RatesInOtherAxes> axes_of_rates(const AttitudeRecord& record) {
   const auto steps = steps_of(record);
+  const auto given = record.rates_in_radians();
   std::vector<RatesInOtherAxes> tried;
   for (const Reading& reading : all_readings) {
     if (reading.other_order) continue;
     const auto q = to_reference(record, reading);
     for (const SignedAxes& axes : right_handed_axes()) {
       std::vector<Vector3d> rates;
-      for (const Vector3d& w : record.rates) rates.push_back(in_body(axes, w));
+      for (const Vector3d& w : given) rates.push_back(in_body(axes, w));
       tried.push_back({reading, axes, rate_difference(q, steps, rates, RateAxes::body)});
     }
   }
   std::partial_sort(tried.begin(), tried.begin() + 2, tried.end(),
                     [](const auto& a, const auto& b) { return a.difference < b.difference; });
-  const double other = std::min(tried[1].difference, rms_of(record.rates));
+  const double other = std::min(tried[1].difference, rms_of(given));
   if (decisive * tried[0].difference >= other) return std::nullopt;
   return tried[0];
 }

@@ -1,10 +1,14 @@
 #include <CLI/CLI.hpp>
+#include <charconv>
+#include <ctime>
 #include <exception>
-#include <fstream>
 #include <iostream>
 #include <map>
+#include <sstream>
+#include <system_error>
 
 #include "check.hpp"
+#include "convert.hpp"
 #include "pointing.hpp"
 
 namespace {
@@ -18,12 +22,12 @@ constexpr int yes = 0, no = 1, bad_input = 2;
 struct AttitudeWords {
   AttitudeSource source;
   TableColumns columns;
+  std::string quaternion, rates;  // names of columns, with commas
   std::string from, until, scale = "utc", scalar, maps, rate_unit, rate_axes = "body";
 };
 // What should look where.
 struct TargetWords {
-  std::vector<double> axis;
-  std::string target;
+  std::string axis, target;
 };
 struct CheckWords {
   AttitudeWords attitude;
@@ -37,14 +41,10 @@ struct PointingWords {
   std::string correction;
 };
 
-bool is_message(const std::filesystem::path& file) {
-  std::ifstream in(file);
-  if (!in) throw BadInput(file.string() + ": cannot be read");
-  std::string word;
-  in >> word;
-  if (word.starts_with("\xef\xbb\xbf")) word.erase(0, 3);
-  return word.starts_with("CCSDS_") || word.starts_with("<?xml") || word == "COMMENT";
-}
+struct ConvertWords {
+  AttitudeWords attitude;
+  ConvertOptions options;
+};
 
 const std::map<std::string, TimeScale> scales{
     {"utc", scale::utc}, {"tai", scale::tai}, {"tt", scale::tt}, {"tdb", scale::tdb}, {"gps", scale::gps}};
@@ -53,6 +53,17 @@ const std::map<std::string, Target> targets{
 const std::map<std::string, SkyCorrection> corrections{
     {"geometric", geometric}, {"light_time", light_time}, {"apparent", apparent}};
 
+// What stands between commas.
+std::vector<std::string> fields(const char* option, const std::string& text, std::size_t count) {
+  std::vector<std::string> all;
+  std::istringstream in(text + ",");
+  for (std::string field; std::getline(in, field, ',');) all.push_back(field);
+  if (all.size() != count)
+    throw BadInput(std::string(option) + ' ' + text + " has " + detail::text(all.size()) + " fields between commas, not " +
+                   detail::text(count));
+  return all;
+}
+
 // No convention is taken that nobody has stated.
 TableColumns columns_of(const AttitudeWords& words) {
   std::string missing;
@@ -60,15 +71,17 @@ TableColumns columns_of(const AttitudeWords& words) {
     if (!given) missing += std::string(missing.empty() ? "" : ", ") + option;
   };
   need(!words.columns.time.empty(), "--time COLUMN");
-  need(!words.columns.quaternion.empty(), "--quaternion COLUMN,COLUMN,COLUMN,COLUMN");
+  need(!words.quaternion.empty(), "--quaternion COLUMN,COLUMN,COLUMN,COLUMN");
   need(!words.scalar.empty(), "--scalar first|last");
   need(!words.maps.empty(), "--maps body|reference");
   need(!words.columns.reference.empty(), "--reference EME2000|GCRF");
-  need(words.columns.rates.empty() || !words.rate_unit.empty(), "--rate-unit rad/s|deg/s");
+  need(words.rates.empty() || !words.rate_unit.empty(), "--rate-unit rad/s|deg/s");
   if (!missing.empty())
     throw BadInput(words.source.file.string() +
                    ": a table does not say what its columns mean; missing: " + missing);
   TableColumns columns = words.columns;
+  columns.quaternion = fields("--quaternion", words.quaternion, 4);
+  if (!words.rates.empty()) columns.rates = fields("--rates", words.rates, 3);
   columns.scale = scales.at(words.scale);
   columns.stated = {words.scalar == "first" ? Convention::Scalar::first : Convention::Scalar::last,
                     words.maps == "body" ? Convention::Maps::to_body : Convention::Maps::to_reference};
@@ -86,12 +99,20 @@ AttitudeSource source_of(const AttitudeWords& words) {
 }
 
 Eigen::Vector3d axis_of(const TargetWords& words) {
-  return {words.axis[0], words.axis[1], words.axis[2]};
+  Eigen::Vector3d axis;
+  const auto numbers = fields("--axis", words.axis, 3);
+  for (std::size_t i = 0; i < 3; ++i) {
+    double& number = axis[static_cast<Eigen::Index>(i)];
+    const char* const end = numbers[i].data() + numbers[i].size();
+    if (const auto read = std::from_chars(numbers[i].data(), end, number); read.ec != std::errc() || read.ptr != end)
+      throw BadInput("--axis " + words.axis + ": '" + numbers[i] + "' is no number");
+  }
+  return axis;
 }
 
 void add_attitude(CLI::App& command, AttitudeWords& words) {
   command.add_option("file", words.source.file, "CCSDS AEM (KVN), or a table with a header line")->required();
-  command.add_option("--segment", words.source.segment, "of an AEM with several, counted from 1");
+  command.add_option("--segment", words.source.segment, "of an AEM with several: which one, counted from 1");
   command.add_option("--from", words.from, "only samples from this time on: '2023-04-20T05:00:00 UTC'");
   command.add_option("--until", words.until, "only samples until this time");
   const char* table = "A table";
@@ -99,10 +120,8 @@ void add_attitude(CLI::App& command, AttitudeWords& words) {
   command.add_option("--scale", words.scale, "of the time: utc, tai, tt, tdb, gps")
       ->group(table)
       ->check(CLI::IsMember({"utc", "tai", "tt", "tdb", "gps"}));
-  command.add_option("--quaternion", words.columns.quaternion, "the four columns, with commas, in their order")
-      ->group(table)
-      ->delimiter(',')
-      ->expected(4);
+  command.add_option("--quaternion", words.quaternion, "the four columns, with commas, in their order")
+      ->group(table);
   command.add_option("--scalar", words.scalar, "which of them is the scalar: first or last")
       ->group(table)
       ->check(CLI::IsMember({"first", "last"}));
@@ -110,10 +129,8 @@ void add_attitude(CLI::App& command, AttitudeWords& words) {
       ->group(table)
       ->check(CLI::IsMember({"body", "reference"}));
   command.add_option("--reference", words.columns.reference, "EME2000 (J2000) or GCRF (ICRF)")->group(table);
-  command.add_option("--rates", words.columns.rates, "three columns: the rate of the body relative to the reference")
-      ->group(table)
-      ->delimiter(',')
-      ->expected(3);
+  command.add_option("--rates", words.rates, "three columns: the rate of the body relative to the reference")
+      ->group(table);
   command.add_option("--rate-unit", words.rate_unit, "rad/s or deg/s")
       ->group(table)
       ->check(CLI::IsMember({"rad/s", "deg/s"}));
@@ -130,8 +147,6 @@ void add_orbit(CLI::App& command, OrbitSource& orbit, const char* group) {
 void add_target(CLI::App& command, TargetWords& words, bool needed, const char* group) {
   command.add_option("--axis", words.axis, "x,y,z in the body: what should look at the target")
       ->group(group)
-      ->delimiter(',')
-      ->expected(3)
       ->required(needed);
   command.add_option("--target", words.target, "sun, moon, earth (its centre) or velocity (relative to GCRF)")
       ->group(group)
@@ -182,6 +197,35 @@ void add_pointing(CLI::App& app, PointingWords& words) {
   pointing.add_flag("--force", words.options.force, "overwrites it");
 }
 
+void add_convert(CLI::App& app, ConvertWords& words) {
+  auto& convert = *app.add_subcommand("convert", "write an attitude as a message or as a table");
+  convert.footer(
+      "A table is written with the scalar first; R(q) takes coordinates to the reference; its columns name frames and\n"
+      "units. The digits are those of the file; what had to be computed is said.\n"
+      "Exit code: 0, or 2 if the input is wrong; then nothing is written.\n\n"
+      "  vectrix convert attitude.aem attitude.csv --frame GCRF");
+  add_attitude(convert, words.attitude);
+  convert.add_option("out", words.options.out, "attitude.aem for a CCSDS AEM (KVN), attitude.csv for a table")->required();
+  convert.add_option("--frame", words.options.frame, "EME2000 (J2000) or GCRF (ICRF): relative to this instead");
+  convert.add_flag("--force", words.options.force, "overwrites an existing file");
+  const char* message = "A message";
+  convert.add_option("--object-name", words.options.object_name, "OBJECT_NAME")->group(message);
+  convert.add_option("--object-id", words.options.object_id, "OBJECT_ID, such as 2018-099A")->group(message);
+  convert.add_option("--originator", words.options.originator, "ORIGINATOR")->group(message);
+  convert.add_option("--body", words.options.body, "the name of the frame of the body, such as SC_BODY_1")->group(message);
+  convert.add_option("--aem-version", words.options.version, "2.0 (default) or 1.0")
+      ->group(message)
+      ->check(CLI::IsMember({"1.0", "2.0"}));
+}
+
+// As a message has it: 2026-11-29T00:00:00.
+std::string now() {
+  const std::time_t seconds = std::time(nullptr);
+  char text[32];
+  std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%S", std::gmtime(&seconds));
+  return text;
+}
+
 bool run_check(CheckWords& words) {
   words.options.attitude = source_of(words.attitude);
   if (!words.target.axis.empty()) words.options.axis = axis_of(words.target);
@@ -197,19 +241,31 @@ bool run_pointing(PointingWords& words) {
   return pointing(words.options, std::cout);
 }
 
+bool run_convert(ConvertWords& words) {
+  words.options.attitude = source_of(words.attitude);
+  words.options.creation_date = now();
+  convert(words.options, std::cout);
+  return true;
+}
+
 }  // namespace
 
 int main(int count, char** arguments) {
-  CLI::App app("Vectrix: attitude files read, compared and checked");
+  CLI::App app("Vectrix: attitude files checked, measured and converted");
   app.set_version_flag("--version", VECTRIX_VERSION);
   app.require_subcommand(1);
   CheckWords check;
   PointingWords pointing;
+  ConvertWords convert;
   try {
     add_check(app, check);
     add_pointing(app, pointing);
+    add_convert(app, convert);
     app.parse(count, arguments);
-    return (app.got_subcommand("check") ? run_check(check) : run_pointing(pointing)) ? yes : no;
+    const bool good = app.got_subcommand("check")      ? run_check(check)
+                      : app.got_subcommand("pointing") ? run_pointing(pointing)
+                                                       : run_convert(convert);
+    return good ? yes : no;
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : bad_input;
   } catch (const std::exception& error) {

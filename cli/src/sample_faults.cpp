@@ -20,10 +20,6 @@ void add(SampleFaults::Extreme& found, double value, std::size_t sample) {
   ++found.count;
 }
 
-double norm(const std::array<double, 4>& q) {
-  return std::sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
-}
-
 void write_head(const AttitudeRecord& record, const SampleFaults& faults, std::ostream& out) {
   out << record.file << "\n" << record.size() << " samples of " << record.body << " relative to "
       << record.reference << ", " << record.times.front() << " to " << record.times.back() << ", usually "
@@ -75,7 +71,7 @@ SampleFaults faults_of(const AttitudeRecord& record) {
     turns.push_back(2.0 * std::atan2(turn.vec().norm(), std::abs(turn.w())));
     if (turn.w() < 0.0) add(found.sign_flips, 0.0, i + 1);
   }
-  for (const auto& q : record.numbers) norms.push_back(norm(q));
+  for (const auto& q : record.numbers) norms.push_back(norm_of(q));
   found.median_step = median(durations);
   found.scale = median(norms);
   std::vector<double> speeds;

@@ -13,7 +13,7 @@ namespace vectrix::cli {
 struct AttitudeSource {
   std::filesystem::path file;
   std::optional<TableColumns> columns{};  // of a table; a message says them itself
-  std::size_t segment = 1;                // of a message
+  std::optional<std::size_t> segment{};   // of a message
   std::optional<Epoch> from{}, until{};   // both included
 };
 /// Throws BadInput as read_table or read_message does, and if fewer than two samples are within the times.
