@@ -1,26 +1,26 @@
 #include "attitude_record.hpp"
 
-#include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <fstream>
 
+#include "selection.hpp"
+
 namespace vectrix::cli {
 namespace {
-
-// A name of an inertial reference as the record has it; nothing for another frame.
-std::optional<std::string> inertial(std::string name) {
-  std::transform(name.begin(), name.end(), name.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
-  if (name == "EME2000" || name == "J2000") return "EME2000";
-  if (name == "GCRF" || name == "ICRF") return "GCRF";
-  return std::nullopt;
-}
 
 void require_two(const AttitudeRecord& record) {
   if (record.size() < 2)
     throw BadInput(record.file + ": there is " + detail::text(record.size()) +
                    " sample; at least two are needed");
+}
+
+std::string first_word(const std::filesystem::path& file) {
+  std::ifstream in(file);
+  if (!in) throw BadInput(file.string() + ": cannot be read");
+  std::string word;
+  in >> word;
+  if (word.starts_with("\xef\xbb\xbf")) word.erase(0, 3);
+  return word;
 }
 
 }  // namespace
@@ -40,19 +40,13 @@ std::vector<Eigen::Vector3d> AttitudeRecord::rates_in_radians() const {
   return all;
 }
 
-std::string inertial_name(const std::string& name) {
-  const auto known = inertial(name);
-  if (!known) throw BadInput("the reference '" + name + "' is none of EME2000, J2000, GCRF, ICRF");
-  return *known;
+bool is_message(const std::filesystem::path& file) {
+  const std::string word = first_word(file);
+  return word.starts_with("CCSDS_") || word.starts_with("<?xml") || word == "COMMENT";
 }
 
-bool is_message(const std::filesystem::path& file) {
-  std::ifstream in(file);
-  if (!in) throw BadInput(file.string() + ": cannot be read");
-  std::string word;
-  in >> word;
-  if (word.starts_with("\xef\xbb\xbf")) word.erase(0, 3);
-  return word.starts_with("CCSDS_") || word.starts_with("<?xml") || word == "COMMENT";
+bool is_orbit_message(const std::filesystem::path& file) {
+  return first_word(file).starts_with("CCSDS_OEM");
 }
 
 AttitudeRecord read_table(const std::filesystem::path& file, const TableColumns& columns) {
@@ -93,12 +87,7 @@ AttitudeRecord read_table(const std::filesystem::path& file, const TableColumns&
 
 AttitudeRecord read_message(const std::filesystem::path& file, std::optional<std::size_t> segment) {
   const auto message = AttitudeEphemerisMessage::read(file);
-  const std::size_t count = message.segments().size();
-  if (!segment && count > 1)
-    throw BadInput(file.string() + ": there are " + detail::text(count) + " segments; missing: --segment NUMBER");
-  if (segment && (*segment < 1 || *segment > count))
-    throw BadInput(file.string() + ": asked for segment " + detail::text(*segment) + " of " + detail::text(count));
-  const auto& part = message.segments()[segment.value_or(1) - 1];
+  const auto& part = segment_of(message, segment, file);
   const auto a = inertial(part.ref_frame_a()), b = inertial(part.ref_frame_b());
   if (a.has_value() == b.has_value())
     throw BadInput(file.string() + ": the frames are '" + part.ref_frame_a() + "' and '" +

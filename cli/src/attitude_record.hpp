@@ -13,6 +13,8 @@
 
 #include <vectrix/space.hpp>
 
+#include "message_text.hpp"
+
 namespace vectrix::cli {
 
 /// How the four numbers of a quaternion are to be taken: which of them is the scalar, and to which frame the
@@ -27,13 +29,6 @@ struct Convention {
 
 /// The frames in whose axes a rate of the body relative to the reference may be given.
 enum class RateAxes { body, reference };
-
-/// What a message says besides its data.
-struct MessageText {
-  MessageHeader header;
-  EphemerisMetadata metadata;
-  std::vector<std::string> comments;  // between the data lines
-};
 
 /// The attitude of a body as a file has it, with the convention that the file, or who reads it, states. The
 /// frames of these numbers are what is in question, so they have none here.
@@ -85,9 +80,8 @@ AttitudeRecord read_table(const std::filesystem::path& file, const TableColumns&
 AttitudeRecord read_message(const std::filesystem::path& file, std::optional<std::size_t> segment);
 /// Whether the file begins as a message does, or else is a table. Throws BadInput if it cannot be read.
 bool is_message(const std::filesystem::path& file);
-
-/// EME2000 or GCRF, of the names EME2000, J2000, GCRF and ICRF in any capitals. Throws BadInput for others.
-std::string inertial_name(const std::string& name);
+/// Whether the file begins as an orbit ephemeris message does. Throws BadInput if it cannot be read.
+bool is_orbit_message(const std::filesystem::path& file);
 
 inline constexpr double radians_per_degree = std::numbers::pi / 180.0;
 

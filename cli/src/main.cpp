@@ -40,9 +40,9 @@ struct PointingWords {
   PointingOptions options;
   std::string correction;
 };
-
 struct ConvertWords {
   AttitudeWords attitude;
+  std::string position, velocity, unit;  // of an orbit
   ConvertOptions options;
 };
 
@@ -65,20 +65,29 @@ std::vector<std::string> fields(const char* option, const std::string& text, std
 }
 
 // No convention is taken that nobody has stated.
+class Needed {
+ public:
+  void operator()(bool given, const char* option) {
+    if (!given) missing_ += std::string(missing_.empty() ? "" : ", ") + option;
+  }
+  void check(const std::filesystem::path& file) const {
+    if (!missing_.empty())
+      throw BadInput(file.string() + ": a table does not say what its columns mean; missing: " + missing_);
+  }
+
+ private:
+  std::string missing_;
+};
+
 TableColumns columns_of(const AttitudeWords& words) {
-  std::string missing;
-  const auto need = [&](bool given, const char* option) {
-    if (!given) missing += std::string(missing.empty() ? "" : ", ") + option;
-  };
+  Needed need;
   need(!words.columns.time.empty(), "--time COLUMN");
   need(!words.quaternion.empty(), "--quaternion COLUMN,COLUMN,COLUMN,COLUMN");
   need(!words.scalar.empty(), "--scalar first|last");
   need(!words.maps.empty(), "--maps body|reference");
   need(!words.columns.reference.empty(), "--reference EME2000|GCRF");
   need(words.rates.empty() || !words.rate_unit.empty(), "--rate-unit rad/s|deg/s");
-  if (!missing.empty())
-    throw BadInput(words.source.file.string() +
-                   ": a table does not say what its columns mean; missing: " + missing);
+  need.check(words.source.file);
   TableColumns columns = words.columns;
   columns.quaternion = fields("--quaternion", words.quaternion, 4);
   if (!words.rates.empty()) columns.rates = fields("--rates", words.rates, 3);
@@ -90,12 +99,35 @@ TableColumns columns_of(const AttitudeWords& words) {
   return columns;
 }
 
+Selection selection_of(const AttitudeWords& words) {
+  Selection selection = words.source.selection;
+  if (!words.from.empty()) selection.from = Epoch::from(words.from);
+  if (!words.until.empty()) selection.until = Epoch::from(words.until);
+  return selection;
+}
+
 AttitudeSource source_of(const AttitudeWords& words) {
   AttitudeSource source = words.source;
-  if (!words.from.empty()) source.from = Epoch::from(words.from);
-  if (!words.until.empty()) source.until = Epoch::from(words.until);
+  source.selection = selection_of(words);
   if (!is_message(source.file)) source.columns = columns_of(words);
   return source;
+}
+
+OrbitFile orbit_of(const ConvertWords& words) {
+  OrbitFile orbit{words.attitude.source.file};
+  orbit.selection = selection_of(words.attitude);
+  if (is_message(orbit.file)) return orbit;
+  const TableColumns& shared = words.attitude.columns;
+  Needed need;
+  need(!shared.time.empty(), "--time COLUMN");
+  need(!words.position.empty(), "--position COLUMN,COLUMN,COLUMN");
+  need(!words.velocity.empty(), "--velocity COLUMN,COLUMN,COLUMN");
+  need(!words.unit.empty(), "--unit m|km");
+  need(!shared.reference.empty(), "--reference EME2000|GCRF");
+  need.check(orbit.file);
+  orbit.columns = OrbitColumns{shared.time, scales.at(words.attitude.scale), fields("--position", words.position, 3),
+                               fields("--velocity", words.velocity, 3), words.unit == "km", shared.reference};
+  return orbit;
 }
 
 Eigen::Vector3d axis_of(const TargetWords& words) {
@@ -112,7 +144,7 @@ Eigen::Vector3d axis_of(const TargetWords& words) {
 
 void add_attitude(CLI::App& command, AttitudeWords& words) {
   command.add_option("file", words.source.file, "CCSDS AEM (KVN), or a table with a header line")->required();
-  command.add_option("--segment", words.source.segment, "of an AEM with several: which one, counted from 1");
+  command.add_option("--segment", words.source.selection.segment, "of an AEM with several: which one, counted from 1");
   command.add_option("--from", words.from, "only samples from this time on: '2023-04-20T05:00:00 UTC'");
   command.add_option("--until", words.until, "only samples until this time");
   const char* table = "A table";
@@ -198,22 +230,26 @@ void add_pointing(CLI::App& app, PointingWords& words) {
 }
 
 void add_convert(CLI::App& app, ConvertWords& words) {
-  auto& convert = *app.add_subcommand("convert", "write an attitude as a message or as a table");
+  auto& convert = *app.add_subcommand("convert", "write an attitude or an orbit as a message or as a table");
   convert.footer(
-      "A table is written with the scalar first; R(q) takes coordinates to the reference; its columns name frames and\n"
-      "units. The digits are those of the file; what had to be computed is said.\n"
+      "A table is written with the scalar first; R(q) takes coordinates to the reference; lengths are in metres; its\n"
+      "columns name frames and units. The digits are those of the file; what had to be computed is said.\n"
       "Exit code: 0, or 2 if the input is wrong; then nothing is written.\n\n"
       "  vectrix convert attitude.aem attitude.csv --frame GCRF");
   add_attitude(convert, words.attitude);
-  convert.add_option("out", words.options.out, "attitude.aem for a CCSDS AEM (KVN), attitude.csv for a table")->required();
+  convert.add_option("out", words.options.out, "attitude.aem or orbit.oem for a message of CCSDS (KVN), a .csv for a table")->required();
+  const char* orbit = "A table of an orbit";
+  convert.add_option("--position", words.position, "the three columns of the position, with commas")->group(orbit);
+  convert.add_option("--velocity", words.velocity, "the three columns of the velocity, with commas")->group(orbit);
+  convert.add_option("--unit", words.unit, "m (and m/s) or km (and km/s)")->group(orbit)->check(CLI::IsMember({"m", "km"}));
   convert.add_option("--frame", words.options.frame, "EME2000 (J2000) or GCRF (ICRF): relative to this instead");
   convert.add_flag("--force", words.options.force, "overwrites an existing file");
   const char* message = "A message";
-  convert.add_option("--object-name", words.options.object_name, "OBJECT_NAME")->group(message);
-  convert.add_option("--object-id", words.options.object_id, "OBJECT_ID, such as 2018-099A")->group(message);
-  convert.add_option("--originator", words.options.originator, "ORIGINATOR")->group(message);
+  convert.add_option("--object-name", words.options.text.object_name, "OBJECT_NAME")->group(message);
+  convert.add_option("--object-id", words.options.text.object_id, "OBJECT_ID, such as 2018-099A")->group(message);
+  convert.add_option("--originator", words.options.text.originator, "ORIGINATOR")->group(message);
   convert.add_option("--body", words.options.body, "the name of the frame of the body, such as SC_BODY_1")->group(message);
-  convert.add_option("--aem-version", words.options.version, "2.0 (default) or 1.0")
+  convert.add_option("--aem-version", words.options.aem_version, "2.0 (default) or 1.0")
       ->group(message)
       ->check(CLI::IsMember({"1.0", "2.0"}));
 }
@@ -242,9 +278,15 @@ bool run_pointing(PointingWords& words) {
 }
 
 bool run_convert(ConvertWords& words) {
-  words.options.attitude = source_of(words.attitude);
-  words.options.creation_date = now();
-  convert(words.options, std::cout);
+  words.options.text.creation_date = now();
+  const bool has_orbit = !words.position.empty() || !words.velocity.empty();
+  if (has_orbit && !words.attitude.quaternion.empty())
+    throw BadInput("--quaternion is of an attitude, --position and --velocity are of an orbit; one is converted at a time");
+  if (has_orbit || is_orbit_message(words.attitude.source.file)) {
+    convert(orbit_of(words), words.options, std::cout);
+  } else {
+    convert(source_of(words.attitude), words.options, std::cout);
+  }
   return true;
 }
 

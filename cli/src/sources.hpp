@@ -1,11 +1,11 @@
 #pragma once
 
-#include <cstddef>
 #include <filesystem>
 #include <optional>
 
 #include "attitude_record.hpp"
 #include "flown_orbit.hpp"
+#include "selection.hpp"
 
 namespace vectrix::cli {
 
@@ -13,8 +13,7 @@ namespace vectrix::cli {
 struct AttitudeSource {
   std::filesystem::path file;
   std::optional<TableColumns> columns{};  // of a table; a message says them itself
-  std::optional<std::size_t> segment{};   // of a message
-  std::optional<Epoch> from{}, until{};   // both included
+  Selection selection{};
 };
 /// Throws BadInput as read_table or read_message does, and if fewer than two samples are within the times.
 AttitudeRecord read_attitude(const AttitudeSource& source);

@@ -48,15 +48,14 @@ double any_number(double size) {
 
 std::string convert_to(const AttitudeSource& source, const std::filesystem::path& out) {
   ConvertOptions options;
-  options.attitude = source;
   options.out = out;
-  options.object_name = "S";
-  options.object_id = "2026-001A";
-  options.originator = "TEST";
+  options.text.object_name = "S";
+  options.text.object_id = "2026-001A";
+  options.text.originator = "TEST";
   options.body = "SC_BODY_1";
-  options.creation_date = "2026-11-29T00:00:00";
+  options.text.creation_date = "2026-11-29T00:00:00";
   std::ostringstream said;
-  convert(options, said);
+  convert(source, options, said);
   return said.str();
 }
 
@@ -120,10 +119,11 @@ TEST(Convert, KeepsTheAttitudeOfAMessageAndItsWords) {
   for (const char* direction : {"A2B", "B2A"}) {
     TemporaryFolder folder;
     const auto in = folder.written("in.aem", head + segment(direction, first_scalar, three_lines));
-    ConvertOptions options{{in}, folder.file("out.aem")};
-    options.creation_date = "2026-11-29T00:00:00";
+    AttitudeSource source{in};
+    ConvertOptions options{folder.file("out.aem")};
+    options.text.creation_date = "2026-11-29T00:00:00";
     std::ostringstream said;
-    convert(options, said);
+    convert(source, options, said);
     const auto before = AttitudeEphemerisMessage::read(in), after = AttitudeEphemerisMessage::read(options.out);
     const auto body = called<Body>("SC_BODY_1");
     const auto samples = before.segments()[0].samples<Eme2000, Body>(body),
@@ -141,10 +141,10 @@ TEST(Convert, KeepsTheAttitudeOfAMessageAndItsWords) {
               "ATTITUDE_TYPE = QUATERNION\nMETA_STOP\n\n");
     EXPECT_EQ(after.segments()[0].comments(), before.segments()[0].comments());
     // Version 1.0, and fewer samples.
-    options.version = "1.0";
+    options.aem_version = "1.0";
     options.force = true;
-    options.attitude.from = Epoch::from("2026-11-29T00:00:45 TAI");
-    convert(options, said);
+    source.selection.from = Epoch::from("2026-11-29T00:00:45 TAI");
+    convert(source, options, said);
     const auto old = AttitudeEphemerisMessage::read(options.out);
     EXPECT_EQ(old.header().version, "1.0");
     EXPECT_EQ(old.segments()[0].size(), 2U);
@@ -203,43 +203,44 @@ TEST(Convert, SaysWhatIsNotToTheLastDigit) {
 TEST(Convert, RefusesWhatWouldLoseOrOverwriteSomething) {
   TemporaryFolder folder;
   const auto in = folder.written("in.aem", head + segment("A2B", first_scalar, three_lines));
-  const auto refusal = [&](const ConvertOptions& options, const std::filesystem::path& named) {
+  AttitudeSource source{in};
+  ConvertOptions options{folder.written("out.aem", "precious")};
+  const auto refusal = [&](const std::filesystem::path& named) {
     std::ostringstream said;
-    const std::string text = complaint([&] { convert(options, said); }, named);
+    const std::string text = complaint([&] { convert(source, options, said); }, named);
     EXPECT_EQ(said.str(), "");
     return text;
   };
-  ConvertOptions options{{in}, folder.written("out.aem", "precious")};
-  options.creation_date = "2026-11-29T00:00:00";
-  EXPECT_EQ(refusal(options, options.out), "FILE: exists; --force overwrites it");
+  options.text.creation_date = "2026-11-29T00:00:00";
+  EXPECT_EQ(refusal(options.out), "FILE: exists; --force overwrites it");
   EXPECT_EQ(content(options.out), "precious");
   options.out = folder.file("out.txt");
-  EXPECT_EQ(refusal(options, options.out), "FILE: the name ends neither in .aem nor in .csv, which says what to write");
+  EXPECT_EQ(refusal(options.out), "FILE: the name ends neither in .aem nor in .csv, which says what to write");
   options.out = folder.file("new.aem");
   options.frame = "ITRF";
-  EXPECT_EQ(refusal(options, in), "the reference 'ITRF' is none of EME2000, J2000, GCRF, ICRF");
+  EXPECT_EQ(refusal(in), "the reference 'ITRF' is none of EME2000, J2000, GCRF, ICRF");
   options.frame = "";
   options.body = "A\nB";
-  EXPECT_NE(refusal(options, in).find("what would be written cannot be read"), std::string::npos);
+  EXPECT_NE(refusal(in).find("what would be written cannot be read"), std::string::npos);
   options.body = "";
   const std::string part = segment("A2B", first_scalar, three_lines);
-  options.attitude.file = folder.written("two.aem", head + part + part);
-  EXPECT_EQ(refusal(options, options.attitude.file), "FILE: there are 2 segments; missing: --segment NUMBER");
-  options.attitude.file = folder.written(
+  source.file = folder.written("two.aem", head + part + part);
+  EXPECT_EQ(refusal(source.file), "FILE: there are 2 segments; missing: --segment NUMBER");
+  source.file = folder.written(
       "b2a.aem", head + segment("B2A", "ATTITUDE_TYPE = QUATERNION/RATE\nQUATERNION_TYPE = FIRST\nRATE_FRAME = REF_FRAME_A\n",
                                 "2026-11-29T00:00:00 1 0 0 0 1 0 0\n2026-11-29T00:03:00 1 0 0 0 1 0 0\n"));
-  EXPECT_EQ(refusal(options, options.attitude.file),
+  EXPECT_EQ(refusal(source.file),
             "FILE: The rates are not used: with ATTITUDE_DIR B2A the message does not say whether they are of SC_BODY_1 or of "
             "J2000. They would be lost");
-  options.attitude.file = in;
-  options.attitude.until = Epoch::from("2026-11-29T00:02:00 TAI");
+  source.file = in;
+  source.selection.until = Epoch::from("2026-11-29T00:02:00 TAI");
   std::ostringstream said;
-  convert(options, said);
+  convert(source, options, said);
   EXPECT_EQ(read_message(options.out, std::nullopt).size(), 2U);
-  options.attitude = {folder.written("t.csv", "t,w,x,y,z\n2026-11-29T00:00:00,1,0,0,0\n2026-11-29T00:00:01,1,0,0,0\n"),
+  source = {folder.written("t.csv", "t,w,x,y,z\n2026-11-29T00:00:00,1,0,0,0\n2026-11-29T00:00:01,1,0,0,0\n"),
                       TableColumns{"t", scale::utc, {"w", "x", "y", "z"}, {Scalar::first, Maps::to_reference}, "GCRF", {}}};
-  options.originator = "TEST";
-  EXPECT_EQ(refusal(options, options.attitude.file),
+  options.text.originator = "TEST";
+  EXPECT_EQ(refusal(source.file),
             "FILE: a table does not say what a message needs; missing: --object-name NAME, --object-id ID, --body FRAME");
 }
 

@@ -180,8 +180,8 @@ PointingOptions cubesat() {
   options.orbit.elements = data / "CTIM_20230419.tle";
   options.axis = {0.0, 0.0, -1.0};
   options.correction = geometric;
-  options.attitude.from = Epoch::from_utc("2023-04-20T05:20:00");
-  options.attitude.until = Epoch::from_utc("2023-04-20T06:10:00");
+  options.attitude.selection.from = Epoch::from_utc("2023-04-20T05:20:00");
+  options.attitude.selection.until = Epoch::from_utc("2023-04-20T06:10:00");
   return options;
 }
 bool fulfilled(const PointingOptions& options) {
@@ -198,8 +198,8 @@ TEST(Pointing, WritesTheAnglesOfTheSamplesThatAreAskedFor) {
   EXPECT_TRUE(fulfilled(options));
   const auto table = CsvTable::read(file.path(), {"time_utc", "angle_deg"});
   AttitudeRecord record = read_attitude(options.attitude);
-  EXPECT_LE(*options.attitude.from, record.times.front());
-  EXPECT_LE(record.times.back(), *options.attitude.until);
+  EXPECT_LE(*options.attitude.selection.from, record.times.front());
+  EXPECT_LE(record.times.back(), *options.attitude.selection.until);
   const auto span = from_until(record.times.front(), record.times.back());
   const auto angles = absolute_errors(
       seen_in_body(record, directions(record, Target::sun, geometric, read_orbit(options.orbit, span))), options.axis);
@@ -252,9 +252,9 @@ TEST(Pointing, RefusesWhatIsNotStated) {
             "--require-relative needs the window of the relative error; missing: --window SECONDS");
   EXPECT_EQ(refusal([](auto& o) { o.window = nan; }), "--window nan is no duration");
   EXPECT_EQ(refusal([](auto& o) { o.axis.setZero(); }), "--axis (0, 0, 0) has no direction");
-  EXPECT_EQ(refusal([](auto& o) { o.attitude.until = Epoch::from_utc("2023-04-20T05:20:10"); }),
+  EXPECT_EQ(refusal([](auto& o) { o.attitude.selection.until = Epoch::from_utc("2023-04-20T05:20:10"); }),
             "FILE: the samples from 2023-04-20T05:20:00.000000 UTC until 2023-04-20T05:20:10.000000 UTC are 1; at least two are needed");
-  EXPECT_EQ(refusal([](auto& o) { o.attitude.from = Epoch::from_utc("2023-04-20T07:10:00"); }),
+  EXPECT_EQ(refusal([](auto& o) { o.attitude.selection.from = Epoch::from_utc("2023-04-20T07:10:00"); }),
             "FILE: the samples from 2023-04-20T07:10:00.000000 UTC until 2023-04-20T06:10:00.000000 UTC are 0; at least two are needed");
 }
 
