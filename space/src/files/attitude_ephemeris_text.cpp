@@ -1,6 +1,7 @@
 #include <vectrix/space/files/attitude_ephemeris_message.hpp>
 
 #include <vectrix/space/time/exact_text.hpp>
+
 #include "attitude_lines.hpp"
 #include "ephemeris_writer.hpp"
 #include "shifted_number.hpp"

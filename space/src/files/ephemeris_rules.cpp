@@ -4,8 +4,8 @@
 #include <utility>
 
 #include <vectrix/frames/errors.hpp>
-
 #include <vectrix/space/time/exact_text.hpp>
+
 #include "text_file.hpp"
 
 namespace vectrix::detail {

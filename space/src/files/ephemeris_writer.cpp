@@ -1,7 +1,6 @@
 #include "ephemeris_writer.hpp"
 
 #include <vectrix/frames/errors.hpp>
-
 #include <vectrix/space/time/exact_text.hpp>
 
 namespace vectrix::detail {

@@ -1,8 +1,8 @@
 #include <vectrix/space/files/orbit_ephemeris_segment.hpp>
 
 #include <vectrix/frames/errors.hpp>
-
 #include <vectrix/space/time/exact_text.hpp>
+
 #include "ephemeris_rules.hpp"
 #include "frame_claim.hpp"
 #include "kvn.hpp"

@@ -1,6 +1,7 @@
 #include "orbit_ephemeris_text.hpp"
 
 #include <vectrix/space/time/exact_text.hpp>
+
 #include "ephemeris_writer.hpp"
 #include "shifted_number.hpp"
 #include "text_file.hpp"
