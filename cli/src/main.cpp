@@ -142,9 +142,11 @@ Eigen::Vector3d axis_of(const TargetWords& words) {
   return axis;
 }
 
-void add_attitude(CLI::App& command, AttitudeWords& words) {
-  command.add_option("file", words.source.file, "CCSDS AEM (KVN), or a table with a header line")->required();
-  command.add_option("--segment", words.source.selection.segment, "of an AEM with several: which one, counted from 1");
+constexpr const char* attitude_file = "CCSDS AEM (KVN), or a table with a header line";
+
+void add_attitude(CLI::App& command, AttitudeWords& words, const char* file) {
+  command.add_option("file", words.source.file, file)->required();
+  command.add_option("--segment", words.source.selection.segment, "of a message with several: which one, counted from 1");
   command.add_option("--from", words.from, "only samples from this time on: '2023-04-20T05:00:00 UTC'");
   command.add_option("--until", words.until, "only samples until this time");
   const char* table = "A table";
@@ -195,7 +197,7 @@ void add_check(CLI::App& app, CheckWords& words) {
       "  vectrix check attitude.aem --tle satellite.tle\n"
       "  vectrix check attitude.csv --time time_utc --quaternion q0,q1,q2,q3 --scalar last --maps reference \\\n"
       "      --reference EME2000 --rates wx,wy,wz --rate-unit rad/s");
-  add_attitude(check, words.attitude);
+  add_attitude(check, words.attitude, attitude_file);
   add_orbit(check, words.options.orbit, "To compare with");
   add_target(check, words.target, false, "To compare with");
 }
@@ -208,7 +210,7 @@ void add_pointing(CLI::App& app, PointingWords& words) {
       "Exit code: 0 if what is required is fulfilled, or nothing is required, 1 if not, 2 if the input is wrong.\n\n"
       "  vectrix pointing attitude.aem --tle satellite.tle --axis 0,0,1 --target sun --correction apparent \\\n"
       "      --require 0.5 --percent 99.7");
-  add_attitude(pointing, words.attitude);
+  add_attitude(pointing, words.attitude, attitude_file);
   const char* where = "Where it should look";
   add_target(pointing, words.target, true, where);
   pointing
@@ -236,7 +238,7 @@ void add_convert(CLI::App& app, ConvertWords& words) {
       "columns name frames and units. The digits are those of the file; what had to be computed is said.\n"
       "Exit code: 0, or 2 if the input is wrong; then nothing is written.\n\n"
       "  vectrix convert attitude.aem attitude.csv --frame GCRF");
-  add_attitude(convert, words.attitude);
+  add_attitude(convert, words.attitude, "CCSDS AEM or OEM (KVN), or a table with a header line");
   convert.add_option("out", words.options.out, "attitude.aem or orbit.oem for a message of CCSDS (KVN), a .csv for a table")->required();
   const char* orbit = "A table of an orbit";
   convert.add_option("--position", words.position, "the three columns of the position, with commas")->group(orbit);

@@ -99,6 +99,14 @@ RC_GTEST_PROP(Quantile, IsTheFirstThatSoManyDoNotExceed, ()) {
   RC_ASSERT(place == 0 || 100.0 * static_cast<double>(place) < percent * static_cast<double>(count) - rounding);
 }
 
+TEST(Quantile, IsNotPushedFurtherByTheRoundingOfThePercents) {
+  EXPECT_EQ(place_of_quantile(1.1, 1000), 10U);  // 0.01 * 1.1 * 1000 is above 11
+  EXPECT_EQ(place_of_quantile(99.7, 1000), 996U);
+  EXPECT_EQ(place_of_quantile(50.0, 2), 0U);
+  EXPECT_EQ(place_of_quantile(100.0, 7), 6U);
+  EXPECT_EQ(place_of_quantile(0.001, 7), 0U);
+}
+
 // The target drifts along a great circle: the mean of evenly spaced directions is in their middle.
 RC_GTEST_PROP(RelativeError, OfASteadyDriftIsHalfOfIt, ()) {
   const auto window = *rc::gen::inRange<int>(1, 40);
