@@ -132,6 +132,9 @@ bool write_relative(const PointingOptions& options, const AttitudeRecord& record
       << " more reach over a gap or the end\n";
   const Figures figures(found.errors, starts);
   figures.write(out);
+  out << "  The largest change between two samples at most " << exact_number(*options.window) << " s apart is "
+      << decimals(degrees * found.largest_change) << " deg,\n  from " << record.times[found.change_from].utc(3) << " UTC to "
+      << record.times[found.change_until].utc(3) << " UTC.\n";
   return !options.required_relative || fulfils(figures, *options.required_relative, *options.percent,
                                                found.errors.size(), "windows", out);
 }

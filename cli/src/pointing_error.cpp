@@ -52,6 +52,13 @@ RelativeErrors relative_errors(const AttitudeRecord& record, const std::vector<V
     while (whole + 1 < record.size() && (record.times[whole + 1] - record.times[whole]).value() <= longest) ++whole;
     last = std::max(last, first);
     while (last < whole && later(last + 1) <= seconds + rounding) ++last;
+    for (std::size_t i = first + 1; i <= last; ++i) {
+      const double change = angle_between(in_body[first], in_body[i]);
+      if (change <= found.largest_change) continue;
+      found.largest_change = change;
+      found.change_from = first;
+      found.change_until = i;
+    }
     const bool is_whole = last < whole || later(last) >= seconds - rounding;
     if (!is_whole || last == first) {
       ++found.left_out;

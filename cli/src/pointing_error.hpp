@@ -12,6 +12,9 @@ struct RelativeErrors {
   std::vector<std::size_t> starts;  // the first sample of each window
   std::vector<double> errors;       // rad
   std::size_t left_out = 0;         // windows that reach over a gap or the end of the record
+  // Of two samples with no more than a window and no gap between them.
+  double largest_change = 0.0;  // rad
+  std::size_t change_from = 0, change_until = 0;
 };
 
 /// The unit vectors to the target in the axes of the body, as the record is stated, from those in the axes of

@@ -119,6 +119,8 @@ RC_GTEST_PROP(RelativeError, OfASteadyDriftIsHalfOfIt, ()) {
   RC_ASSERT(found.errors.size() == static_cast<std::size_t>(50 - window));
   RC_ASSERT(found.left_out == static_cast<std::size_t>(window));
   for (const double error : found.errors) RC_ASSERT(std::abs(error - 0.5 * rate * window) <= rounding);
+  RC_ASSERT(std::abs(found.largest_change - rate * window) <= rounding);
+  RC_ASSERT(found.change_until == found.change_from + static_cast<std::size_t>(window));
 }
 
 TEST(RelativeError, LeavesOutWindowsThatReachOverAGap) {
@@ -130,6 +132,7 @@ TEST(RelativeError, LeavesOutWindowsThatReachOverAGap) {
   // From each stretch of 10 samples, those that begin at its first 6.
   EXPECT_EQ(found.starts, (std::vector<std::size_t>{0, 1, 2, 3, 4, 5, 10, 11, 12, 13, 14, 15}));
   EXPECT_EQ(found.left_out, 8U);
+  EXPECT_NEAR(found.largest_change, 4.0 * 0.002, 1e-9);  // not over the gap
   EXPECT_NE(complaint([&] { (void)relative_errors(record, seen, 10.0); }).find("no stretch without gaps"), std::string::npos);
   EXPECT_NE(complaint([&] { (void)relative_errors(record, seen, 0.9); }).find("--window 0.9 s is shorter than the steps"),
             std::string::npos);
