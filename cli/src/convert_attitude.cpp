@@ -60,6 +60,7 @@ void convert(const AttitudeSource& source, const ConvertOptions& options, std::o
   const bool is_table = is_table_name(options.out, ".aem");
   const AttitudeRecord record = read_attitude(source);
   PlainAttitude attitude = plain(record);
+  if (inertial(options.body)) throw BadInput("--body " + options.body + " is the name of a reference, not of a body");
   if (!options.body.empty()) attitude.body = options.body;
   if (!options.frame.empty()) attitude = relative_to_frame(std::move(attitude), inertial_name(options.frame));
   std::string text;

@@ -222,6 +222,8 @@ TEST(Convert, RefusesWhatWouldLoseOrOverwriteSomething) {
   options.frame = "";
   options.body = "A\nB";
   EXPECT_NE(refusal(in).find("what would be written cannot be read"), std::string::npos);
+  options.body = "GCRF";
+  EXPECT_EQ(refusal(in), "--body GCRF is the name of a reference, not of a body");
   options.body = "";
   const std::string part = segment("A2B", first_scalar, three_lines);
   source.file = folder.written("two.aem", head + part + part);
