@@ -162,8 +162,7 @@ int run() {
   // From antenna to ground station: SGP4, the Earth with tides, an orbit frame, a mounting and a site.
   const Geodetic site{GeodeticLatitude(0.7 * si::radian), -1.8 * si::radian, 1650.0 * si::metre};
   const auto graph = frame_graph(
-      edge(teme(with_tides)), edge([&](const Epoch& t) { return parallel(orbit.at(t)); }),
-      rigid_edge(east_north_up(from<Station>, site)),
+      edge(teme(with_tides)), edge(orbit), rigid_edge(east_north_up(from<Station>, site)),
       edge([](const Displacement<earth::Teme, Satellite, In<earth::Teme>>& r,
               const Velocity<earth::Teme, Satellite, ObservedFrom<earth::Teme>, In<earth::Teme>>& v) {
         return lvlh(from<Lvlh>, r, v);

@@ -57,7 +57,7 @@ void run(const std::filesystem::path& data) {
   const Ephemeris<sky::Sun> sun(day);
   const Geodetic boulder{GeodeticLatitude(degrees(40.015)), degrees(-105.27), 1650.0 * si::metre};
 
-  const auto graph = frame_graph(edge(earth), edge(teme(earth)), edge(orbit),
+  const auto graph = frame_graph(edge(earth), edge(teme(earth)), edge(path(orbit)),
                                  rigid_edge(east_north_up(from<Station>, boulder)),
                                  edge([](const Displacement<Gcrf, Satellite, In<Gcrf>>& r,
                                          const Velocity<Gcrf, Satellite, ObservedFrom<Gcrf>, In<Gcrf>>& v) {

@@ -53,7 +53,7 @@ STANDARD = {
     "charconv": "to_chars from_chars",
     "chrono": "chrono",
     "cmath": "abs sqrt sin cos tan asin acos atan atan2 exp log log10 pow hypot isfinite isnan isinf signbit copysign "
-             "nextafter floor ceil round fmod remainder ldexp frexp cbrt fma trunc lround",
+             "nextafter expm1 floor ceil round fmod remainder ldexp frexp cbrt fma trunc lround",
     "compare": "strong_ordering weak_ordering partial_ordering",
     "complex": "complex",
     "concepts": "same_as integral floating_point invocable convertible_to derived_from constructible_from "

@@ -128,7 +128,7 @@ AttitudeRecord read_message(const std::filesystem::path& file, std::optional<std
     record.rate_unit = radians_per_degree;
     if (!record.rates.empty())
       record.rate_axes =
-          (lines.rate_frame == "REF_FRAME_A") == a.has_value() ? RateAxes::reference : RateAxes::body;
+          (lines.rate_frame == detail::RateFrame::a) == a.has_value() ? RateAxes::reference : RateAxes::body;
   }
   require_two(record);
   return record;

@@ -15,12 +15,13 @@ std::string attitude_table(const PlainAttitude& attitude, const std::string& fil
   const std::string time = "time_" + scale, q = "q_" + reference + "_from_body_";
   const std::string w = "rate_in_" + (axes == "body" ? axes : reference) +
                         (attitude.rates_in_degrees ? "_deg_per_s_" : "_rad_per_s_");
-  const std::vector<std::string> quaternion{q + "w", q + "x", q + "y", q + "z"}, rate{w + "x", w + "y", w + "z"};
-  std::string text = "# Attitude of " + attitude.body + " relative to " + attitude.reference + ", from " + file +
-                     ".\n# R(q) of Hamilton's product takes coordinates from the body to " + attitude.reference +
-                     ". The scalar, w, is first.\n# Options to read it: --time " + time + " --scale " + scale +
-                     " --quaternion " + joined(quaternion) + " --scalar first --maps reference --reference " +
-                     attitude.reference;
+  const std::vector<std::string> quaternion{q + "w", q + "x", q + "y", q + "z"},
+      rate{w + "x", w + "y", w + "z"};
+  std::string text = "# Attitude of " + attitude.body + " relative to " + attitude.reference + ", from " +
+                     file + ".\n# R(q) of Hamilton's product takes coordinates from the body to " +
+                     attitude.reference + ". The scalar, w, is first.\n# Options to read it: --time " + time +
+                     " --scale " + scale + " --quaternion " + joined(quaternion) +
+                     " --scalar first --maps reference --reference " + attitude.reference;
   if (!attitude.rates.empty())
     text += " --rates " + joined(rate) + " --rate-unit " + unit + " --rate-axes " + axes;
   text += "\n" + time + "," + joined(quaternion) + (attitude.rates.empty() ? "" : "," + joined(rate)) + "\n";
@@ -42,7 +43,8 @@ std::string attitude_message(const PlainAttitude& attitude, const MessageText& t
   lines.comments = text.comments;
   if (!attitude.rates.empty()) {
     lines.type = AttitudeType::quaternion_rate;
-    lines.rate_frame = attitude.rate_axes == RateAxes::reference ? "REF_FRAME_A" : "REF_FRAME_B";
+    lines.rate_frame =
+        attitude.rate_axes == RateAxes::reference ? detail::RateFrame::a : detail::RateFrame::b;
   }
   for (std::size_t i = 0; i < attitude.times.size(); ++i) {
     const auto& q = attitude.quaternions[i];
@@ -60,7 +62,8 @@ void convert(const AttitudeSource& source, const ConvertOptions& options, std::o
   const bool is_table = is_table_name(options.out, ".aem");
   const AttitudeRecord record = read_attitude(source);
   PlainAttitude attitude = plain(record);
-  if (inertial(options.body)) throw BadInput("--body " + options.body + " is the name of a reference, not of a body");
+  if (inertial(options.body))
+    throw BadInput("--body " + options.body + " is the name of a reference, not of a body");
   if (!options.body.empty()) attitude.body = options.body;
   if (!options.frame.empty()) attitude = relative_to_frame(std::move(attitude), inertial_name(options.frame));
   std::string text;
@@ -76,8 +79,8 @@ void convert(const AttitudeSource& source, const ConvertOptions& options, std::o
     text = attitude_message(attitude, words);
   }
   write_new(options.out, text, options.force);
-  out << options.out.string() << ": " << attitude.times.size() << " samples of " << attitude.body << " relative to "
-      << attitude.reference << '\n';
+  out << options.out.string() << ": " << attitude.times.size() << " samples of " << attitude.body
+      << " relative to " << attitude.reference << '\n';
   for (const std::string& what : attitude.computed) out << "  not to the last digit: " << what << '\n';
 }
 

@@ -106,8 +106,7 @@ TEST(Allocations, ChainsOfTwoLineElementsNeedNone) {
     EXPECT_EQ(allocations_of([&] { return orbit.at(t); }), 0U);
     EXPECT_EQ(allocations_of([&] { return orbit.path(t); }), 0U);
     const auto graph = frame_graph(
-        edge(teme(earth)), edge([&](const Epoch& e) { return parallel(orbit.at(e)); }),
-        rigid_edge(east_north_up(from<Station>, place)),
+        edge(teme(earth)), edge(orbit), rigid_edge(east_north_up(from<Station>, place)),
         edge([](const Displacement<earth::Teme, Satellite, In<earth::Teme>>& r,
                 const Velocity<earth::Teme, Satellite, ObservedFrom<earth::Teme>, In<earth::Teme>>& v) {
           return lvlh(from<Body>, r, v);

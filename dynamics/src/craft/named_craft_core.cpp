@@ -10,8 +10,7 @@ namespace {
 
 multibody::Mass<double> mass_of(double mass, const Eigen::Vector3d& centre, const Eigen::Matrix3d& J_c) {
   const Eigen::Matrix3d J = about_origin(mass, centre, J_c);
-  return {
-      mass, numbers(Eigen::Vector3d(mass * centre)), {J(0, 0), J(1, 1), J(2, 2), J(0, 1), J(0, 2), J(1, 2)}};
+  return {mass, numbers(Eigen::Vector3d(mass * centre)), symmetric(J)};
 }
 
 /// The place of a name in a list of parts, from 0; its size if there is none.

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <numeric>
+#include <optional>
 #include <utility>
 
 #include <vectrix/dynamics/ode/stepper.hpp>
@@ -15,15 +17,36 @@
 namespace vectrix::ode {
 namespace {
 
-/// Those of the segments before are earlier, and in order.
-void sort_from(std::size_t first, Record& record) {
-  const auto begin = record.events.begin() + static_cast<std::ptrdiff_t>(first);
-  std::ranges::stable_sort(begin, record.events.end(), {}, &Event::time);
-}
-
 /// True if the bracket is about as narrow as neighbouring numbers.
 bool narrow(double a, double b) {
   return std::abs(b - a) <= 2.0 * std::numeric_limits<double>::epsilon() * std::max(std::abs(a), std::abs(b));
+}
+
+double just_after(double t) {
+  return std::nextafter(t, std::numeric_limits<double>::infinity());
+}
+/// start + elapsed, rounded up.
+double rounded_up(double start, double elapsed) {
+  const double t = start + elapsed;
+  return t - start < elapsed ? just_after(t) : t;
+}
+
+/// A time in (t, last] with `holds` after one without it, which t is: the distance from t is doubled until it
+/// holds, then halved. These are at most as many times as doubles have exponents and digits, twice: some 100
+/// where last / t is not huge. Nothing if it holds at none of them.
+template <class Holds> std::optional<double> first_after(double t, double last, const Holds& holds) {
+  double without = t, with = t;
+  for (double distance = just_after(t) - t;; distance *= 2.0) {
+    if (without >= last) return std::nullopt;
+    with = std::min(without + distance, last);
+    if (holds(with)) break;
+    without = with;
+  }
+  while (true) {
+    const double middle = std::midpoint(without, with);
+    if (!(middle > without && middle < with)) return with;
+    (holds(middle) ? with : without) = middle;
+  }
 }
 
 constexpr std::size_t parts_of_a_step = 4;      // where a step has an interpolant of its own
@@ -65,7 +88,7 @@ bool RootFinder::advance(const Record& record) {
   for (std::size_t part = 1; part < parts; ++part) {
     const double to = begin + length * static_cast<double>(part) / static_cast<double>(parts);
     Interpolant(record, left).at(to, state_);
-    ends = examine(left, from, to, start + to, state_) || ends;
+    ends = examine(left, from, to, std::min(start + to, record.times[left + 1]), state_) || ends;
     from = to;
   }
   return examine(left, from, record.elapsed[left + 1], record.times[left + 1], record.state(left + 1)) ||
@@ -73,7 +96,7 @@ bool RootFinder::advance(const Record& record) {
 }
 
 bool RootFinder::examine(std::size_t left, double from, double to, double t, std::span<const double> y) {
-  bool ends = false;
+  bool end = false;
   for (std::size_t i = 0; i < values_.size(); ++i) {
     const double before = std::exchange(values_[i], value(i, t, y));
     const Root& root = problem_.roots[i];
@@ -81,9 +104,9 @@ bool RootFinder::examine(std::size_t left, double from, double to, double t, std
     const bool falling = before > 0.0 && values_[i] <= 0.0 && root.direction != Direction::rising;
     if (!rising && !falling) continue;
     brackets_.push_back({i, left, from, to, before, values_[i]});
-    ends = ends || root.stop || root.ends_segment;
+    end = end || ends(i);
   }
-  return ends;
+  return end;
 }
 
 void RootFinder::retreat() {
@@ -92,33 +115,47 @@ void RootFinder::retreat() {
 }
 
 Event RootFinder::locate(const Record& record, const Bracket& bracket) const {
+  const std::size_t right = bracket.left + 1;
   const double start = record.times[record.segment_of(bracket.left).first];
-  const double latest = record.times[bracket.left + 1];
+  const double latest = record.times[right];
   Event event{bracket.root, problem_.roots[bracket.root].name, latest, std::vector<double>(record.dimension),
               bracket.left_value < 0.0 ? Direction::rising : Direction::falling};
+  const Interpolant interpolant(record, bracket.left);
+  const auto time = [&](double elapsed) { return std::min(start + elapsed, latest); };
   double crossed = bracket.to;
   if (bracket.right_value != 0.0) {
-    const Interpolant interpolant(record, bracket.left);
     const auto function = [&](double elapsed) {
       interpolant.at(elapsed, event.state);
-      return value(bracket.root, start + elapsed, event.state);
+      return value(bracket.root, time(elapsed), event.state);
     };
     std::uintmax_t iterations = max_iterations;
     crossed = boost::math::tools::toms748_solve(function, bracket.from, bracket.to, bracket.left_value,
                                                 bracket.right_value, narrow, iterations)
                   .second;
   }
-  if (bracket.right_value != 0.0 || crossed < record.elapsed[bracket.left + 1]) {
-    // The caller's time, rounded to the side of the new sign.
-    double t = start + crossed;
-    if (t - start < crossed) t = std::nextafter(t, std::numeric_limits<double>::infinity());
-    event.time = std::min(t, latest);
-  }
-  interpolate(record, event.time, event.state);
-  // The state at the rounded time may be on the old side still: where the function rounds more than time.
-  while (event.time < latest && !has_crossed(event, event.time, event.state)) {
-    event.time = std::nextafter(event.time, latest);
+  // The caller's time, rounded to the side of the new sign. The state there may be on the old side still:
+  // where the function rounds more than time.
+  const auto has_new_sign = [&](double t) {
+    interpolate(record, t, event.state);
+    return has_crossed(event, t, event.state);
+  };
+  const auto rounded = [&](double elapsed) {
+    return elapsed < record.elapsed[right] ? std::min(rounded_up(start, elapsed), latest) : latest;
+  };
+  event.time = rounded(crossed);
+  if (has_new_sign(event.time)) return event;
+  if (const auto later = first_after(event.time, rounded(bracket.to), has_new_sign)) {
+    event.time = *later;
     interpolate(record, event.time, event.state);
+  } else {
+    // It has its new sign for less than a rounding of time. A segment ends with the state where it was seen.
+    event.time = std::max(time(crossed), just_after(start));
+    if (!ends(bracket.root))
+      interpolate(record, event.time, event.state);
+    else if (crossed < record.elapsed[right])
+      interpolant.at(crossed, event.state);
+    else
+      std::ranges::copy(record.state(right), event.state.begin());
   }
   return event;
 }
@@ -128,24 +165,18 @@ bool RootFinder::has_crossed(const Event& event, double t, std::span<const doubl
   return event.direction == Direction::rising ? now >= 0.0 : now <= 0.0;
 }
 
-void RootFinder::resolve(Record& record) {
-  const std::size_t before = record.events.size();
-  for (const Bracket& bracket : brackets_) record.events.push_back(locate(record, bracket));
-  brackets_.clear();
-  sort_from(before, record);
-}
-
-void RootFinder::resolve_what_can_be(Record& record) {
-  const std::size_t before = record.events.size();
+std::vector<Zero> RootFinder::take(const Record& record, Failing failing) {
+  std::vector<Zero> zeros;
   for (const Bracket& bracket : brackets_) {
     try {
-      record.events.push_back(locate(record, bracket));
+      zeros.push_back({locate(record, bracket), bracket.from, bracket.to});
     } catch (const Trouble&) {
-      continue;  // an earlier error has already ended the run
+      if (failing == Failing::is_thrown) throw;
     }
   }
   brackets_.clear();
-  sort_from(before, record);
+  std::ranges::stable_sort(zeros, {}, [](const Zero& zero) { return zero.event.time; });
+  return zeros;
 }
 
 }  // namespace vectrix::ode

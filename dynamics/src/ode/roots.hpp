@@ -10,6 +10,13 @@
 
 namespace vectrix::ode {
 
+/// A zero, and where it was seen: its function had its old sign at `from` and its new one at `to`, in time
+/// since the start of the segment.
+struct Zero {
+  Event event;
+  double from, to;
+};
+
 /// Finds the zeros of the problem's root functions. A change of sign between two nodes, or in a quarter of
 /// a step that has its own interpolant, is kept as a bracket; it is located on the dense output when the
 /// nodes around it are known. SUNDIALS' own search uses ARKODE's cubic interpolant, far less accurate than
@@ -21,16 +28,19 @@ class RootFinder {
   void start(double t, std::span<const double> y);
   /// Examines the last step; true if it brackets a root that stops the run or ends the segment.
   bool advance(const Record& record);
-  /// True if the last step brackets a root.
-  [[nodiscard]] bool bracketed() const { return brackets_.size() > previous_brackets_; }
+  /// The number of brackets in the last step.
+  [[nodiscard]] std::size_t bracketed() const { return brackets_.size() - previous_brackets_; }
   /// Whether the function of an event has no longer the sign it had before its zero.
   [[nodiscard]] bool has_crossed(const Event& event, double t, std::span<const double> y) const;
   /// Undoes the last advance.
   void retreat();
-  /// Turns all brackets into events of the record, in order of time.
-  void resolve(Record& record);
-  /// As resolve(), without the roots whose function fails.
-  void resolve_what_can_be(Record& record);
+  /// Whether a root stops the run or ends the segment.
+  [[nodiscard]] bool ends(std::size_t root) const {
+    return problem_.roots[root].stop || problem_.roots[root].ends_segment;
+  }
+  enum class Failing { is_thrown, is_left_out };
+  /// Locates the zeros in all brackets, which it takes, in order of time.
+  [[nodiscard]] std::vector<Zero> take(const Record& record, Failing failing = Failing::is_thrown);
 
  private:
   struct Bracket {

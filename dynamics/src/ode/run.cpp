@@ -59,13 +59,13 @@ void Run::integrate() {
     record_->segments.push_back(record_->times.size());
     ended_by = integrate_segment();
     if (record_->stopped) return;
-    roots_.resolve(*record_);
+    for (Zero& zero : roots_.take(*record_)) record_->events.push_back(std::move(zero.event));
     segment_start_ = record_->times.back();
     if (segment_start_ == segment_end_) ++end;
   }
 }
 
-void Run::change(std::span<const Event> ended_by) const {
+void Run::change(std::span<const Event> ended_by) {
   try {
     problem_.at_segment_start(segment_start_, state_, ended_by);
   } catch (...) {
@@ -73,6 +73,13 @@ void Run::change(std::span<const Event> ended_by) const {
                   "the change at the start of the segment at t = " + text(segment_start_) + " threw",
                   std::current_exception()};
   }
+  const auto bad = std::ranges::find_if_not(state_, [](double y) { return std::isfinite(y); });
+  if (bad == state_.end()) return;
+  throw Trouble{flag::rhs_failed, segment_start_,
+                "the change at the start of the segment at t = " + text(segment_start_) + " sets " +
+                    detail::component_name(problem_, static_cast<std::size_t>(bad - state_.begin())) +
+                    " to " + text(*bad),
+                nullptr};
 }
 
 std::vector<double> Run::segment_ends() const {
@@ -92,11 +99,11 @@ std::vector<Event> Run::integrate_segment() {
   const double end = segment_end_ - segment_start_;
   const double longest =
       own_interpolant ? problem_.maximum_step : std::min(problem_.maximum_step, end / steps_per_segment);
-  stepper_->restart(0.0, state_, end, longest);
+  choose_stop(0.0);
+  stepper_->restart(0.0, state_, stop_, longest);
   stepper_->rate_at_restart(slope_);
   record_->push(segment_start_, 0.0, state_, slope_);
   bool retaking = false;
-  double target = end;
   while (true) {
     const double before = record_->elapsed.back();
     const double t = step();
@@ -104,23 +111,33 @@ std::vector<Event> Run::integrate_segment() {
     record_->push(time(t), t, state_, slope_);
     if (own_interpolant) keep_terms();
     const bool ends = roots_.advance(*record_);
-    if (!kept_for_good_ && !roots_.bracketed()) record_->drop_terms();
+    if (!kept_for_good_ && roots_.bracketed() == 0) record_->drop_terms();
     if (ends && (own_interpolant || retaking)) return end_at_first_ending_event();
     if (ends) {
+      stop_ = t, stop_time_ = record_->times.back();
+      if (roots_.bracketed() > 1) look_again_.push_back(stop_time_);
       roots_.retreat();
       record_->pop();
       std::ranges::copy(record_->state(record_->times.size() - 1), state_.begin());
       retaking = true;
-      target = t;
-      stepper_->restart(before, state_, target, (target - before) / steps_per_segment);
+      stepper_->restart(before, state_, stop_, (stop_ - before) / steps_per_segment);
     } else if (t == end) {
       return {};
-    } else if (t == target) {  // because of rounding, the zero is now later than this step
+    } else if (t == stop_) {  // where to look again; or because of rounding a zero is now later
       retaking = false;
-      target = end;
-      stepper_->restart(t, state_, target, longest);
+      choose_stop(t);
+      stepper_->restart(t, state_, stop_, longest);
     }
   }
+}
+
+/// The end of the segment, or a time before it where to look again.
+void Run::choose_stop(double elapsed) {
+  stop_ = segment_end_ - segment_start_, stop_time_ = segment_end_;
+  std::erase_if(look_again_,
+                [&](double t) { return !(t > segment_start_ + elapsed && t - segment_start_ > elapsed); });
+  for (const double t : look_again_)
+    if (t < stop_time_) stop_ = t - segment_start_, stop_time_ = t;
 }
 
 /// Records the method's interpolant for the last step, if anything asks for it; roots do for the time of the
@@ -142,11 +159,11 @@ void Run::keep_terms() {
   record_->add_terms(terms_);
 }
 
-/// The caller's time: exactly the end of the segment only there.
+/// The caller's time: exactly that of the stop only there.
 double Run::time(double elapsed) const {
-  if (elapsed >= segment_end_ - segment_start_) return segment_end_;
+  if (elapsed >= stop_) return stop_time_;
   return std::min(segment_start_ + elapsed,
-                  std::nextafter(segment_end_, -std::numeric_limits<double>::infinity()));
+                  std::nextafter(stop_time_, -std::numeric_limits<double>::infinity()));
 }
 
 /// Returns the time reached, since the start of the segment; the state is in state_. Takes more steps while
@@ -167,25 +184,31 @@ double Run::step() {
 }
 
 /// Returns the events at the first instant at which one stops the run or ends the segment, if they do: one
-/// that stops the run is the last event of all. Zeros after it will be found again, in the next segment. A
-/// function that has no longer its old sign there, because of rounding or as it is zero for a while, would
-/// not be: its zero is at this instant too.
+/// that stops the run is the last event of all. Zeros after it will be found again, in the next segment,
+/// whose steps end where these were seen. A function that had its old sign before this instant and has it no
+/// longer there, because of rounding or as it is zero for a while, would not be: its zero is at this instant
+/// too.
 std::vector<Event> Run::end_at_first_ending_event() {
-  roots_.resolve(*record_);
-  auto& events = record_->events;
   const auto stops = [&](const Event& e) { return problem_.roots[e.root].stop; };
-  const auto ends = [&](const Event& e) { return stops(e) || problem_.roots[e.root].ends_segment; };
-  const auto of_segment = std::ranges::upper_bound(events, segment_start_, {}, &Event::time);
-  const auto first = std::find_if(of_segment, events.end(), ends);
-  const double t = first->time, elapsed = t - segment_start_;
-  state_ = first->state;
+  const auto ends = [&](const Event& e) { return roots_.ends(e.root); };
+  std::vector<Zero> zeros = roots_.take(*record_);
+  const Event& first = std::ranges::find_if(zeros, ends, &Zero::event)->event;
+  const double t = first.time, elapsed = t - segment_start_;
+  state_ = first.state;
   const bool shorter = t < record_->times.back();
   if (shorter) stepper_->evaluate(elapsed, state_, slope_);
-  const auto later = std::ranges::upper_bound(events, t, {}, &Event::time);
-  for (auto event = later; event != events.end(); ++event) {
-    if (roots_.has_crossed(*event, t, state_)) event->time = t, event->state = state_;
+  auto& events = record_->events;
+  for (Zero& zero : zeros) {
+    Event& event = zero.event;
+    if (event.time > t) {
+      if (!(zero.from < elapsed && roots_.has_crossed(event, t, state_))) {
+        look_again_.insert(look_again_.end(), {time(zero.from), time(zero.to)});
+        continue;
+      }
+      event.time = t, event.state = state_;
+    }
+    events.push_back(std::move(event));
   }
-  events.erase(std::remove_if(later, events.end(), [&](const Event& e) { return e.time > t; }), events.end());
   const auto together = std::ranges::lower_bound(events, t, {}, &Event::time);
   if (shorter) record_->shorten(t, elapsed, state_, slope_);
   const auto stopping = std::find_if(together, events.end(), stops);
@@ -213,7 +236,8 @@ void Run::fill_outputs() {
 void Run::fail(const Trouble& trouble) {
   auto& record = *record_;
   if (!record.segments.empty() && record.segments.back() == record.times.size()) record.segments.pop_back();
-  roots_.resolve_what_can_be(record);
+  using Failing = RootFinder::Failing;  // an earlier error has already ended the run
+  for (Zero& zero : roots_.take(record, Failing::is_left_out)) record.events.push_back(std::move(zero.event));
   fill_outputs();
   std::string message = problem_.caller + ": failed at t = " + text(trouble.time) + " after " +
                         text(record.statistics.steps) + " steps with flag " + text(trouble.flag) + " (" +

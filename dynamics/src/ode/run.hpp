@@ -22,10 +22,11 @@ class Run {
  private:
   void integrate();
   [[nodiscard]] std::vector<double> segment_ends() const;
-  void change(std::span<const Event> ended_by) const;
+  void change(std::span<const Event> ended_by);
   [[nodiscard]] std::vector<Event> integrate_segment();
   double step();
   [[nodiscard]] double time(double elapsed) const;
+  void choose_stop(double elapsed);
   void keep_terms();
   [[nodiscard]] std::vector<Event> end_at_first_ending_event();
   void fill_outputs();
@@ -37,6 +38,9 @@ class Run {
   std::shared_ptr<Record> record_;
   double segment_start_ = 0.0;
   double segment_end_ = 0.0;
+  double stop_ = 0.0;               ///< where steps must end next, since the start of the segment
+  double stop_time_ = 0.0;          ///< the same in the caller's time
+  std::vector<double> look_again_;  ///< times at which steps end, to see zeros that were seen before
   std::size_t next_output_ = 0;
   bool kept_for_good_ = true;  ///< the interpolant of the last step
   std::size_t parts_ = 0;      ///< steps of the stepper in the last interval between nodes

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include <vectrix/dynamics/craft/propagate.hpp>
@@ -34,6 +35,8 @@ struct Sat : decltype(make_sat()) {
 };
 using OnSat = Now<Sat>;
 using ForcesOnSat = Forces<Sat>;
+// What needs the accelerations is never given an instant without them.
+static_assert(!std::is_convertible_v<OnSat, detail::Solved<Sat, int>>);
 
 CraftState<Sat> spinning(const Sat& sat, double rate, double start = 0.0) {
   return state(sat, start * s,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Cholesky>
+#include <limits>
 
 #include "random_craft.hpp"
 
@@ -31,8 +32,9 @@ struct DenseBody {
 };
 
 struct DenseMotion {
-  Vector3d alpha_h, a_i;          // of the hub, in its axes and in inertial ones
-  VectorXd accelerations;         // of the joints, the rotors, the modes
+  Vector3d alpha_h, a_i;   // of the hub, in its axes and in inertial ones
+  VectorXd accelerations;  // of the joints, the rotors, the modes
+  double rounding;         // of these beside the largest: n epsilon and the condition of the mass matrix
   std::vector<DenseBody> bodies;  // with alpha and a as they are
   /// What the joint of a body transmits to it: the rate of momentum of all that hangs on it less what acts.
   std::vector<Vector3d> force, torque;
@@ -190,7 +192,9 @@ inline DenseMotion dense_motion(const DescribedCraft& craft, const double* y, co
     M(c, c) = 1.0;
     F[c] = 0.0;
   }
-  const VectorXd x = M.ldlt().solve(F) + known;
+  const Eigen::LDLT<MatrixXd> factors(M);
+  out.rounding = static_cast<double>(n) * std::numeric_limits<double>::epsilon() / factors.rcond();
+  const VectorXd x = factors.solve(F) + known;
   out.alpha_h = hub.R.transpose() * x.head<3>();
   out.a_i = x.segment<3>(3);
   out.accelerations = x.tail(n - 6);

@@ -1,5 +1,6 @@
 #include <array>
 #include <complex>
+#include <limits>
 
 #include "problems.hpp"
 #include "testing/free_body.hpp"
@@ -10,10 +11,10 @@ namespace {
 class OdeAccuracy : public testing::TestWithParam<Method> {};
 INSTANTIATE_TEST_SUITE_P(Methods, OdeAccuracy, testing::ValuesIn(methods), name);
 
-/// The tolerance bounds the error of one step; over some thousand steps errors accumulate. This is the
-/// largest allowed ratio of error to tolerance over the runs below, about three times the measured one (BDF,
-/// of order 5, drifts most).
-double gathered(Method method) {
+/// The largest allowed ratio of error to tolerance over the runs below, about three times the measured one
+/// (BDF, of order 5, drifts most): methods that go on with the better of two solutions are far below the sum
+/// of their tolerances.
+double most(Method method) {
   switch (method) {
     case Method::cvode_adams:
       return 2e4;
@@ -32,9 +33,17 @@ double gathered(Method method) {
 
 constexpr double tolerance = 1e-10;
 
+/// The tolerance bounds the error of one step, to tolerance (1 + |y|) in each component. Such errors, of all
+/// steps, add up, each grown by a factor of the problem.
+double gathered(Method method, const Solution& solution, double growth) {
+  const auto steps = static_cast<double>(solution.statistics().steps);
+  return std::min(growth * steps, most(method)) * tolerance;
+}
+
 TEST_P(OdeAccuracy, harmonic_oscillator) {
   const Solution solution = solve(oscillator(GetParam(), 100.0, tolerance));
-  EXPECT_LT(node_error(solution, oscillator_state), gathered(GetParam()) * tolerance);
+  constexpr double growth = 3.0;  // none, of two components with |y| <= 1 each
+  EXPECT_LT(node_error(solution, oscillator_state), gathered(GetParam(), solution, growth));
   EXPECT_EQ(solution.end(), 100.0);
 }
 
@@ -68,7 +77,9 @@ TEST_P(OdeAccuracy, torque_free_axisymmetric_body) {
             transverse * std::sin(lambda * t),
             n};
   };
-  EXPECT_LT(node_error(solve(problem), exact), gathered(GetParam()) * tolerance);
+  constexpr double growth = 2.0 * (1.0 + 0.5 * 100.0);  // half an error of the rate, for 100 s
+  const Solution solution = solve(problem);
+  EXPECT_LT(node_error(solution, exact), gathered(GetParam(), solution, growth));
 }
 
 /// Kepler ellipse, mu = a = 1, e = 1/2, five revolutions: the step size must change near the pericentre.
@@ -95,7 +106,10 @@ TEST_P(OdeAccuracy, kepler_ellipse) {
     const double b = std::sqrt(1.0 - e * e), r = 1.0 - e * std::cos(anomaly);
     return {std::cos(anomaly) - e, b * std::sin(anomaly), -std::sin(anomaly) / r, b * std::cos(anomaly) / r};
   };
-  EXPECT_LT(node_error(solve(problem), exact), gathered(GetParam()) * tolerance);
+  // An error dv of the speed v <= 3^(1/2) changes the phase by 3 v dv t, of a place that moves at v.
+  constexpr double growth = 2.7 * 3.0 * 3.0 * 10.0 * std::numbers::pi;
+  const Solution solution = solve(problem);
+  EXPECT_LT(node_error(solution, exact), gathered(GetParam(), solution, growth));
 }
 
 /// x' = -x + sin t: the rate depends on time, so errors of the time matter.
@@ -107,17 +121,23 @@ TEST_P(OdeAccuracy, forced_relaxation) {
   const auto exact = [](double t) -> std::vector<double> {
     return {0.5 * (std::sin(t) - std::cos(t) + std::exp(-t))};
   };
-  EXPECT_LT(node_error(solve(problem), exact), gathered(GetParam()) * tolerance);
+  constexpr double growth = 2.0;  // none, of a component with |y| <= 1: errors decay
+  const Solution solution = solve(problem);
+  EXPECT_LT(node_error(solution, exact), gathered(GetParam(), solution, growth));
 }
 
 TEST_P(OdeAccuracy, error_falls_with_the_tolerance) {
   double previous = 1.0;
   for (const double t : {1e-4, 1e-6, 1e-8, 1e-10}) {
     const double error = node_error(solve(oscillator(GetParam(), 30.0, t)), oscillator_state);
-    EXPECT_LT(error, 0.2 * previous) << "tolerance " << t;  // ideally a hundredth
+    constexpr double fall = 0.2;  // ideally a hundredth, the tolerance's; with the steps of each, at random
+    EXPECT_LT(error, fall * previous) << "tolerance " << t;
     previous = error;
   }
 }
+
+/// Of the errors between nodes to those at nodes.
+constexpr double as_good = 1.1;
 
 TEST_P(OdeAccuracy, dense_output_is_as_good_as_the_nodes) {
   for (const double t : {1e-8, 1e-12}) {
@@ -133,7 +153,7 @@ TEST_P(OdeAccuracy, dense_output_is_as_good_as_the_nodes) {
     // The nodes of Radau IIA, of order 13, are far better than the tolerance; its polynomial, of order 7, is
     // not.
     const double expected =
-        GetParam() == Method::radau_iia_7 ? t : 1.1 * node_error(solution, oscillator_state);
+        GetParam() == Method::radau_iia_7 ? t : as_good * node_error(solution, oscillator_state);
     EXPECT_LT(between, expected) << "tolerance " << t;
   }
 }
@@ -143,7 +163,12 @@ TEST_P(OdeAccuracy, rates_of_nodes_are_those_of_the_right_hand_side) {
   for (std::size_t i = 0; i < solution.node_count(); ++i) {
     const Node node = solution.node(i);
     const std::array rate{node.y[1], -node.y[0]};
-    EXPECT_LT(distance(node.ydot, rate), 1e3 * tolerance);  // BDF's slope: error over step length
+    // Of CVODE's polynomial: an error of the tolerance over the length of the step. The first is very short.
+    constexpr double most_of_slope = 1e3 * tolerance;
+    const bool is_slope = i > 0 && (GetParam() == Method::cvode_adams || GetParam() == Method::cvode_bdf);
+    const double allowed =
+        is_slope ? std::min(2.0 * tolerance / (node.t - solution.node(i - 1).t), most_of_slope) : 0.0;
+    EXPECT_LE(distance(node.ydot, rate), allowed);
   }
 }
 
@@ -154,7 +179,7 @@ TEST_P(OdeAccuracy, dense_output_survives_crowded_nodes) {
   problem.breakpoints = {5.0};
   const Solution solution = solve(problem);
   const double allowed =
-      GetParam() == Method::radau_iia_7 ? 1e-12 : 1.1 * node_error(solution, oscillator_state);
+      GetParam() == Method::radau_iia_7 ? 1e-12 : as_good * node_error(solution, oscillator_state);
   for (int i = 0; i <= 20'000; ++i) {
     const double t = 4.99 + 1e-6 * i;
     ASSERT_LE(distance(solution.at(t), oscillator_state(t)), allowed) << t;
@@ -186,8 +211,9 @@ TEST(OdeClock, rounding_of_time_does_not_gather) {
   Problem problem = oscillator(Method::arkode_fehlberg_8, 1000.0, 1e-14);
   problem.maximum_step = 0.09;
   const Solution solution = solve(problem);
-  EXPECT_LT(node_error(solution, oscillator_state),
-            2e-12);  // rounding of states and of the node times, 6e-14 each
+  // Roundings of the states, 1e-16 in each of 17 000 steps, and of the node times, 6e-14.
+  constexpr double rounded = 2e-12;
+  EXPECT_LT(node_error(solution, oscillator_state), rounded);
 }
 
 /// Thirteen stages a step: the rate at a node is the first stage of the next step, so it is not evaluated
@@ -203,17 +229,21 @@ INSTANTIATE_TEST_SUITE_P(Methods, OdeStiff, testing::Values(Method::cvode_bdf, M
 
 TEST_P(OdeStiff, takes_long_steps_where_explicit_methods_cannot) {
   // x' = -1e6 (x - cos t) from 0: after microseconds x follows cos t + 1e-6 sin t.
-  Problem problem = oscillator(GetParam(), 10.0, 1e-8);
+  constexpr double coarse = 1e-8;
+  Problem problem = oscillator(GetParam(), 10.0, coarse);
   problem.rhs = [](double, double t, State y, std::span<double> ydot) {
     ydot[0] = -1e6 * (y[0] - std::cos(t));
   };
   problem.initial_state = {0.0};
-  set_tolerance(problem, 1e-8);
+  set_tolerance(problem, coarse);
   const Solution solution = solve(problem);
+  // (1 + |y|) at a node and as much between, as errors decay at once; BDF estimates its own to a factor of
+  // two.
+  constexpr double within = 8.0 * coarse;
   EXPECT_LT(solution.statistics().steps, 2000U);  // an explicit method needs 1e6 * 10 / 3
   for (int i = 1; i <= 1000; ++i) {
     const double t = 0.01 * i;
-    ASSERT_NEAR(solution.at(t)[0], std::cos(t) + 1e-6 * std::sin(t), 1e-6);  // a hundred times the tolerance
+    ASSERT_NEAR(solution.at(t)[0], std::cos(t) + 1e-6 * std::sin(t), within);
   }
 }
 
@@ -235,9 +265,9 @@ TEST(OdeRadau, passes_over_a_lightly_damped_mode) {
   problem.initial_state = exact(0.0);
   const Solution solution = solve(problem);
   EXPECT_LT(solution.statistics().steps, 1000U);
-  EXPECT_LT(node_error(solution, exact), 10.0 * tight);
-  for (double t = 0.0; t <= 100.0; t += 0.37)
-    EXPECT_LT(std::abs(solution.at(t)[0] - exact(t)[0]), 10.0 * tight);
+  constexpr double within = 10.0 * tight;  // an error decays in 1 / (z W) = 0.3 s, of some two or three steps
+  EXPECT_LT(node_error(solution, exact), within);
+  for (double t = 0.0; t <= 100.0; t += 0.37) EXPECT_LT(std::abs(solution.at(t)[0] - exact(t)[0]), within);
 }
 
 /// x' = 0, then x' = 1 - e^x from -3: e^-x = 1 + (e^3 - 1) e^-t. The step carried into the second segment is
@@ -252,9 +282,10 @@ TEST(OdeRadau, a_step_carried_over_a_breakpoint_is_shortened_until_it_fits) {
   problem.breakpoints = {rest};
   set_tolerance(problem, 1e-9);
   const Solution solution = solve(problem);
-  for (const double t : {0.5, 3.0, 20.0}) {  // multiples of the rounding of time, 2 ms
+  constexpr double within = 20 * (1.0 + 3.0) * 1e-9;  // of some 20 steps; |x| <= 3
+  for (const double t : {0.5, 3.0, 20.0}) {           // multiples of the rounding of time, 2 ms
     const double exact = -std::log1p(std::expm1(3.0) * std::exp(-t));
-    EXPECT_NEAR(solution.at(rest + t)[0], exact, 1e-7) << t;
+    EXPECT_NEAR(solution.at(rest + t)[0], exact, within) << t;
   }
 }
 
@@ -272,13 +303,18 @@ TEST(OdeRadau, goes_through_eleven_decades_of_time_with_robertsons_reactions) {
   const Solution solution = solve(problem);
   EXPECT_LT(solution.statistics().steps, 300U);
   const std::vector<double> y = solution.at(1e8);
-  EXPECT_NEAR(y[0] + y[1] + y[2], 1.0, 1e-12);
-  EXPECT_NEAR(0.04 * y[0], 1e4 * y[1] * y[2], 1e-4 * 0.04 * y[0]);  // the slow manifold
+  constexpr double rounded = 300 * 7 * 2.0 * std::numeric_limits<double>::epsilon();  // steps of seven stages
+  EXPECT_NEAR(y[0] + y[1] + y[2], 1.0, rounded);
+  // The slow manifold, less 3e7 y1^2 for y1 = 8e-11: 3e-7 of it. Half of the absolute tolerance, 1e-14, of
+  // y1.
+  constexpr double of_manifold = 1e-4;
+  EXPECT_NEAR(0.04 * y[0], 1e4 * y[1] * y[2], of_manifold * 0.04 * y[0]);
   problem.method = Method::cvode_bdf;
   const Solution bdf = solve(problem);
+  constexpr double of_bdf = 1e-6;  // 1e-9 of y in each of some thousand steps
   for (const double t : {1.0, 1e4}) {
     for (std::size_t c = 0; c < 3; ++c)
-      EXPECT_NEAR(solution.at(t)[c], bdf.at(t)[c], 1e-6 * bdf.at(t)[c]) << t;
+      EXPECT_NEAR(solution.at(t)[c], bdf.at(t)[c], of_bdf * bdf.at(t)[c]) << t;
   }
 }
 

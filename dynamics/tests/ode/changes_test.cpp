@@ -208,6 +208,55 @@ TEST_P(OdeChanges, a_sign_that_a_change_turns_is_no_event) {
   EXPECT_TRUE(solve(problem).events().empty());
 }
 
+/// A ball falls from 1 m at 1 m/s^2, bounces with half its speed at 2^(1/2) s, and again 2^(1/2) s later.
+TEST_P(OdeChanges, the_state_may_change) {
+  const double fall = std::sqrt(2.0);
+  Problem problem;
+  problem.rhs = [](double, double, State y, std::span<double> ydot) { ydot[0] = y[1], ydot[1] = -1.0; };
+  problem.initial_state = {1.0, 0.0};
+  problem.start = 0.0;
+  problem.end = 2.4 * fall;
+  problem.method = GetParam();
+  set_tolerance(problem, 1e-12);
+  problem.roots = {{"ground", [](double, State y) { return y[0]; }, Direction::falling, false, true}};
+  problem.at_segment_start = [](double, std::span<double> y, std::span<const Event> ended_by) {
+    if (!ended_by.empty()) y[0] = 0.0, y[1] = -0.5 * y[1];
+  };
+  const Solution solution = solve(problem);
+  ASSERT_EQ(solution.events().size(), 2U);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Event& event = solution.events()[i];
+    const double speed = fall * std::exp2(-static_cast<double>(i));
+    EXPECT_NEAR(event.time, static_cast<double>(i + 1) * fall, error_of(GetParam()));
+    EXPECT_NEAR(event.state[1], -speed, error_of(GetParam()));
+    EXPECT_EQ(solution.at(event.time), (std::vector{0.0, -0.5 * event.state[1]}));
+    const std::size_t node = solution.segment_begin(i + 1);
+    EXPECT_EQ(distance(solution.node(node - 1).y, event.state), 0.0);
+    EXPECT_EQ(distance(solution.node(node).y, solution.at(event.time)), 0.0);
+    const double t = 0.25 * fall;
+    EXPECT_NEAR(solution.at(event.time + t)[0], 0.5 * speed * t - 0.5 * t * t, error_of(GetParam()));
+  }
+}
+
+TEST_P(OdeChanges, a_state_that_is_not_finite_is_refused) {
+  Problem problem = oscillator(GetParam(), 10.0, 1e-10);
+  problem.component_names = {"place", "speed"};
+  problem.breakpoints = {1.0};
+  problem.at_segment_start = [](double t, std::span<double> y, std::span<const Event>) {
+    if (t == 1.0) y[1] = std::numeric_limits<double>::quiet_NaN();
+  };
+  try {
+    solve(problem);
+    FAIL() << "no failure";
+  } catch (const Failure& failure) {
+    EXPECT_NE(
+        std::string(failure.what()).find("the change at the start of the segment at t = 1 sets speed to nan"),
+        std::string::npos)
+        << failure.what();
+    EXPECT_EQ(failure.solution().end(), 1.0);
+  }
+}
+
 TEST_P(OdeChanges, an_exception_arrives_with_the_solution_until_then) {
   Problem problem = oscillator(GetParam(), 10.0, 1e-10);
   problem.breakpoints = {1.0, 3.0};
@@ -224,8 +273,9 @@ TEST_P(OdeChanges, an_exception_arrives_with_the_solution_until_then) {
         << failure.what();
     EXPECT_THROW(std::rethrow_if_nested(failure), std::domain_error);
     EXPECT_EQ(failure.solution().end(), 3.0);
-    EXPECT_NEAR(failure.solution().at(3.0)[0], std::cos(3.0),
-                100 * error_of(GetParam()));  // 1e-10, not 1e-12
+    // Some ten steps with an error of 1e-10 each; those of Adams and BDF are some hundred.
+    const bool multistep = GetParam() == Method::cvode_adams || GetParam() == Method::cvode_bdf;
+    EXPECT_NEAR(failure.solution().at(3.0)[0], std::cos(3.0), (multistep ? 100 : 10) * 1e-10);
   }
 }
 

@@ -6,6 +6,7 @@ using namespace vectrix;
 struct Gcrf : inertial_frame {};
 struct Hub : moving_frame {};
 struct Panel : moving_frame {};
+struct Mast : moving_frame {};
 struct Wheel : named_point {};
 
 template <Frame B> auto unit_mass() {
@@ -18,6 +19,9 @@ template <HubMotion motion> auto make_craft(MovesIn<Gcrf, motion> moves) {
       body(unit_mass<Panel>(),
            hinge(Transform{aligned(to<Hub>, from<Panel>), coincident(of<Panel>, relative_to<Hub>, in<Hub>)},
                  unit_x(in<Panel>))),
+      body(unit_mass<Mast>(),
+           slider(Transform{aligned(to<Hub>, from<Mast>), coincident(of<Mast>, relative_to<Hub>, in<Hub>)},
+                  unit_x(in<Mast>))),
       rotor(of<Wheel>, unit_x(in<Hub>), 0.1 * si::kilogram_square_metre));
 }
 struct Sat : decltype(make_craft(free_in<Gcrf>)) {
@@ -219,6 +223,56 @@ auto stops(const Sat& sat) {
 #endif
 }
 }  // namespace a_stop_in_metres
+
+namespace limits_of_a_slider_as_angles {
+// mistake: the stops of a slider as angles, with a stiffness that makes a force of them
+// expect: of a slider: m
+auto stops(const Sat& sat) {
+  const auto c = 1.0 * si::newton / (si::metre / s);
+#ifdef REPAIRED
+  return stop_at(sat, of<Mast>, 0.0 * si::metre, 1.0 * si::metre, 100.0 * si::newton / si::metre, c);
+#else
+  return stop_at(sat, of<Mast>, 0.0 * rad, 1.0 * rad, 100.0 * si::newton / rad, c);
+#endif
+}
+}  // namespace limits_of_a_slider_as_angles
+
+namespace stops_of_a_slider_with_the_damping_of_a_hinge {
+// mistake: the damping of the stops of a slider for an angular velocity
+// expect: of a slider: m, N/m, N s/m
+auto stops(const Sat& sat) {
+  const auto k = 100.0 * si::newton / si::metre;
+#ifdef REPAIRED
+  return stop_at(sat, of<Mast>, 0.0 * si::metre, 1.0 * si::metre, k, 1.0 * si::newton / (si::metre / s));
+#else
+  return stop_at(sat, of<Mast>, 0.0 * si::metre, 1.0 * si::metre, k, 1.0 * si::newton / (rad / s));
+#endif
+}
+}  // namespace stops_of_a_slider_with_the_damping_of_a_hinge
+
+namespace a_damper_of_a_hinge_in_metres {
+// mistake: the damping of a hinge for a velocity, though it makes a torque of it
+// expect: b on a hinge, N m s/rad
+auto damped(const Sat& sat) {
+#ifdef REPAIRED
+  return damper(sat, of<Panel>, 1.0 * N_m / (rad / s));
+#else
+  return damper(sat, of<Panel>, 1.0 * N_m / (si::metre / s));
+#endif
+}
+}  // namespace a_damper_of_a_hinge_in_metres
+
+namespace a_spring_of_a_slider_as_an_angle {
+// mistake: the place of rest of a slider as an angle
+// expect: or on a slider, N/m and m
+auto sprung(const Sat& sat) {
+#ifdef REPAIRED
+  return spring(sat, of<Mast>, 1.0 * si::newton / si::metre, 0.1 * si::metre);
+#else
+  return spring(sat, of<Mast>, 1.0 * si::newton / rad, 0.1 * rad);
+#endif
+}
+}  // namespace a_spring_of_a_slider_as_an_angle
 
 namespace a_thruster_in_newton_metres {
 // mistake: the full thrust as a torque

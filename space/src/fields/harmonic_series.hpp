@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -12,28 +13,26 @@
 namespace vectrix::detail {
 
 /// Several sums of solid harmonics of one radius, evaluated together: all use the same functions. Each
-/// function waits for the two before it in its column, m, so that few sums are taken by two columns at a
-/// time.
+/// function waits for the two before it in its column, m, so that several columns are taken at a time.
 template <std::size_t sums> class HarmonicSeries {
  public:
   HarmonicSeries(const std::array<Harmonics, sums>& harmonics, double radius)
       : degree_(harmonics.front().degree()), radius_(radius) {
     for (int m = 0; m <= degree_; m += step) {
       for (int n = m; n <= degree_; ++n) {
+        Functions factor{};
         Row row{};
         for (std::size_t c = 0; c < columns; ++c) {
           const int nc = n + static_cast<int>(c), mc = m + static_cast<int>(c);
-          if (nc > degree_) continue;  // the second column is shorter
-          const double k = (static_cast<double>(nc) * nc - mc * mc) / (4.0 * nc * nc - 1.0);
-          if (columns == 1)
-            row.k = Pair{k, k};
-          else
-            row.k[c] = k;
+          if (nc > degree_) continue;  // the later columns are shorter
+          factor[c] = (static_cast<double>(nc) * nc - mc * mc) / (4.0 * nc * nc - 1.0);
           for (std::size_t i = 0; i < sums; ++i) {
             const auto& pair = harmonics[i].at(nc, mc);
-            row.coefficients[c][i] = Pair{pair.C, pair.S};
+            row[c][i / 2][2 * (i % 2)] = pair.C;
+            row[c][i / 2][2 * (i % 2) + 1] = pair.S;
           }
         }
+        factors_.push_back(factor);
         rows_.push_back(row);
       }
     }
@@ -42,8 +41,8 @@ template <std::size_t sums> class HarmonicSeries {
   /// The sums at a point, m.
   [[nodiscard]] std::array<double, sums> at(const Eigen::Vector3d& r) const {
 #ifdef __x86_64__
-    static const bool fuses = __builtin_cpu_supports("fma");
-    if (fuses) return fused_sums_at(r);
+    static const bool is_wide = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+    if (is_wide) return wide_sums_at(r);
 #endif
     return sums_at(r);
   }
@@ -54,27 +53,27 @@ template <std::size_t sums> class HarmonicSeries {
   [[nodiscard, gnu::always_inline]] inline std::array<double, sums> sums_at(const Eigen::Vector3d& r) const {
     const double square = r.squaredNorm();
     const Eigen::Vector3d scaled = radius_ / square * r;
-    const Pair z = both(scaled.z()), q2 = both(radius_ * radius_ / square);
-    std::array<Pair, sums> total{};
+    const Functions z = Functions{} + scaled.z(), q2 = Functions{} + radius_ * radius_ / square;
+    std::array<TwoSums, twos> total{};
     double cosine = 1.0, sine = 0.0;  // of the power of x + i y
     const Row* row = rows_.data();
+    const Functions* k = factors_.data();
     for (int m = 0; m <= degree_; m += step) {
-      std::array<std::array<Pair, sums>, columns> column{};
-      Pair before{}, now = both(1.0);
-      for (int n = m; n <= degree_; ++n, ++row) {
+      std::array<std::array<TwoSums, twos>, columns> column{};
+      Functions before{}, now = Functions{} + 1.0;
+      for (int n = m; n <= degree_; ++n, ++row, ++k) {
         for_each<columns>([&]<std::size_t c>() __attribute__((always_inline)) {
-          const Pair function = columns == 1 ? now : both(now[c]);
-          for_each<sums>([&]<std::size_t i>() __attribute__((always_inline)) {
-            column[c][i] += function * row->coefficients[c][i];
-          });
+          const TwoSums function = TwoSums{} + now[c];
+          for_each<twos>([&]<std::size_t i>()
+                             __attribute__((always_inline)) { column[c][i] += function * (*row)[c][i]; });
         });
-        const Pair next = z * now - row->k * q2 * before;
+        const Functions next = z * now - *k * q2 * before;
         before = now;
         now = next;
       }
       for_each<columns>([&]<std::size_t c>() __attribute__((always_inline)) {
-        const Pair phase{cosine, sine};
-        for_each<sums>([&]<std::size_t i>()
+        const TwoSums phase{cosine, sine, cosine, sine};
+        for_each<twos>([&]<std::size_t i>()
                            __attribute__((always_inline)) { total[i] += phase * column[c][i]; });
         const double turned = cosine * scaled.x() - sine * scaled.y();
         sine = cosine * scaled.y() + sine * scaled.x();
@@ -83,29 +82,30 @@ template <std::size_t sums> class HarmonicSeries {
     }
     std::array<double, sums> result{};
     const double q = radius_ / std::sqrt(square);
-    for (std::size_t i = 0; i < sums; ++i) result[i] = q * (total[i][0] + total[i][1]);
+    for (std::size_t i = 0; i < sums; ++i) {
+      const std::size_t first = 2 * (i % 2);
+      result[i] = q * (total[i / 2][first] + total[i / 2][first + 1]);
+    }
     return result;
   }
 #ifdef __x86_64__
-  /// The same with multiplications and additions in one, as the C library has its sines where the processor
-  /// can: half the time.
-  [[nodiscard, gnu::target("fma")]] std::array<double, sums> fused_sums_at(const Eigen::Vector3d& r) const {
+  /// The same with registers of four numbers, and with multiplications and additions in one, as the C library
+  /// has its sines where the processor can.
+  [[nodiscard, gnu::target("avx2,fma")]] std::array<double, sums> wide_sums_at(
+      const Eigen::Vector3d& r) const {
     return sums_at(r);
   }
 #endif
 
-  using Pair = double __attribute__((vector_size(16)));
-  static constexpr std::size_t columns = sums > 4 ? 1 : 2;  // the registers hold the sums of so many
+  using TwoSums = double __attribute__((vector_size(32)));  // C and S of two sums
+  static constexpr std::size_t twos = (sums + 1) / 2;
+  static constexpr std::size_t columns = twos > 2 ? 2 : 4;  // the registers hold the sums of so many
   static constexpr int step = static_cast<int>(columns);
+  using Two = double __attribute__((vector_size(16)));
+  using Functions = std::conditional_t<columns == 2, Two, TwoSums>;
 
-  struct Row {
-    Pair k;  // of both columns; of one, twice the same number
-    std::array<std::array<Pair, sums>, columns> coefficients;
-  };
+  using Row = std::array<std::array<TwoSums, twos>, columns>;
 
-  [[gnu::always_inline]] static inline Pair both(double x) {
-    return Pair{x, x};
-  }
   /// Written out, so that the sums stay in registers.
   template <std::size_t count, class Function>
   [[gnu::always_inline]] static inline void for_each(const Function& function) {
@@ -117,7 +117,8 @@ template <std::size_t sums> class HarmonicSeries {
 
   int degree_;
   double radius_;
-  std::vector<Row> rows_;
+  std::vector<Functions> factors_;  // k_nm of the columns
+  std::vector<Row> rows_;           // the coefficients of the functions
 };
 
 }  // namespace vectrix::detail

@@ -1,6 +1,8 @@
 #include <vectrix/space/files/attitude_ephemeris_message.hpp>
 
+#include <array>
 #include <cmath>
+#include <string_view>
 
 #include <vectrix/frames/errors.hpp>
 
@@ -10,27 +12,9 @@
 namespace vectrix {
 namespace {
 
-using detail::KvnEntries, detail::KvnLine, detail::KvnReader, detail::KvnWord;
+using detail::KvnEntries, detail::KvnLine, detail::KvnReader;
 
 constexpr const detail::MessageKind& kind = detail::attitude_ephemeris;
-const std::vector<detail::EphemerisKeyword> keywords{{"OBJECT_NAME"},
-                                                     {"OBJECT_ID"},
-                                                     {"CENTER_NAME"},
-                                                     {"REF_FRAME_A"},
-                                                     {"REF_FRAME_B"},
-                                                     {"ATTITUDE_DIR", "1.0", "1.0"},
-                                                     {"TIME_SYSTEM"},
-                                                     {"START_TIME"},
-                                                     {"USEABLE_START_TIME"},
-                                                     {"USEABLE_STOP_TIME"},
-                                                     {"STOP_TIME"},
-                                                     {"ATTITUDE_TYPE"},
-                                                     {"QUATERNION_TYPE", "1.0", "1.0"},
-                                                     {"EULER_ROT_SEQ"},
-                                                     {"RATE_FRAME", "1.0", "1.0"},
-                                                     {"ANGVEL_FRAME", "2.0"},
-                                                     {"INTERPOLATION_METHOD"},
-                                                     {"INTERPOLATION_DEGREE"}};
 constexpr double most_norm_error = 0.01;  // of quaternions with two decimals
 
 /// One of two words, whatever their capitals.
@@ -61,7 +45,7 @@ void read_rate_frame(const KvnEntries& entries, const std::string& version, deta
   const bool in_a = word == "REF_FRAME_A" || word == detail::upper_case(lines.ref_frame_a);
   if (!in_a && word != "REF_FRAME_B" && word != detail::upper_case(lines.ref_frame_b))
     entries.fail(*line, "it is REF_FRAME_A or REF_FRAME_B");
-  lines.rate_frame = in_a ? "REF_FRAME_A" : "REF_FRAME_B";
+  lines.rate_frame = in_a ? detail::RateFrame::a : detail::RateFrame::b;
 }
 
 /// What the metadata say of the data lines.
@@ -74,25 +58,27 @@ detail::AttitudeLines read_type(const KvnEntries& entries, const std::string& ve
   lines.type = type_of(entries, version);
   if (detail::has_direction(version)) {
     lines.is_b_to_a = !is_first(entries, entries.line("ATTITUDE_DIR"), "A2B", "B2A");
-    const bool needed = lines.type != AttitudeType::euler_angle;
-    if (const KvnLine* order = needed ? &entries.line("QUATERNION_TYPE") : entries.find("QUATERNION_TYPE"))
-      lines.is_scalar_first = is_first(entries, *order, "FIRST", "LAST");
+    const bool has_scalar = lines.type != AttitudeType::euler_angle;
+    if (const KvnLine* order =
+            has_scalar ? &entries.line("QUATERNION_TYPE") : entries.find("QUATERNION_TYPE"))
+      lines.is_scalar_first = is_first(entries, *order, "FIRST", "LAST") && has_scalar;
   }
   const KvnLine* sequence = lines.type == AttitudeType::euler_angle ? &entries.line("EULER_ROT_SEQ")
                                                                     : entries.find("EULER_ROT_SEQ");
   if (sequence) {
-    if (!detail::parse_euler_sequence(sequence->value))
-      entries.fail(*sequence, "no sequence of three axes such as 321 or ZYX, none twice in a row");
+    const auto axes = detail::parse_euler_sequence(sequence->value);
+    if (!axes) entries.fail(*sequence, "no sequence of three axes such as 321 or ZYX, none twice in a row");
+    lines.euler_axes = *axes;
     lines.euler_sequence = sequence->value;
   }
   read_rate_frame(entries, version, lines);
   return lines;
 }
 
-const char* column(const detail::AttitudeLines& lines, std::size_t number) {
-  static constexpr const char *angles[] = {"ANGLE_1", "ANGLE_2", "ANGLE_3"},
-                              *first[] = {"QC", "Q1", "Q2", "Q3", "X_RATE", "Y_RATE", "Z_RATE"},
-                              *last[] = {"Q1", "Q2", "Q3", "QC", "X_RATE", "Y_RATE", "Z_RATE"};
+std::string_view column(const detail::AttitudeLines& lines, std::size_t number) {
+  static constexpr std::string_view angles[] = {"ANGLE_1", "ANGLE_2", "ANGLE_3"},
+                                    first[] = {"QC", "Q1", "Q2", "Q3", "X_RATE", "Y_RATE", "Z_RATE"},
+                                    last[] = {"Q1", "Q2", "Q3", "QC", "X_RATE", "Y_RATE", "Z_RATE"};
   if (lines.type == AttitudeType::euler_angle) return angles[number];
   return lines.is_scalar_first ? first[number] : last[number];
 }
@@ -107,9 +93,11 @@ class SegmentReader {
     const std::size_t start = reader_.line();
     std::vector<std::string> comments = std::move(between_);
     between_.clear();
-    const KvnEntries entries = detail::read_entries(reader_, version_, keywords, comments);
+    std::vector<OtherKeyword> others;
+    const KvnEntries entries = detail::read_metadata(reader_, kind, version_, comments, others);
     EphemerisMetadata metadata = detail::metadata_of(entries, detail::attitude_interpolation);
     metadata.comments = std::move(comments);
+    metadata.others = std::move(others);
     if (!segments_.empty()) detail::require_same_system(entries, metadata, segments_.front().metadata());
     detail::AttitudeLines lines = read_type(entries, version_);
     lines.place = reader_.place() + ", the segment from line " + detail::text(start) + " on";
@@ -125,6 +113,7 @@ class SegmentReader {
  private:
   /// From META_STOP to DATA_STOP.
   void read_data(const EphemerisMetadata& metadata, detail::AttitudeLines& lines) {
+    detail::TimeReader times(reader_, metadata);
     bool started = false;
     while (reader_.next()) {
       if (reader_.is_comment()) {
@@ -136,30 +125,31 @@ class SegmentReader {
         if (lines.times.empty()) throw BadInput(lines.place + ": there are no data lines");
         return;
       } else {
-        read_line(metadata, lines);
+        read_line(times, lines);
       }
     }
     throw BadInput(lines.place + ": there is no " + (started ? "DATA_STOP" : "DATA_START"));
   }
-  void read_line(const EphemerisMetadata& metadata, detail::AttitudeLines& lines) const {
+  void read_line(detail::TimeReader& times, detail::AttitudeLines& lines) const {
     if (reader_.has_keyword() || reader_.is("META_START")) reader_.fail("no line of data, and not DATA_STOP");
-    std::array<KvnWord, KvnReader::most_words> words{};
+    std::array<std::string_view, KvnReader::most_words> words{};
     const std::size_t size = reader_.words(words), numbers = detail::numbers_in_line(lines.type);
     if (size != numbers + 1)
       reader_.fail(detail::text(size) + " fields; a line of " + detail::type_name(lines.type, version_) +
                    " has an epoch and " + detail::text(numbers) + " numbers");
-    lines.times.push_back(
-        detail::read_time(reader_, words[0], metadata, lines.times.empty() ? nullptr : &lines.times.back()));
+    lines.times.push_back(times.read(words[0]));
     for (std::size_t i = 0; i < numbers; ++i)
       lines.numbers.push_back(detail::read_number(reader_, words[i + 1], column(lines, i)));
     if (lines.type != AttitudeType::euler_angle) check_norm(words[1], lines, numbers);
   }
-  void check_norm(const KvnWord& first, detail::AttitudeLines& lines, std::size_t numbers) const {
+  void check_norm(std::string_view first, detail::AttitudeLines& lines, std::size_t numbers) const {
     const double* q = lines.numbers.data() + lines.numbers.size() - numbers;
-    const double norm = std::hypot(std::hypot(q[0], q[1]), std::hypot(q[2], q[3]));
+    const double norm = detail::scaled_norm(Eigen::Map<const Eigen::Vector4d>(q));
     const double error = std::abs(norm - 1.0);
     if (!(error <= most_norm_error))
-      reader_.fail(first, column(lines, 0), "of a quaternion whose norm is " + detail::text(norm));
+      reader_.fail(first, column(lines, 0),
+                   "of a quaternion whose norm is " + detail::text(norm) + "; it may differ from 1 by " +
+                       detail::text(most_norm_error));
     if (error <= lines.norm_error) return;
     lines.norm_error = error;
     lines.norm_line = reader_.line();
@@ -179,14 +169,6 @@ class SegmentReader {
   std::vector<AttitudeEphemerisSegment> segments_;
 };
 
-AttitudeEphemerisMessage message(const std::string& place, detail::TextFile file) {
-  KvnReader reader(place, std::move(file));
-  const MessageHeader header = detail::read_header(reader, kind);
-  SegmentReader segments(reader, header.version);
-  while (segments.read()) continue;
-  return {header, std::move(segments).segments()};
-}
-
 }  // namespace
 
 AttitudeEphemerisMessage::AttitudeEphemerisMessage(MessageHeader header,
@@ -205,16 +187,11 @@ AttitudeEphemerisMessage::AttitudeEphemerisMessage(MessageHeader header,
 }
 
 AttitudeEphemerisMessage AttitudeEphemerisMessage::parse(std::string_view text) {
-  detail::TextFile file = detail::lines_of(text);
-  file.whole = true;
-  return message(kind.name, std::move(file));
+  return detail::parse_message<AttitudeEphemerisMessage, SegmentReader>(text, kind);
 }
 
 AttitudeEphemerisMessage AttitudeEphemerisMessage::read(const std::filesystem::path& file) {
-  const std::string place = std::string{kind.name} + " " + file.string();
-  auto content = detail::read_lines(file);
-  if (!content) throw BadInput(place + ": cannot be read");
-  return message(place, std::move(*content));
+  return detail::read_message<AttitudeEphemerisMessage, SegmentReader>(file, kind);
 }
 
 }  // namespace vectrix

@@ -17,12 +17,8 @@ constexpr double degree = std::numbers::pi / 180.0;
 Eigen::Quaterniond hamilton(const detail::AttitudeLines& lines, const double* x) {
   if (lines.type == AttitudeType::euler_angle) {
     Eigen::Quaterniond q = Eigen::Quaterniond::Identity();
-    for (const int axis : detail::euler_axes(lines.euler_sequence)) {
-      const double half = 0.5 * degree * *x++;
-      Eigen::Quaterniond turn(std::cos(half), 0.0, 0.0, 0.0);
-      turn.coeffs()[axis] = std::sin(half);
-      q = q * turn;
-    }
+    for (const int axis : lines.euler_axes)
+      q = q * Eigen::AngleAxisd(degree * *x++, Eigen::Vector3d::Unit(axis));
     return q;
   }
   if (lines.is_scalar_first) return {x[0], x[1], x[2], x[3]};
@@ -47,10 +43,12 @@ AttitudeEphemerisSegment::AttitudeEphemerisSegment(detail::Trusted, EphemerisMet
   if (detail::upper_case(lines_.ref_frame_a) == detail::upper_case(lines_.ref_frame_b))
     throw BadInput(lines_.place + ": both frames have the name '" + detail::excerpt(lines_.ref_frame_a) +
                    "'");
-  metadata_ = detail::checked_metadata(lines_.place, std::move(metadata), lines_.times);
-  for (const double number : lines_.numbers) {
-    if (!std::isfinite(number))
-      throw BadInput(lines_.place + ": a sample has the number " + detail::text(number));
+  metadata_ =
+      detail::checked_metadata(lines_.place, detail::attitude_ephemeris, std::move(metadata), lines_.times);
+  for (std::size_t i = 0; i < lines_.numbers.size(); ++i) {
+    if (!std::isfinite(lines_.numbers[i]))
+      throw BadInput(lines_.place + ": sample " + detail::text(i / detail::numbers_in_line(lines_.type)) +
+                     " has the number " + detail::text(lines_.numbers[i]));
   }
   static_cast<void>(is_reversed(a, b));
 }
@@ -85,13 +83,14 @@ std::vector<Eigen::Vector3d> AttitudeEphemerisSegment::rates(const detail::Frame
                                                              const detail::FrameClaim& b, bool in_a) const {
   const bool reversed = is_reversed(a, b);
   if (lines_.type != AttitudeType::quaternion_rate)
-    throw BadInput(lines_.place + ": the attitude type has no rates");
+    throw BadInput(lines_.place + ": ATTITUDE_TYPE is " + detail::type_name(lines_.type, "2.0") +
+                   ", which has no rates");
   if (lines_.is_b_to_a)
     throw BadInput(lines_.place + ": with ATTITUDE_DIR B2A it is not said whether the rates are of " +
                    ref_frame_a() + " or of " + ref_frame_b());
-  const bool are_in_a = lines_.rate_frame == "REF_FRAME_A";
+  const bool are_in_a = lines_.rate_frame == detail::RateFrame::a;
   if (are_in_a != (in_a != reversed))
-    throw BadInput(lines_.place + ": the rates are in " + lines_.rate_frame + ", '" +
+    throw BadInput(lines_.place + ": the rates are in " + detail::rate_frame_name(lines_.rate_frame) + ", '" +
                    detail::excerpt(are_in_a ? ref_frame_a() : ref_frame_b()) + "'; asked for " +
                    detail::shown(in_a ? a : b));
   std::vector<Eigen::Vector3d> all;

@@ -17,7 +17,8 @@ void write_type(std::string& out, const detail::AttitudeLines& lines, const std:
   if (has_direction(version) && lines.type != AttitudeType::euler_angle)
     detail::write_line(out, "QUATERNION_TYPE", lines.is_scalar_first ? "FIRST" : "LAST");
   if (!lines.euler_sequence.empty()) detail::write_line(out, "EULER_ROT_SEQ", lines.euler_sequence);
-  if (!lines.rate_frame.empty()) detail::write_line(out, rate_keyword(version), lines.rate_frame);
+  if (lines.rate_frame != detail::RateFrame::none)
+    detail::write_line(out, rate_keyword(version), detail::rate_frame_name(lines.rate_frame));
 }
 
 void write_segment(std::string& out, const AttitudeEphemerisSegment& segment, const std::string& version) {
@@ -30,7 +31,7 @@ void write_segment(std::string& out, const AttitudeEphemerisSegment& segment, co
   if (has_direction(version)) detail::write_line(out, "ATTITUDE_DIR", lines.is_b_to_a ? "B2A" : "A2B");
   detail::write_span(out, metadata);
   write_type(out, lines, version);
-  detail::write_interpolation(out, metadata, detail::attitude_interpolation);
+  detail::write_rest(out, metadata, detail::attitude_interpolation);
   out.append("META_STOP\n\nDATA_START\n");
   detail::write_comments(out, lines.comments);
   auto number = lines.numbers.begin();

@@ -11,9 +11,32 @@
 
 namespace vectrix::detail {
 
-inline constexpr MessageKind attitude_ephemeris{
-    "attitude ephemeris message", "CCSDS_AEM_VERS", {"1.0", "2.0"}};
 inline constexpr const char* attitude_interpolation = "INTERPOLATION_METHOD";
+inline constexpr EphemerisKeyword attitude_keywords[] = {
+    {"CLASSIFICATION", MessagePart::header, "2.0"},
+    {"CREATION_DATE", MessagePart::header},
+    {"ORIGINATOR", MessagePart::header},
+    {"MESSAGE_ID", MessagePart::header, "2.0"},
+    {"OBJECT_NAME"},
+    {"OBJECT_ID"},
+    {"CENTER_NAME"},
+    {"REF_FRAME_A"},
+    {"REF_FRAME_B"},
+    {"ATTITUDE_DIR", MessagePart::metadata, "1.0", "1.0"},
+    {"TIME_SYSTEM"},
+    {"START_TIME"},
+    {"USEABLE_START_TIME"},
+    {"USEABLE_STOP_TIME"},
+    {"STOP_TIME"},
+    {"ATTITUDE_TYPE"},
+    {"QUATERNION_TYPE", MessagePart::metadata, "1.0", "1.0"},
+    {"EULER_ROT_SEQ"},
+    {"RATE_FRAME", MessagePart::metadata, "1.0", "1.0"},
+    {"ANGVEL_FRAME", MessagePart::metadata, "2.0"},
+    {attitude_interpolation},
+    {"INTERPOLATION_DEGREE"}};
+inline constexpr MessageKind attitude_ephemeris{
+    "attitude ephemeris message", "CCSDS_AEM_VERS", {"1.0", "2.0"}, attitude_keywords};
 
 /// Whether the version has ATTITUDE_DIR and QUATERNION_TYPE.
 inline bool has_direction(const std::string& version) {
@@ -21,6 +44,10 @@ inline bool has_direction(const std::string& version) {
 }
 inline const char* rate_keyword(const std::string& version) {
   return has_direction(version) ? "RATE_FRAME" : "ANGVEL_FRAME";
+}
+/// REF_FRAME_A or REF_FRAME_B.
+constexpr const char* rate_frame_name(RateFrame frame) {
+  return frame == RateFrame::a ? "REF_FRAME_A" : "REF_FRAME_B";
 }
 std::string type_name(AttitudeType type, const std::string& version);
 constexpr std::size_t numbers_in_line(AttitudeType type) {
@@ -30,9 +57,4 @@ constexpr std::size_t numbers_in_line(AttitudeType type) {
 /// The axes, 0 to 2, of a sequence that is written as 321 or ZYX. Nothing if it is no sequence: an axis twice
 /// in a row.
 std::optional<std::array<int, 3>> parse_euler_sequence(const std::string& text);
-/// Of a sequence that has been checked.
-inline std::array<int, 3> euler_axes(const std::string& text) {
-  return *parse_euler_sequence(text);
-}
-
 }  // namespace vectrix::detail

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include <vectrix/space/files/csv_table.hpp>
 
@@ -86,10 +87,12 @@ const std::string& CsvTable::text(std::size_t row, std::string_view column) cons
 
 double CsvTable::number(std::size_t row, std::string_view column, int shift) const {
   const std::string& written = text(row, column);
-  if (const auto value = detail::parse_shifted(written, shift)) return *value;
-  const auto value = detail::parse_number(written);
+  const auto value = shift == 0 ? detail::parse_number(written) : detail::parse_shifted(written, shift);
+  if (value && std::isfinite(*value)) return *value;
   const std::string times = shift == 0 ? "" : " times 10^" + detail::text(shift);
-  refuse(row, column, "'" + written + "'" + (value ? times + " is not a finite number" : " is not a number"));
+  refuse(row, column,
+         "'" + written + "'" +
+             (detail::parse_number(written) ? times + " is not a finite number" : " is not a number"));
 }
 
 void CsvTable::refuse(std::size_t row, std::string_view column, const std::string& reason) const {

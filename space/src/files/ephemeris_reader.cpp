@@ -4,19 +4,42 @@
 #include <utility>
 
 #include <vectrix/frames/errors.hpp>
+#include <vectrix/space/time/exact_text.hpp>
 
 #include "shifted_number.hpp"
 
 namespace vectrix::detail {
 namespace {
 
-Epoch read_epoch(const KvnReader& reader, const KvnWord& word, const TimeScale& scale) {
-  constexpr std::size_t longest = 40;
-  if (word.text.size() > longest) reader.fail(word, "EPOCH", "too long for an epoch");
-  try {
-    return Epoch::from(scale, word.text);
-  } catch (const BadInput& error) {
-    reader.fail(word, "EPOCH", error.what());
+// The entries of a part, from the line behind its begin to the line that ends it, at which the reader is
+// then.
+void read_entries(KvnReader& reader, const MessageKind& kind, MessagePart part, const std::string& version,
+                  KvnEntries& entries, std::vector<std::string>& comments,
+                  std::vector<OtherKeyword>& others) {
+  const char* end = part == MessagePart::header ? "META_START" : "META_STOP";
+  while (true) {
+    if (!reader.next())
+      throw BadInput(reader.place() + ", line " + text(reader.line()) + ": there is no " + end);
+    if (reader.is(end)) return;
+    if (reader.is_comment()) {
+      comments.push_back(reader.comment());
+      continue;
+    }
+    KvnLine line = reader.keyword();
+    const auto known =
+        std::find_if(kind.keywords.begin(), kind.keywords.end(), [&](const EphemerisKeyword& keyword) {
+          return keyword.name == line.keyword && keyword.part == part;
+        });
+    if (known == kind.keywords.end()) {
+      if (const std::string fault = other_fault(kind, line.keyword); !fault.empty())
+        entries.fail(line, fault);
+      others.push_back({line.keyword, line.value});
+    } else if (version < known->since || version > known->until) {
+      entries.fail(line, "the keyword is of version " +
+                             std::string{version < known->since ? known->since : known->until} +
+                             ", the message of version " + version);
+    }
+    entries.add(std::move(line));
   }
 }
 
@@ -36,20 +59,7 @@ MessageHeader read_header(KvnReader& reader, const MessageKind& kind) {
   header.version = version.value;
 
   KvnEntries entries(reader.place(), "the message from line " + text(version.line) + " on");
-  for (more = reader.next(); more && !reader.is("META_START"); more = reader.next()) {
-    if (reader.is_comment()) {
-      header.comments.push_back(reader.comment());
-      continue;
-    }
-    KvnLine line = reader.keyword();
-    const bool is_newer = line.keyword == "CLASSIFICATION" || line.keyword == "MESSAGE_ID";
-    if (is_newer && header.version != kind.newest())
-      entries.fail(line, "the keyword is of version " + kind.newest());
-    if (!is_newer && line.keyword != "CREATION_DATE" && line.keyword != "ORIGINATOR")
-      entries.fail(line, "the keyword is not of the header, which META_START ends");
-    entries.add(std::move(line));
-  }
-  if (!more) throw BadInput(reader.place() + ": there is no META_START");
+  read_entries(reader, kind, MessagePart::header, header.version, entries, header.comments, header.others);
   const auto value = [&](const char* keyword) {
     const KvnLine* line = entries.find(keyword);
     return line ? line->value : std::string{};
@@ -61,35 +71,18 @@ MessageHeader read_header(KvnReader& reader, const MessageKind& kind) {
   return header;
 }
 
-KvnEntries read_entries(KvnReader& reader, const std::string& version,
-                        const std::vector<EphemerisKeyword>& keywords, std::vector<std::string>& comments) {
+KvnEntries read_metadata(KvnReader& reader, const MessageKind& kind, const std::string& version,
+                         std::vector<std::string>& comments, std::vector<OtherKeyword>& others) {
   KvnEntries entries(reader.place(), "the segment from line " + text(reader.line()) + " on");
-  while (true) {
-    if (!reader.next())
-      throw BadInput(reader.place() + ", line " + text(reader.line()) + ": there is no META_STOP");
-    if (reader.is("META_STOP")) return entries;
-    if (reader.is_comment()) {
-      comments.push_back(reader.comment());
-      continue;
-    }
-    KvnLine line = reader.keyword();
-    const auto known = std::find_if(keywords.begin(), keywords.end(), [&](const EphemerisKeyword& keyword) {
-      return keyword.name == line.keyword;
-    });
-    if (known == keywords.end()) entries.fail(line, "the keyword is not of the metadata");
-    if (version < known->since || version > known->until)
-      entries.fail(line, "the keyword is of version " +
-                             std::string{version < known->since ? known->since : known->until} +
-                             ", the message of version " + version);
-    entries.add(std::move(line));
-  }
+  read_entries(reader, kind, MessagePart::metadata, version, entries, comments, others);
+  return entries;
 }
 
 EphemerisMetadata metadata_of(const KvnEntries& entries, std::string_view interpolation_keyword) {
   EphemerisMetadata metadata{entries.line("OBJECT_NAME").value, entries.line("OBJECT_ID").value};
   if (const KvnLine* center = entries.find("CENTER_NAME")) metadata.center_name = center->value;
   const KvnLine& system = entries.filled("TIME_SYSTEM");
-  const TimeScale* scale = time_system(upper_case(system.value));
+  const TimeScale* scale = scale_named(upper_case(system.value));
   if (!scale) entries.fail(system, "the time systems that are read are UTC, TAI, TT, TDB and GPS");
   metadata.time_system = *scale;
   metadata.start_time = entries.epoch(entries.filled("START_TIME"), *scale);
@@ -99,12 +92,13 @@ EphemerisMetadata metadata_of(const KvnEntries& entries, std::string_view interp
   if (const KvnLine* stop = entries.find("USEABLE_STOP_TIME"))
     metadata.useable_stop_time = entries.epoch(*stop, *scale);
   if (const auto fault = span_fault(metadata))
-    entries.fail(entries.line(fault->keyword), "it is before " + std::string{fault->before});
+    entries.fail(entries.line(fault->keyword), "it is before " + std::string{fault->before} + ", " +
+                                                   exact_text(fault->limit, metadata.time_system));
   if (const KvnLine* method = entries.find(interpolation_keyword)) metadata.interpolation = method->value;
   if (const KvnLine* degree = entries.find("INTERPOLATION_DEGREE")) {
-    constexpr std::int64_t most = 1000;
     const std::int64_t value = entries.whole(*degree);
-    if (value > most) entries.fail(*degree, "no degree of an interpolation");
+    if (!is_degree(value))
+      entries.fail(*degree, "no degree of an interpolation, which is at most " + text(most_degree));
     metadata.interpolation_degree = static_cast<int>(value);
   }
   return metadata;
@@ -118,17 +112,19 @@ void require_same_system(const KvnEntries& entries, const EphemerisMetadata& met
         "the first segment has " + std::string{first.time_system.name()} + "; a message has one time system");
 }
 
-double read_number(const KvnReader& reader, const KvnWord& word, std::string_view name, int shift) {
-  const auto value = parse_shifted(word.text, shift);
-  if (!value) reader.fail(word, name, "not a finite number");
+double read_number(const KvnReader& reader, std::string_view word, std::string_view name, int shift) {
+  const auto value = parse_shifted(word, shift);
+  if (!value) reader.fail(word, name, number_fault(word));
   return *value;
 }
 
-Epoch read_time(const KvnReader& reader, const KvnWord& word, const EphemerisMetadata& metadata,
-                const Epoch* before) {
-  const Epoch time = read_epoch(reader, word, metadata.time_system);
-  if (before && !(*before < time)) reader.fail(word, "EPOCH", "not later than the line before");
-  if (is_outside(metadata, time)) reader.fail(word, "EPOCH", "outside START_TIME and STOP_TIME");
+Epoch TimeReader::read(std::string_view word) {
+  const auto fail = [&](const std::string& reason) { reader_.fail(word, "EPOCH", reason); };
+  const Epoch time = epoch_of(epochs_, word, fail);
+  if (before_ && !(*before_ < time))
+    fail("not later than the line before, at " + exact_text(*before_, metadata_.time_system));
+  if (is_outside(metadata_, time)) fail("outside " + span_text(metadata_));
+  before_ = time;
   return time;
 }
 

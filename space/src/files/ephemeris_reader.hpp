@@ -1,36 +1,72 @@
 #pragma once
 
+#include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
+#include <vectrix/frames/errors.hpp>
+
+#include "../time/date.hpp"
 #include "ephemeris_rules.hpp"
 #include "kvn_entries.hpp"
+#include "text_file.hpp"
 
 namespace vectrix::detail {
 
 // How orbit and attitude ephemeris messages are read.
 
-/// A keyword of the metadata, and the versions that have it.
-struct EphemerisKeyword {
-  std::string_view name;
-  std::string_view since = "1.0", until = "9.9";
-};
-
 /// From the first line to META_START, at which the reader is then.
 MessageHeader read_header(KvnReader& reader, const MessageKind& kind);
-/// From META_START to META_STOP, at which the reader is then.
-KvnEntries read_entries(KvnReader& reader, const std::string& version,
-                        const std::vector<EphemerisKeyword>& keywords, std::vector<std::string>& comments);
+/// From META_START to META_STOP, at which the reader is then. The comments and the keywords that are not of
+/// the standard go to the ends of the two lists.
+KvnEntries read_metadata(KvnReader& reader, const MessageKind& kind, const std::string& version,
+                         std::vector<std::string>& comments, std::vector<OtherKeyword>& others);
 EphemerisMetadata metadata_of(const KvnEntries& entries, std::string_view interpolation_keyword);
 /// Refuses another time system than that of the first segment.
 void require_same_system(const KvnEntries& entries, const EphemerisMetadata& metadata,
                          const EphemerisMetadata& first);
 
-/// The time of a data line, which must be later than that of the line before, and within the metadata's span.
-Epoch read_time(const KvnReader& reader, const KvnWord& word, const EphemerisMetadata& metadata,
-                const Epoch* before);
+/// Reads the times of the data lines of a segment: each must be later than that of the line before, and
+/// within the span of the metadata. Reader and metadata must live as long.
+class TimeReader {
+ public:
+  TimeReader(const KvnReader& reader, const EphemerisMetadata& metadata)
+      : reader_(reader), metadata_(metadata), epochs_(metadata.time_system) {}
+
+  Epoch read(std::string_view word);
+
+ private:
+  const KvnReader& reader_;
+  const EphemerisMetadata& metadata_;
+  EpochReader epochs_;
+  std::optional<Epoch> before_{};
+};
+
 /// The number times 10^shift.
-double read_number(const KvnReader& reader, const KvnWord& word, std::string_view name, int shift = 0);
+double read_number(const KvnReader& reader, std::string_view word, std::string_view name, int shift = 0);
+
+/// The message that the reader is before. `SegmentReader(reader, version)` reads one segment with each call
+/// of read(), and at the last gives false.
+template <class Message, class SegmentReader>
+Message read_message(KvnReader reader, const MessageKind& kind) {
+  MessageHeader header = read_header(reader, kind);
+  SegmentReader segments(reader, header.version);
+  while (segments.read()) continue;
+  return {std::move(header), std::move(segments).segments()};
+}
+template <class Message, class SegmentReader>
+Message parse_message(std::string_view text, const MessageKind& kind) {
+  return read_message<Message, SegmentReader>(KvnReader(kind.name, text, true), kind);
+}
+template <class Message, class SegmentReader>
+Message read_message(const std::filesystem::path& file, const MessageKind& kind) {
+  const std::string place = std::string{kind.name} + " " + file.string();
+  const auto bytes = read_bytes(file);
+  if (!bytes) throw BadInput(place + ": cannot be read");
+  return read_message<Message, SegmentReader>(KvnReader(place, *bytes, is_whole(*bytes)), kind);
+}
 
 }  // namespace vectrix::detail

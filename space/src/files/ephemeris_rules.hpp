@@ -1,8 +1,11 @@
 #pragma once
 
+#include <cstdint>
 #include <initializer_list>
 #include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <vectrix/space/files/ephemeris_metadata.hpp>
@@ -11,10 +14,20 @@ namespace vectrix::detail {
 
 // What holds for orbit and attitude ephemeris messages, whether they are read or made of samples.
 
+enum class MessagePart { header, metadata };
+
+/// A keyword of a part, and the versions that have it.
+struct EphemerisKeyword {
+  std::string_view name;
+  MessagePart part = MessagePart::metadata;
+  std::string_view since = "1.0", until = "9.9";
+};
+
 struct MessageKind {
   const char* name;
   const char* version_keyword;
   std::initializer_list<const char*> versions;
+  std::span<const EphemerisKeyword> keywords;
 
   [[nodiscard]] bool has(const std::string& version) const;
   [[nodiscard]] std::string newest() const { return *(versions.end() - 1); }
@@ -22,14 +35,26 @@ struct MessageKind {
   [[nodiscard]] std::string list() const;
 };
 
-/// The scale of a name in capitals. Null if it is none of UTC, TAI, TT, TDB and GPS.
-const TimeScale* time_system(const std::string& capitals);
+/// Why a keyword that the part does not have cannot be kept as another one: it has its place elsewhere, or is
+/// nearly one that is known, and so misspelt. Empty if it can be kept.
+std::string other_fault(const MessageKind& kind, std::string_view keyword);
+void require_others(const std::string& place, const MessageKind& kind,
+                    const std::vector<OtherKeyword>& others);
+
+/// What INTERPOLATION_DEGREE may be: 0 to 1000, whether it makes sense or not.
+inline constexpr int most_degree = 1000;
+inline bool is_degree(std::int64_t degree) {
+  return 0 <= degree && degree <= most_degree;
+}
 
 /// The first time of the metadata that is before another one.
 struct SpanFault {
   const char *keyword, *before;
+  Epoch limit;  // of the other one
 };
 std::optional<SpanFault> span_fault(const EphemerisMetadata& metadata);
+/// "START_TIME, <text>, and STOP_TIME, <text>" of metadata that have them.
+std::string span_text(const EphemerisMetadata& metadata);
 /// Whether the time of a line is more than 1 ms outside START_TIME and STOP_TIME.
 bool is_outside(const EphemerisMetadata& metadata, const Epoch& time);
 
@@ -41,7 +66,7 @@ void require_header(const MessageHeader& header, const MessageKind& kind);
 void require_same_system(const std::string& place, const EphemerisMetadata& metadata,
                          const EphemerisMetadata& first);
 /// The metadata of samples with these times, with START_TIME and STOP_TIME. Throws BadInput.
-EphemerisMetadata checked_metadata(const std::string& place, EphemerisMetadata metadata,
-                                   const std::vector<Epoch>& times);
+EphemerisMetadata checked_metadata(const std::string& place, const MessageKind& kind,
+                                   EphemerisMetadata metadata, const std::vector<Epoch>& times);
 
 }  // namespace vectrix::detail

@@ -6,12 +6,20 @@
 namespace vectrix::detail {
 
 void write_line(std::string& out, std::string_view keyword, const std::string& value) {
-  out.append(keyword).append(" = ").append(value).append("\n");
+  out.append(keyword).append(value.empty() ? " =" : " = ").append(value).append("\n");
 }
 
 void write_comments(std::string& out, const std::vector<std::string>& comments) {
   for (const std::string& comment : comments) out.append("COMMENT ").append(comment).append("\n");
 }
+
+namespace {
+
+void write_others(std::string& out, const std::vector<OtherKeyword>& others) {
+  for (const OtherKeyword& other : others) write_line(out, other.keyword, other.value);
+}
+
+}  // namespace
 
 void write_header(std::string& out, const MessageHeader& header, const MessageKind& kind) {
   write_line(out, kind.version_keyword, header.version);
@@ -20,6 +28,7 @@ void write_header(std::string& out, const MessageHeader& header, const MessageKi
   write_line(out, "CREATION_DATE", header.creation_date);
   write_line(out, "ORIGINATOR", header.originator);
   if (!header.message_id.empty()) write_line(out, "MESSAGE_ID", header.message_id);
+  write_others(out, header.others);
 }
 
 void write_object(std::string& out, const EphemerisMetadata& metadata) {
@@ -40,10 +49,11 @@ void write_span(std::string& out, const EphemerisMetadata& metadata) {
   write_time("STOP_TIME", metadata.stop_time);
 }
 
-void write_interpolation(std::string& out, const EphemerisMetadata& metadata, std::string_view keyword) {
+void write_rest(std::string& out, const EphemerisMetadata& metadata, std::string_view keyword) {
   if (!metadata.interpolation.empty()) write_line(out, keyword, metadata.interpolation);
   if (metadata.interpolation_degree)
     write_line(out, "INTERPOLATION_DEGREE", text(*metadata.interpolation_degree));
+  write_others(out, metadata.others);
 }
 
 }  // namespace vectrix::detail

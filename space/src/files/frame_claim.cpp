@@ -1,5 +1,8 @@
 #include "frame_claim.hpp"
 
+#include <initializer_list>
+#include <string_view>
+
 #include <vectrix/frames/errors.hpp>
 
 #include "kvn.hpp"
@@ -8,38 +11,49 @@
 namespace vectrix::detail {
 namespace {
 
-constexpr const char* type_names[] = {"",
-                                      "earth::Gcrf",
-                                      "earth::Eme2000",
-                                      "earth::Itrf",
-                                      "earth::Teme",
-                                      "earth::TrueOfDate",
-                                      "earth::MeanOfDate"};
-constexpr const char* written_names[] = {"", "GCRF", "EME2000", "ITRF", "TEME", "TOD", "MOD"};
+/// A frame of the library, and its names in files. The first is written.
+struct StandardNames {
+  StandardFrame frame;
+  const char* type;
+  std::initializer_list<const char*> names;
+};
+constexpr StandardNames standard_names[] = {
+    {StandardFrame::none, "", {""}},
+    {StandardFrame::gcrf, "earth::Gcrf", {"GCRF", "ICRF"}},
+    {StandardFrame::eme2000, "earth::Eme2000", {"EME2000", "J2000"}},
+    {StandardFrame::itrf, "earth::Itrf", {"ITRF"}},
+    {StandardFrame::teme, "earth::Teme", {"TEME", "TEMEOFDATE"}},
+    {StandardFrame::true_of_date, "earth::TrueOfDate", {"TOD", "TOD_EARTH"}},
+    {StandardFrame::mean_of_date, "earth::MeanOfDate", {"MOD", "MOD_EARTH"}}};
 
-std::size_t index(StandardFrame frame) {
-  return static_cast<std::size_t>(frame);
+const StandardNames& standard(StandardFrame frame) {
+  return standard_names[static_cast<std::size_t>(frame)];
+}
+
+// ITRF of a year: ITRF2014, ITRF-2000, or of the last century ITRF97, ITRF-93. The first was ITRF88.
+bool is_itrf_of_a_year(std::string_view capitals) {
+  if (!capitals.starts_with("ITRF")) return false;
+  capitals.remove_prefix(4);
+  if (capitals.starts_with('-')) capitals.remove_prefix(1);
+  if (capitals.find_first_not_of("0123456789") != std::string_view::npos) return false;
+  return (capitals.size() == 2 && capitals >= "88") ||
+         (capitals.size() == 4 && capitals >= "1988" && capitals < "2100");
 }
 
 StandardFrame standard_of(const std::string& name) {
   const std::string capitals = upper_case(name);
-  if (capitals == "GCRF" || capitals == "ICRF") return StandardFrame::gcrf;
-  if (capitals == "EME2000" || capitals == "J2000") return StandardFrame::eme2000;
-  if (capitals == "TEME" || capitals == "TEMEOFDATE") return StandardFrame::teme;
-  if (capitals == "TOD" || capitals == "TOD_EARTH") return StandardFrame::true_of_date;
-  if (capitals == "MOD" || capitals == "MOD_EARTH") return StandardFrame::mean_of_date;
-  if (capitals.starts_with("ITRF")) {
-    std::string year = capitals.substr(4);
-    if (year.starts_with('-')) year.erase(0, 1);
-    if (year.find_first_not_of("0123456789") == std::string::npos) return StandardFrame::itrf;
+  for (const StandardNames& known : standard_names) {
+    for (const char* written : known.names) {
+      if (capitals == written) return known.frame;
+    }
   }
-  return StandardFrame::none;
+  return is_itrf_of_a_year(capitals) ? StandardFrame::itrf : StandardFrame::none;
 }
 
 }  // namespace
 
 std::string name_of(const FrameClaim& claim) {
-  return claim.name ? *claim.name : written_names[index(claim.standard)];
+  return claim.name ? *claim.name : *standard(claim.standard).names.begin();
 }
 
 bool names(const FrameClaim& claim, const std::string& name) {
@@ -49,9 +63,8 @@ bool names(const FrameClaim& claim, const std::string& name) {
 void require_named(const std::string& place, const std::string& keyword, const std::string& name,
                    const FrameClaim& claim) {
   const StandardFrame meant = standard_of(name);
-  const std::string found =
-      place + ": " + keyword + " is '" + excerpt(name) + "'" +
-      (meant == StandardFrame::none ? "" : ", " + std::string{type_names[index(meant)]});
+  const std::string found = place + ": " + keyword + " is '" + excerpt(name) + "'" +
+                            (meant == StandardFrame::none ? "" : ", " + std::string{standard(meant).type});
   if (!names(claim, name)) throw BadInput(found + "; asked for " + shown(claim));
   if (meant != claim.standard && meant != StandardFrame::none && claim.standard != StandardFrame::none)
     throw BadInput(found + "; it was claimed to be " + claim.type);

@@ -12,31 +12,30 @@ namespace {
 
 constexpr std::string_view comment_word = "COMMENT";
 
-bool is_control(char c) {
+bool may_stand(char c, KvnText where) {
   const auto code = static_cast<unsigned char>(c);
-  return (code < ' ' && c != '\t') || code == 127;
+  if (c == '\t') return where != KvnText::value;
+  return code >= ' ' && code != 127 && (code < 127 || where == KvnText::comment);
 }
 bool is_comment(std::string_view text) {
   return text.starts_with(comment_word) &&
          (text.size() == comment_word.size() || text[comment_word.size()] == ' ' ||
           text[comment_word.size()] == '\t');
 }
-bool is_keyword(std::string_view text) {
-  return !text.empty() &&
-         text.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_") == std::string_view::npos;
-}
 
 std::string line_place(const std::string& place, std::size_t line, std::size_t column) {
   return place + ", line " + text(line) + ", column " + text(column);
 }
 
-void require_characters(const std::string& place, std::size_t number, std::string_view line, bool comment) {
-  for (std::size_t i = 0; i < line.size(); ++i) {
-    const auto code = static_cast<unsigned char>(line[i]);
-    if (is_control(line[i]) || (code > 127 && !comment))
-      throw BadInput(line_place(place, number, i + 1) + ": the byte " + text(static_cast<int>(code)) +
-                     " is no printable character of ASCII");
-  }
+// The text is a part of the line.
+void require_characters(const std::string& place, std::size_t number, std::string_view line,
+                        std::string_view text, KvnText where) {
+  const auto wrong = first_wrong(text, where);
+  if (wrong == std::string_view::npos) return;
+  const auto first = static_cast<std::size_t>(text.data() - line.data());
+  throw BadInput(line_place(place, number, first + wrong + 1) + ": the byte " +
+                 detail::text(static_cast<int>(static_cast<unsigned char>(text[wrong]))) +
+                 " is no printable character of ASCII");
 }
 
 KvnLine keyword_line(const std::string& place, std::size_t number, std::string_view line,
@@ -57,10 +56,21 @@ KvnLine keyword_line(const std::string& place, std::size_t number, std::string_v
 
 }  // namespace
 
+bool is_keyword(std::string_view text) {
+  return !text.empty() &&
+         text.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_") == std::string_view::npos;
+}
+
+std::size_t first_wrong(std::string_view text, KvnText where) {
+  const auto* const wrong =
+      std::find_if_not(text.begin(), text.end(), [&](char c) { return may_stand(c, where); });
+  return wrong == text.end() ? std::string_view::npos : static_cast<std::size_t>(wrong - text.begin());
+}
+
 std::optional<KvnLine> read_kvn_line(const std::string& place, std::size_t number, std::string_view line) {
   const std::string_view content = trimmed(line);
   const bool comment = is_comment(content);
-  require_characters(place, number, line, comment);
+  require_characters(place, number, line, line, comment ? KvnText::comment : KvnText::line);
   if (content.empty() || comment) return std::nullopt;
   return keyword_line(place, number, line, content);
 }
@@ -77,52 +87,67 @@ std::string upper_case(std::string text) {
   return text;
 }
 
-KvnReader::KvnReader(std::string place, TextFile file) : place_(std::move(place)), file_(std::move(file)) {}
+KvnReader::KvnReader(std::string place, std::string_view text, bool whole)
+    : place_(std::move(place)), rest_(without_byte_order_mark(text)), whole_(whole) {}
 
 bool KvnReader::next() {
-  for (content_ = {}; content_.empty();) {
-    if (number_ >= file_.lines.size()) return false;
-    content_ = trimmed(file_.lines[number_++]);
+  for (content_ = {}; content_.empty(); ++number_) {
+    if (rest_.empty()) return false;
+    line_ = take_line(rest_);
+    content_ = trimmed(line_);
   }
-  comment_ = detail::is_comment(content_);
-  require_characters(place_, number_, file_.lines[number_ - 1], comment_);
-  const bool may_be_cut = !comment_ && !is("DATA_STOP") && !is("COVARIANCE_STOP");
-  if (number_ == file_.lines.size() && !file_.whole && may_be_cut)
+  const bool may_be_cut = !is_comment() && (has_keyword() || !content_.ends_with("_STOP"));
+  if (rest_.empty() && !whole_ && may_be_cut)
     throw BadInput(place_ + ", line " + text(number_) + ": " + truncated);
   return true;
 }
 
+bool KvnReader::is_comment() const {
+  return detail::is_comment(content_);
+}
+
 std::string KvnReader::comment() const {
-  const std::string_view line = file_.lines[number_ - 1];
-  const auto behind = static_cast<std::size_t>(content_.data() - line.data()) + comment_word.size();
-  return std::string{line.substr(std::min(behind + 1, line.size()))};
+  require_characters(line_, KvnText::comment);
+  const auto behind = static_cast<std::size_t>(content_.data() - line_.data()) + comment_word.size();
+  return std::string{line_.substr(std::min(behind + 1, line_.size()))};
 }
 
 KvnLine KvnReader::keyword() const {
-  return keyword_line(place_, number_, file_.lines[number_ - 1], content_);
+  require_characters(line_, KvnText::line);
+  KvnLine entry = keyword_line(place_, number_, line_, content_);
+  require_characters(line_.substr(entry.column - 1, entry.value.size()), KvnText::value);
+  return entry;
 }
 
-std::size_t KvnReader::words(std::array<KvnWord, most_words>& words) const {
-  const char* const line = file_.lines[number_ - 1].data();
-  std::string_view rest = content_;
+std::size_t KvnReader::words(std::array<std::string_view, most_words>& words) const {
+  const auto is_blank = [](char c) { return c <= ' ' && (c == ' ' || c == '\t'); };
+  const char *at = content_.data(), *const end = at + content_.size();
   std::size_t count = 0;
-  while (!rest.empty()) {
-    const auto end = count + 1 < most_words ? rest.find_first_of(" \t") : std::string_view::npos;
-    const std::string_view word = rest.substr(0, end);
-    words[count++] = {word, static_cast<std::size_t>(word.data() - line) + 1};
-    rest = end == std::string_view::npos ? std::string_view{} : trimmed(rest.substr(end));
+  for (; at != end; ++count) {
+    const char* const word = at;
+    while (at != end && !is_blank(*at)) ++at;
+    if (count < most_words) words[count] = {word, static_cast<std::size_t>(at - word)};
+    while (at != end && is_blank(*at)) ++at;
   }
   return count;
 }
 
 void KvnReader::fail(const std::string& reason) const {
-  const auto first = static_cast<std::size_t>(content_.data() - file_.lines[number_ - 1].data());
-  throw BadInput(line_place(place_, number_, first + 1) + ": '" + excerpt(content_) + "': " + reason);
+  require_characters(line_, KvnText::line);
+  throw BadInput(here(content_) + ": '" + excerpt(content_) + "': " + reason);
 }
 
-void KvnReader::fail(const KvnWord& word, std::string_view name, const std::string& reason) const {
-  throw BadInput(line_place(place_, number_, word.column) + " (" + std::string{name} + "): '" +
-                 excerpt(word.text) + "': " + reason);
+void KvnReader::fail(std::string_view word, std::string_view name, const std::string& reason) const {
+  require_characters(line_, KvnText::line);
+  throw BadInput(here(word) + " (" + std::string{name} + "): '" + excerpt(word) + "': " + reason);
+}
+
+void KvnReader::require_characters(std::string_view text, KvnText where) const {
+  detail::require_characters(place_, number_, line_, text, where);
+}
+
+std::string KvnReader::here(std::string_view part) const {
+  return line_place(place_, number_, static_cast<std::size_t>(part.data() - line_.data()) + 1);
 }
 
 }  // namespace vectrix::detail

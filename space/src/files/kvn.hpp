@@ -1,13 +1,10 @@
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
-
-#include "text_file.hpp"
 
 namespace vectrix::detail {
 
@@ -24,30 +21,35 @@ struct KvnLine {
 /// and characters that are not printable ASCII, which a comment may contain except for control characters.
 std::optional<KvnLine> read_kvn_line(const std::string& place, std::size_t number, std::string_view line);
 
+/// Where a character stands, and which may: printable ASCII everywhere, tabs but in a value, and in a comment
+/// all but the other control characters.
+enum class KvnText { value, comment, line };
+/// The index of the first character that may not stand there; npos if all may.
+std::size_t first_wrong(std::string_view text, KvnText where);
+
+/// Whether a text is of A-Z, 0-9 and _.
+bool is_keyword(std::string_view text);
+
 /// Throws BadInput with the place, line, column, keyword and value.
 [[noreturn]] void refuse(const std::string& place, const KvnLine& line, const std::string& reason);
 
 /// The text in capitals of A-Z.
 std::string upper_case(std::string text);
 
-/// A word of a data line, and its column, counted from 1.
-struct KvnWord {
-  std::string_view text;
-  std::size_t column;
-};
-
 /// The lines of a message that has data lines, one after the other, without blank ones. Every error is a
-/// BadInput with place, line and column.
+/// BadInput with place, line and column. Data are read as words, in which characters that are none of ASCII
+/// are refused with the word.
 class KvnReader {
  public:
-  KvnReader(std::string place, TextFile file);
+  /// Of a text that lives as long. If it is not whole, a last line without a line end is refused, for it may
+  /// have been cut within a number; a comment or a word such as DATA_STOP may stand there.
+  KvnReader(std::string place, std::string_view text, bool whole);
 
-  /// To the next line. False at the end. Refuses a last line without a line end, for it may have been cut
-  /// within a number; a comment or a word such as DATA_STOP may stand there.
+  /// To the next line. False at the end.
   bool next();
 
   /// What the line is: a comment, one word such as META_START, keyword = value, or data.
-  [[nodiscard]] bool is_comment() const { return comment_; }
+  [[nodiscard]] bool is_comment() const;
   [[nodiscard]] bool is(std::string_view word) const { return content_ == word; }
   [[nodiscard]] bool is_xml() const { return content_.starts_with('<'); }
   [[nodiscard]] bool has_keyword() const { return content_.find('=') != std::string_view::npos; }
@@ -55,24 +57,26 @@ class KvnReader {
   /// What stands behind the word COMMENT and one blank.
   [[nodiscard]] std::string comment() const;
   [[nodiscard]] KvnLine keyword() const;
-  static constexpr std::size_t most_words = 16;
-  /// The words of the line, up to most_words; the rest is one word.
-  [[nodiscard]] std::size_t words(std::array<KvnWord, most_words>& words) const;
+  static constexpr std::size_t most_words = 10;
+  /// How many words the line has, and the first of them.
+  [[nodiscard]] std::size_t words(std::array<std::string_view, most_words>& words) const;
 
   /// The number of the line; at the end, of the last one.
-  [[nodiscard]] std::size_t line() const { return std::min(number_, file_.lines.size()); }
+  [[nodiscard]] std::size_t line() const { return number_; }
   [[nodiscard]] const std::string& place() const { return place_; }
   /// Refuses the line as it stands.
   [[noreturn]] void fail(const std::string& reason) const;
   /// Refuses a word of it, which is called `name`.
-  [[noreturn]] void fail(const KvnWord& word, std::string_view name, const std::string& reason) const;
+  [[noreturn]] void fail(std::string_view word, std::string_view name, const std::string& reason) const;
 
  private:
+  void require_characters(std::string_view text, KvnText where) const;
+  [[nodiscard]] std::string here(std::string_view part) const;
+
   std::string place_;
-  TextFile file_;
+  std::string_view rest_, line_, content_;
+  bool whole_;
   std::size_t number_ = 0;
-  std::string_view content_;
-  bool comment_ = false;
 };
 
 }  // namespace vectrix::detail

@@ -52,13 +52,8 @@ std::int64_t KvnEntries::whole(const KvnLine& line) const {
 }
 
 Epoch KvnEntries::epoch(const KvnLine& line, const TimeScale& scale) const {
-  constexpr std::size_t longest = 40;
-  if (line.value.size() > longest) fail(line, "too long for an epoch");
-  try {
-    return Epoch::from(scale, line.value);
-  } catch (const BadInput& error) {
-    fail(line, error.what());
-  }
+  EpochReader reader(scale);
+  return epoch_of(reader, line.value, [&](const std::string& reason) { fail(line, reason); });
 }
 
 }  // namespace vectrix::detail

@@ -6,11 +6,25 @@
 #include <string>
 #include <string_view>
 
+#include <vectrix/frames/errors.hpp>
 #include <vectrix/space/time/epoch.hpp>
 
+#include "../time/date.hpp"
 #include "kvn.hpp"
 
 namespace vectrix::detail {
+
+/// The epoch of a text. Calls fail(reason), which throws, if it is none.
+template <class Fail> Epoch epoch_of(EpochReader& reader, std::string_view text, const Fail& fail) {
+  constexpr std::size_t longest = 40;
+  if (text.size() > longest) fail("too long for an epoch");
+  try {
+    return reader.read(text);
+  } catch (const BadInput& error) {
+    fail(error.what());
+    throw;
+  }
+}
 
 /// The lines `keyword = value` of a message, or of a part of it, each keyword once. Every error is a BadInput
 /// with the place.

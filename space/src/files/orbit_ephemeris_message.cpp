@@ -1,8 +1,11 @@
 #include <vectrix/space/files/orbit_ephemeris_message.hpp>
 
+#include <algorithm>
 #include <array>
+#include <string_view>
 
 #include <vectrix/frames/errors.hpp>
+#include <vectrix/space/time/exact_text.hpp>
 
 #include "ephemeris_reader.hpp"
 #include "orbit_ephemeris_text.hpp"
@@ -10,26 +13,12 @@
 namespace vectrix {
 namespace {
 
-using detail::KvnReader, detail::KvnWord;
-
-using detail::kilo;
+using detail::KvnReader, detail::kilo;
 
 constexpr const detail::MessageKind& kind = detail::orbit_ephemeris;
-const std::vector<detail::EphemerisKeyword> keywords{{"OBJECT_NAME"},
-                                                     {"OBJECT_ID"},
-                                                     {"CENTER_NAME"},
-                                                     {"REF_FRAME"},
-                                                     {"REF_FRAME_EPOCH", "2.0"},
-                                                     {"TIME_SYSTEM"},
-                                                     {"START_TIME"},
-                                                     {"USEABLE_START_TIME"},
-                                                     {"USEABLE_STOP_TIME"},
-                                                     {"STOP_TIME"},
-                                                     {"INTERPOLATION"},
-                                                     {"INTERPOLATION_DEGREE"}};
 
-constexpr std::array<const char*, 10> columns{"EPOCH", "X",     "Y",      "Z",      "X_DOT",
-                                              "Y_DOT", "Z_DOT", "X_DDOT", "Y_DDOT", "Z_DDOT"};
+constexpr std::array<std::string_view, 10> columns{"EPOCH", "X",     "Y",      "Z",      "X_DOT",
+                                                   "Y_DOT", "Z_DOT", "X_DDOT", "Y_DDOT", "Z_DDOT"};
 
 bool is_oldest(const std::string& version) {
   return version == *kind.versions.begin();
@@ -45,21 +34,24 @@ class SegmentReader {
     detail::OrbitLines lines;
     lines.place = reader_.place() + ", the segment from line " + detail::text(reader_.line()) + " on";
     std::vector<std::string> comments;
-    const detail::KvnEntries entries = detail::read_entries(reader_, version_, keywords, comments);
+    std::vector<OtherKeyword> others;
+    const detail::KvnEntries entries = detail::read_metadata(reader_, kind, version_, comments, others);
     EphemerisMetadata metadata = detail::metadata_of(entries, detail::orbit_interpolation);
     static_cast<void>(entries.filled("CENTER_NAME"));
     metadata.comments = std::move(comments);
+    metadata.others = std::move(others);
     lines.ref_frame = entries.filled("REF_FRAME").value;
     if (const auto* epoch = entries.find("REF_FRAME_EPOCH"))
       lines.ref_frame_epoch = entries.epoch(*epoch, metadata.time_system);
     if (!segments_.empty()) detail::require_same_system(entries, metadata, segments_.front().metadata());
 
+    detail::TimeReader times(reader_, metadata);
     bool more = reader_.next();
     for (; more && !reader_.is("META_START") && !reader_.is("COVARIANCE_START"); more = reader_.next()) {
       if (reader_.is_comment()) {
         lines.comments.push_back(reader_.comment());
       } else {
-        lines.lines.push_back(line(metadata, lines.lines.empty() ? nullptr : &lines.lines.back().time));
+        lines.lines.push_back(line(times));
       }
     }
     if (lines.lines.empty()) throw BadInput(lines.place + ": there are no data lines");
@@ -81,9 +73,9 @@ class SegmentReader {
   std::vector<OrbitEphemerisSegment> segments() && { return std::move(segments_); }
 
  private:
-  detail::OrbitLine line(const EphemerisMetadata& metadata, const Epoch* before) const {
+  detail::OrbitLine line(detail::TimeReader& times) const {
     if (reader_.has_keyword()) reader_.fail("no line of data, and not META_START or COVARIANCE_START");
-    std::array<KvnWord, KvnReader::most_words> words{};
+    std::array<std::string_view, KvnReader::most_words> words{};
     const std::size_t size = reader_.words(words);
     constexpr std::size_t without = 7, with = columns.size();
     if (size != without && size != with)
@@ -97,7 +89,7 @@ class SegmentReader {
             detail::read_number(reader_, words[first + i], columns[first + i], kilo);
       return v;
     };
-    detail::OrbitLine line{detail::read_time(reader_, words[0], metadata, before), vector(1), vector(4), {}};
+    detail::OrbitLine line{times.read(words[0]), vector(1), vector(4), {}};
     if (size == with) line.acceleration = vector(without);
     return line;
   }
@@ -121,7 +113,9 @@ class SegmentReader {
         require_whole();
         const Epoch epoch = entry_epoch(line, scale);
         if (!lines.covariances.empty() && !(lines.covariances.back().epoch < epoch))
-          detail::refuse(reader_.place(), line, "not later than the covariance before");
+          detail::refuse(reader_.place(), line,
+                         "not later than the covariance before, at " +
+                             exact_text(lines.covariances.back().epoch, scale));
         lines.covariances.push_back({epoch, "", {}});
         row = 0;
       } else if (line.keyword == "COV_REF_FRAME") {
@@ -138,7 +132,7 @@ class SegmentReader {
     return detail::KvnEntries(reader_.place(), "").epoch(line, scale);
   }
   void read_row(OrbitCovariance& covariance, std::size_t row) const {
-    std::array<KvnWord, KvnReader::most_words> words{};
+    std::array<std::string_view, KvnReader::most_words> words{};
     const std::size_t size = reader_.words(words);
     if (size != row + 1)
       reader_.fail(detail::text(size) + " numbers; row " + detail::text(row + 1) + " has " +
@@ -155,14 +149,6 @@ class SegmentReader {
   std::vector<OrbitEphemerisSegment> segments_;
 };
 
-OrbitEphemerisMessage message(const std::string& place, detail::TextFile file) {
-  KvnReader reader(place, std::move(file));
-  const MessageHeader header = detail::read_header(reader, kind);
-  SegmentReader segments(reader, header.version);
-  while (segments.read()) continue;
-  return {header, std::move(segments).segments()};
-}
-
 }  // namespace
 
 OrbitEphemerisMessage::OrbitEphemerisMessage(MessageHeader header,
@@ -173,25 +159,24 @@ OrbitEphemerisMessage::OrbitEphemerisMessage(MessageHeader header,
   for (const OrbitEphemerisSegment& segment : segments_) {
     const detail::OrbitLines& lines = segment.lines(detail::trusted);
     detail::require_same_system(lines.place, segment.metadata(), segments_.front().metadata());
-    const bool is_newer = lines.ref_frame_epoch || !lines.covariances.empty() ||
-                          std::any_of(lines.lines.begin(), lines.lines.end(),
-                                      [](const auto& line) { return line.acceleration.has_value(); });
-    if (is_oldest(header_.version) && is_newer)
-      throw BadInput(lines.place + ": version 1.0 has no acceleration, covariance or REF_FRAME_EPOCH");
+    if (!is_oldest(header_.version)) continue;
+    const auto refuse_newer = [&](const char* what) {
+      throw BadInput(lines.place + ": version 1.0 has no " + what + ", the segment has one");
+    };
+    if (lines.ref_frame_epoch) refuse_newer("REF_FRAME_EPOCH");
+    if (!lines.covariances.empty()) refuse_newer("covariance");
+    if (std::any_of(lines.lines.begin(), lines.lines.end(),
+                    [](const auto& line) { return line.acceleration.has_value(); }))
+      refuse_newer("acceleration");
   }
 }
 
 OrbitEphemerisMessage OrbitEphemerisMessage::parse(std::string_view text) {
-  detail::TextFile file = detail::lines_of(text);
-  file.whole = true;
-  return message(kind.name, std::move(file));
+  return detail::parse_message<OrbitEphemerisMessage, SegmentReader>(text, kind);
 }
 
 OrbitEphemerisMessage OrbitEphemerisMessage::read(const std::filesystem::path& file) {
-  const std::string place = std::string{kind.name} + " " + file.string();
-  auto content = detail::read_lines(file);
-  if (!content) throw BadInput(place + ": cannot be read");
-  return message(place, std::move(*content));
+  return detail::read_message<OrbitEphemerisMessage, SegmentReader>(file, kind);
 }
 
 }  // namespace vectrix

@@ -1,11 +1,14 @@
 #include <vectrix/space/files/orbit_ephemeris_segment.hpp>
 
+#include <cmath>
+
 #include <vectrix/frames/errors.hpp>
 #include <vectrix/space/time/exact_text.hpp>
 
 #include "ephemeris_rules.hpp"
 #include "frame_claim.hpp"
 #include "kvn.hpp"
+#include "orbit_ephemeris_text.hpp"
 #include "text_file.hpp"
 
 namespace vectrix {
@@ -20,8 +23,13 @@ std::vector<Epoch> times_of(const std::string& place, const std::vector<detail::
   times.reserve(lines.size());
   for (const detail::OrbitLine& line : lines) {
     times.push_back(line.time);
-    if (!line.position.allFinite() || !line.velocity.allFinite())
-      throw BadInput(place + ": sample " + detail::text(times.size() - 1) + " is not finite");
+    for (const Eigen::Vector3d* v : {&line.position, &line.velocity}) {
+      for (const double number : *v) {
+        if (!std::isfinite(number))
+          throw BadInput(place + ": sample " + detail::text(times.size() - 1) + " has the number " +
+                         detail::text(number));
+      }
+    }
   }
   return times;
 }
@@ -45,8 +53,8 @@ OrbitEphemerisSegment::OrbitEphemerisSegment(detail::Trusted, EphemerisMetadata 
       lines_{place_of(metadata_), detail::name_of(claim), std::nullopt, std::move(lines), {}, {}} {
   if (metadata_.center_name.empty()) metadata_.center_name = claim.center;
   detail::require_text(lines_.place, "REF_FRAME", lines_.ref_frame);
-  metadata_ =
-      detail::checked_metadata(lines_.place, std::move(metadata_), times_of(lines_.place, lines_.lines));
+  metadata_ = detail::checked_metadata(lines_.place, detail::orbit_ephemeris, std::move(metadata_),
+                                       times_of(lines_.place, lines_.lines));
   require_frame(claim);
 }
 

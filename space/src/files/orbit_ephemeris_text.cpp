@@ -33,7 +33,7 @@ void write_segment(std::string& out, const OrbitEphemerisSegment& segment) {
   if (lines.ref_frame_epoch)
     detail::write_line(out, "REF_FRAME_EPOCH", exact_text(*lines.ref_frame_epoch, metadata.time_system));
   detail::write_span(out, metadata);
-  detail::write_interpolation(out, metadata, detail::orbit_interpolation);
+  detail::write_rest(out, metadata, detail::orbit_interpolation);
   out.append("META_STOP\n\n");
   detail::write_comments(out, lines.comments);
   for (const detail::OrbitLine& line : lines.lines) {

@@ -2,8 +2,6 @@
 
 #include <charconv>
 #include <fstream>
-#include <istream>
-#include <sstream>
 #include <system_error>
 #include <utility>
 
@@ -11,34 +9,48 @@
 
 namespace vectrix::detail {
 
-namespace {
-
-TextFile lines_from(std::istream& in) {
+TextFile lines_of(std::string_view text) {
   TextFile result;
-  for (std::string line; std::getline(in, line);) {
-    result.whole = !in.eof();
-    if (!line.empty() && line.back() == '\r') line.pop_back();
-    result.lines.push_back(line);
-  }
-  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-  if (!result.lines.empty() && result.lines.front().starts_with(byte_order_mark)) {
-    result.lines.front().erase(0, byte_order_mark.size());
-  }
+  text = without_byte_order_mark(text);
+  while (!text.empty()) result.lines.emplace_back(take_line(text));
   return result;
 }
 
-}  // namespace
-
-TextFile lines_of(std::string_view text) {
-  std::istringstream in{std::string{text}};
-  return lines_from(in);
+std::optional<TextFile> read_lines(const std::filesystem::path& file) {
+  const auto bytes = read_bytes(file);
+  if (!bytes) return std::nullopt;
+  TextFile result = lines_of(*bytes);
+  result.whole = is_whole(*bytes);
+  return result;
 }
 
-std::optional<TextFile> read_lines(const std::filesystem::path& file) {
+std::optional<std::string> read_bytes(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
   if (!in) return std::nullopt;
-  auto result = lines_from(in);
-  return in.bad() ? std::nullopt : std::optional{std::move(result)};
+  std::string bytes;
+  constexpr std::size_t at_once = 1 << 16;
+  std::error_code unknown;
+  if (const auto size = std::filesystem::file_size(file, unknown); !unknown) bytes.reserve(size + at_once);
+  while (in) {
+    const std::size_t size = bytes.size();
+    bytes.resize(size + at_once);
+    in.read(bytes.data() + size, at_once);
+    bytes.resize(size + static_cast<std::size_t>(in.gcount()));
+  }
+  return in.bad() ? std::nullopt : std::optional{std::move(bytes)};
+}
+
+std::string_view without_byte_order_mark(std::string_view text) {
+  constexpr std::string_view mark = "\xEF\xBB\xBF";
+  return text.starts_with(mark) ? text.substr(mark.size()) : text;
+}
+
+std::string_view take_line(std::string_view& text) {
+  const auto end = text.find('\n');
+  std::string_view line = text.substr(0, end);
+  text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+  if (line.ends_with('\r')) line.remove_suffix(1);
+  return line;
 }
 
 void write_file(const std::string& place, const std::filesystem::path& file, const std::string& text) {

@@ -18,10 +18,20 @@ struct TextFile {
 /// What a reader says of a file that is not whole: a number may have been cut.
 inline constexpr const char* truncated = "the file stops within this line; it was truncated";
 
-/// The lines of a text.
+/// The lines of a text, of which the end ends the last one.
 TextFile lines_of(std::string_view text);
 /// The lines of a file. Nothing if it cannot be read.
 std::optional<TextFile> read_lines(const std::filesystem::path& file);
+
+/// The bytes of a file. Nothing if it cannot be read.
+std::optional<std::string> read_bytes(const std::filesystem::path& file);
+std::string_view without_byte_order_mark(std::string_view text);
+/// Takes the first line off a text, and gives it without its end, LF or CR LF.
+std::string_view take_line(std::string_view& text);
+/// Whether the end of a text ends its last line.
+inline bool is_whole(std::string_view text) {
+  return text.empty() || text.back() == '\n';
+}
 
 /// Throws BadInput that begins with `place` if it cannot be written.
 void write_file(const std::string& place, const std::filesystem::path& file, const std::string& text);

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <optional>
 
@@ -17,16 +17,6 @@ namespace {
 struct Calendar {
   int year = 0, month = 0, day = 0;
 };
-struct CalendarTime {
-  Calendar on;  // without a month, the day of the year
-  int hour, minute;
-  double second;
-};
-
-[[noreturn]] void refuse(const TimeScale& scale, std::string_view text, const std::string& reason) {
-  throw BadInput("epoch '" + std::string{text} + "' in " + scale.name() + ": " + reason);
-}
-
 // True if the text matches the pattern: a digit for each 'd', else the same character.
 bool matches(std::string_view text, std::string_view pattern) {
   if (text.size() != pattern.size()) return false;
@@ -37,25 +27,10 @@ bool matches(std::string_view text, std::string_view pattern) {
   return true;
 }
 
-std::optional<CalendarTime> parsed(std::string_view text) {
-  constexpr std::string_view with_month = "dddd-dd-ddTdd:dd:dd";
-  constexpr std::string_view with_day_of_year = "dddd-dddTdd:dd:dd";
-  const bool has_month = matches(text.substr(0, with_month.size()), with_month);
-  const std::size_t whole = has_month ? with_month.size() : with_day_of_year.size();
-  if (!has_month && !matches(text.substr(0, whole), with_day_of_year)) return std::nullopt;
-  if (text.size() > whole) {
-    const std::string_view decimals = text.substr(whole);
-    constexpr std::string_view most = ".dddddddddddd";
-    if (decimals.size() < 2 || !matches(decimals, most.substr(0, decimals.size()))) return std::nullopt;
-  }
-  const auto number = [&](std::size_t at, std::size_t length, auto value) {
-    std::from_chars(text.data() + at, text.data() + at + length, value);
-    return value;
-  };
-  const Calendar on = has_month ? Calendar{number(0, 4, 0), number(5, 2, 0), number(8, 2, 0)}
-                                : Calendar{number(0, 4, 0), 0, number(5, 3, 0)};
-  return CalendarTime{on, number(whole - 8, 2, 0), number(whole - 5, 2, 0),
-                      number(whole - 2, text.size() - whole + 2, 0.0)};
+int digits_of(std::string_view text, std::size_t at, std::size_t count) {
+  int value = 0;
+  for (const char digit : text.substr(at, count)) value = 10 * value + (digit - '0');
+  return value;
 }
 
 double first_day_of(int year) {
@@ -88,32 +63,95 @@ std::string day_text(double julian_day, DayStyle style) {
 
 }  // namespace
 
-Date read_calendar(const TimeScale& scale, std::string_view text) {
-  const bool in_utc = scale.kind() == TimeScale::Kind::utc;
-  const std::string end = std::string{" "} + scale.name();
+/// The parts of a text.
+struct EpochReader::Written {
+  std::string_view day;
+  bool has_month;
+  int hour, minute;
+  double second;
+
+  static std::optional<Written> of(std::string_view text);
+};
+
+std::optional<EpochReader::Written> EpochReader::Written::of(std::string_view text) {
+  constexpr std::string_view with_month = "dddd-dd-ddTdd:dd:dd";
+  constexpr std::string_view with_day_of_year = "dddd-dddTdd:dd:dd";
+  const bool has_month = matches(text.substr(0, with_month.size()), with_month);
+  const std::size_t whole = has_month ? with_month.size() : with_day_of_year.size();
+  if (!has_month && !matches(text.substr(0, whole), with_day_of_year)) return std::nullopt;
+  std::string_view decimals = text.substr(whole);
+  if (!decimals.empty()) {
+    constexpr std::string_view most = ".dddddddddddd";
+    if (decimals.size() < 2 || !matches(decimals, most.substr(0, decimals.size()))) return std::nullopt;
+    decimals.remove_prefix(1);
+  }
+  // Fourteen digits are an exact number, and so is the power of ten: the second is rounded once.
+  std::int64_t digits = digits_of(text, whole - 2, 2);
+  double unit = 1.0;
+  for (const char digit : decimals) {
+    digits = 10 * digits + (digit - '0');
+    unit *= 10.0;
+  }
+  return Written{text.substr(0, whole - 9), has_month, digits_of(text, whole - 8, 2),
+                 digits_of(text, whole - 5, 2), static_cast<double>(digits) / unit};
+}
+
+EpochReader::EpochReader(const TimeScale& scale) : scale_(scale), end_(std::string{" "} + scale.name()) {}
+
+std::string EpochReader::what(std::string_view text) const {
+  return "epoch '" + std::string{text} + "' in " + scale_.name();
+}
+
+void EpochReader::refuse(std::string_view text, const std::string& reason) const {
+  throw BadInput(what(text) + ": " + reason);
+}
+
+void EpochReader::begin_day(std::string_view text, const Written& written) {
+  Calendar on{digits_of(written.day, 0, 4), 0, 0};
+  if (written.has_month) {
+    on.month = digits_of(written.day, 5, 2);
+    on.day = digits_of(written.day, 8, 2);
+  } else {
+    const int day = digits_of(written.day, 5, 3);
+    if (day < 1 || day > static_cast<int>(first_day_of(on.year + 1) - first_day_of(on.year)))
+      refuse(text, "there is no such day");
+    on = calendar_of(first_day_of(on.year) + day - 1);
+  }
+  double zero = 0.0, modified = 0.0;
+  const int status = eraCal2jd(on.year, on.month, on.day, &zero, &modified);
+  constexpr std::array<const char*, 3> wrong{"year", "month", "day"};
+  if (status < 0)
+    refuse(text, std::string{"there is no such "} + wrong.at(static_cast<std::size_t>(-status - 1)));
+  const double day = zero + modified;
+  if (scale_.kind() == TimeScale::Kind::utc) {
+    require_known_utc({day, 0.0}, what(text));
+    day_ = utc_day(day);
+  } else {
+    day_ = {day, 0.0, 0.0, 0.0};
+  }
+  on_ = written.day;
+}
+
+Epoch EpochReader::read(std::string_view text) {
   std::string_view digits = text;
-  if (text.ends_with(end)) {
-    digits.remove_suffix(end.size());
+  const bool in_utc = scale_.kind() == TimeScale::Kind::utc;
+  if (text.ends_with(end_)) {
+    digits.remove_suffix(end_.size());
   } else if (in_utc && text.ends_with('Z')) {
     digits.remove_suffix(1);
   }
-  const auto time = parsed(digits);
-  if (!time) refuse(scale, text, "it is not written as 2022-04-14T10:22:11.874999");
-  Calendar on = time->on;
-  if (text[7] != '-') {
-    const int days = static_cast<int>(first_day_of(on.year + 1) - first_day_of(on.year));
-    if (on.day < 1 || on.day > days) refuse(scale, text, "there is no such day");
-    on = calendar_of(first_day_of(on.year) + on.day - 1);
-  }
-  double day = 0.0;
-  double fraction = 0.0;
-  const int status = eraDtf2d(in_utc ? "UTC" : "TAI", on.year, on.month, on.day, time->hour, time->minute,
-                              time->second, &day, &fraction);
-  constexpr std::array<const char*, 6> wrong{"year", "month", "day", "hour", "minute", "second"};
-  if (status < 0)
-    refuse(scale, text, std::string{"there is no such "} + wrong.at(static_cast<std::size_t>(-status - 1)));
-  if (status >= 2) refuse(scale, text, "there is no such second");
-  return normalised(day, fraction);
+  const auto written = Written::of(digits);
+  if (!written) refuse(text, "it is not written as 2022-04-14T10:22:11.874999");
+  if (written->day != on_) begin_day(text, *written);
+  if (written->hour > 23) refuse(text, "there is no such hour");
+  if (written->minute > 59) refuse(text, "there is no such minute");
+  const bool is_last = written->hour == 23 && written->minute == 59;
+  if (written->second >= 60.0 + (is_last ? day_.step : 0.0)) refuse(text, "there is no such second");
+  const double seconds = 60 * (60 * written->hour + written->minute) + written->second;
+  const double fraction = seconds / day_.length();
+  const Date tai = in_utc && fraction < 1.0 ? tai_of(day_, fraction)
+                                            : tai_of(scale_, normalised(day_.day, fraction), what(text));
+  return Epoch{JulianDate<scale::Tai>{tai.day, tai.fraction}};
 }
 
 // The last minute has what the day has more or less. What rounds up to the end of the day is the next one.

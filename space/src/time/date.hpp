@@ -21,14 +21,48 @@ Date date_of(const TimeScale& scale, const Date& tai);
 bool before_utc(const Date& tai);
 /// TAI - UTC, s, at a date of UTC.
 double tai_minus_utc(const Date& utc);
-/// The length of the day of UTC, s, that the date is in.
-double length_of_utc_day(const Date& utc);
+/// Throws BadInput, which begins with `what`, before 1960.
+void require_known_utc(const Date& utc, const std::string& what);
+/// A day of UTC, from midnight on: TAI - UTC at its beginning, how much it grows until its end (before 1972),
+/// and the step there, a leap second; in s.
+struct UtcDay {
+  double day;
+  double tai_minus_utc, drift, step;
+
+  [[nodiscard]] double length() const;
+};
+UtcDay utc_day(double day);
+/// TAI of a fraction of the day in [0, 1).
+Date tai_of(const UtcDay& utc, double fraction);
+
+/// UTC, TAI, TT, TDB or GPS by its name. Null for any other.
+const TimeScale* scale_named(std::string_view name);
 
 /// The epoch for messages and streams: in UTC, before UTC in TT.
 std::string shown(const Epoch& epoch);
 
-/// The date in the scale of a calendar text. Throws BadInput with text, scale and reason.
-Date read_calendar(const TimeScale& scale, std::string_view text);
+/// Reads calendar texts of one scale, as Epoch::from does. The day is kept: texts of one day cost one
+/// conversion of the calendar.
+class EpochReader {
+ public:
+  explicit EpochReader(const TimeScale& scale);
+
+  /// Throws BadInput with text, scale and reason.
+  Epoch read(std::string_view text);
+
+ private:
+  struct Written;
+
+  void begin_day(std::string_view text, const Written& written);
+  [[noreturn]] void refuse(std::string_view text, const std::string& reason) const;
+  [[nodiscard]] std::string what(std::string_view text) const;
+
+  TimeScale scale_;
+  std::string end_;   // that may follow, " UTC"
+  std::string on_{};  // the text of the day that is kept
+  UtcDay day_{};      // in other scales without drift and step
+};
+
 enum class DayStyle { month_and_day, day_of_year };
 /// The text of a date on a day of this length, s.
 std::string calendar_text(const Date& date, double day_length, DayStyle style, int decimals);

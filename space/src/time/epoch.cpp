@@ -28,29 +28,26 @@ Date as_date(const JulianDate<scale::Tai>& tai) {
 
 std::string text_of(const JulianDate<scale::Tai>& tai, const TimeScale& scale, DayStyle style, int decimals) {
   const Date date = detail::date_of(scale, as_date(tai));
-  const double length = scale.kind() == TimeScale::Kind::utc ? detail::length_of_utc_day(date) : ERFA_DAYSEC;
+  const double length =
+      scale.kind() == TimeScale::Kind::utc ? detail::utc_day(date.day).length() : ERFA_DAYSEC;
   return detail::calendar_text(date, length, style, decimals);
 }
 
 }  // namespace
 
 Epoch Epoch::from(const TimeScale& scale, std::string_view text) {
-  const Date date = detail::read_calendar(scale, text);
-  return Epoch{as_tai(
-      detail::tai_of(scale, date, "epoch '" + std::string{text} + "' in " + std::string{scale.name()}))};
+  return detail::EpochReader(scale).read(text);
 }
 
 Epoch Epoch::from(std::string_view text) {
   if (text.ends_with('Z')) return from(scale::utc, text);
-  constexpr std::size_t space = 1;
-  for (const TimeScale& scale : {TimeScale{scale::utc}, TimeScale{scale::tai}, TimeScale{scale::tt},
-                                 TimeScale{scale::tdb}, TimeScale{scale::gps}}) {
-    const std::string_view name = scale.name();
-    if (text.size() > name.size() && text.ends_with(name) && text[text.size() - name.size() - space] == ' ')
-      return from(scale, text);
-  }
-  throw BadInput("epoch '" + std::string{text} +
-                 "': it does not end with its scale, UTC, TAI, TT, TDB or GPS; UT1 needs UT1-TAI");
+  const auto blank = text.rfind(' ');
+  const TimeScale* scale =
+      blank == std::string_view::npos ? nullptr : detail::scale_named(text.substr(blank + 1));
+  if (!scale)
+    throw BadInput("epoch '" + std::string{text} +
+                   "': it does not end with its scale, UTC, TAI, TT, TDB or GPS; UT1 needs UT1-TAI");
+  return from(*scale, text);
 }
 
 Epoch Epoch::from_julian_date(const TimeScale& scale, double day, double fraction) {

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include <vectrix/frames/errors.hpp>
+
 namespace vectrix {
 namespace {
 
@@ -22,15 +24,13 @@ std::string later_text(const std::string& text, std::int64_t picoseconds) {
   return whole + std::string(nine + 3 - digits.size(), '0') + digits;
 }
 
-}  // namespace
+// A text has four digits for the year.
+bool is_text(const std::string& text) {
+  return text[0] != '-' && text[4] == '-';
+}
 
-std::string exact_text(const Epoch& epoch, const TimeScale& scale) {
-  for (const int decimals : {3, 6, static_cast<int>(nine)}) {
-    std::string text = epoch.text(scale, decimals);
-    if (Epoch::from(scale, text) == epoch) return text;
-  }
-  // The nanosecond in which the epoch is, then the picosecond.
-  const std::string begin = (epoch - 0.5e-9 * si::second).text(scale, static_cast<int>(nine));
+// The epoch in the nanosecond that begins with the text.
+std::string text_within(const std::string& begin, const Epoch& epoch, const TimeScale& scale) {
   const auto picoseconds = std::llround((epoch - Epoch::from(scale, begin)).value() * 1e12);
   constexpr std::int64_t around = 30;  // an epoch is rounded to 10 ps, a text within a day to 15 ps
   for (std::int64_t off = 0; off <= around; ++off) {
@@ -40,6 +40,25 @@ std::string exact_text(const Epoch& epoch, const TimeScale& scale) {
     }
   }
   return later_text(begin, picoseconds);
+}
+
+}  // namespace
+
+std::string exact_text(const Epoch& epoch, const TimeScale& scale) {
+  std::string text;
+  for (const int decimals : {3, 6, static_cast<int>(nine)}) {
+    text = epoch.text(scale, decimals);
+    if (is_text(text) && Epoch::from(scale, text) == epoch) return text;
+  }
+  // A text that was rounded up is one nanosecond too late; the first epochs of a scale have none before them.
+  constexpr Quantity<si::time> to_the_one_before = 0.6e-9 * si::second;
+  std::string begin = text;
+  const Epoch rounded = is_text(text) ? Epoch::from(scale, text) : epoch;
+  if (!is_text(text) || epoch < rounded)
+    begin = (rounded - to_the_one_before).text(scale, static_cast<int>(nine));
+  if (!is_text(begin))
+    throw BadInput("the epoch " + text + " " + scale.name() + " is not of the years 0 to 9999");
+  return text_within(begin, epoch, scale);
 }
 
 }  // namespace vectrix

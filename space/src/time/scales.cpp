@@ -29,16 +29,9 @@ std::string tai_text(const Date& tai) {
   return "Epoch " + calendar_text(tai, ERFA_DAYSEC, DayStyle::month_and_day, 6) + " TAI";
 }
 
-void require_known_utc(const Date& utc, const std::string& what) {
-  if (utc.modified_day() < first_utc_day) throw BadInput(what + ": UTC is not known before 1960");
-}
-
 Date tai_of_utc(const Date& utc, const std::string& what) {
   require_known_utc(utc, what);
-  double day = 0.0;
-  double fraction = 0.0;
-  require_utc(eraUtctai(utc.day, utc.fraction, &day, &fraction), [&] { return what; });
-  return normalised(day, fraction);
+  return tai_of(utc_day(utc.day), utc.fraction);
 }
 
 Date utc_of(const Date& tai) {
@@ -55,6 +48,10 @@ double tdb_minus_tt(const Date& date) {
 }
 
 }  // namespace
+
+void require_known_utc(const Date& utc, const std::string& what) {
+  if (utc.modified_day() < first_utc_day) throw BadInput(what + ": UTC is not known before 1960");
+}
 
 // Each part is split by itself: both splits are exact, so that only the sum of two fractions is rounded.
 Date normalised(double day, double fraction) {
@@ -135,11 +132,30 @@ double tai_minus_utc(const Date& utc) {
 
 // ERFA's quasi-Julian date stretches a day that ends in a step to 1. Its eraD2dtf takes this back for leap
 // seconds, but not for the steps of 0.05 and 0.1 s before 1972.
-double length_of_utc_day(const Date& utc) {
-  const double at_midnight = tai_minus_utc({utc.day, 0.0});
-  const double drift = 2.0 * (tai_minus_utc({utc.day, 0.5}) - at_midnight);
-  const double step = tai_minus_utc({utc.day + 1.0, 0.0}) - at_midnight - drift;
+double UtcDay::length() const {
   return ERFA_DAYSEC + step;
+}
+
+UtcDay utc_day(double day) {
+  const double at_midnight = tai_minus_utc({day, 0.0});
+  const double drift = 2.0 * (tai_minus_utc({day, 0.5}) - at_midnight);
+  return {day, at_midnight, drift, tai_minus_utc({day + 1.0, 0.0}) - (at_midnight + drift)};
+}
+
+// As eraUtctai, to the last bit.
+Date tai_of(const UtcDay& utc, double fraction) {
+  fraction *= utc.length() / ERFA_DAYSEC;
+  fraction *= (ERFA_DAYSEC + utc.drift) / ERFA_DAYSEC;
+  return normalised(utc.day, fraction + utc.tai_minus_utc / ERFA_DAYSEC);
+}
+
+const TimeScale* scale_named(std::string_view name) {
+  static constexpr const TimeScale* scales[] = {&scale::utc, &scale::tai, &scale::tt, &scale::tdb,
+                                                &scale::gps};
+  for (const TimeScale* scale : scales) {
+    if (name == scale->name()) return scale;
+  }
+  return nullptr;
 }
 
 }  // namespace detail

@@ -8,6 +8,7 @@
 
 #include <vectrix/space.hpp>
 
+#include "files/replaced.hpp"
 #include "temporary_file.hpp"
 
 namespace vectrix::attitude_ephemeris_message_test {
@@ -186,11 +187,6 @@ using earth::Eme2000, earth::Gcrf;
 
 inline constexpr double degree = std::numbers::pi / 180.0;
 
-inline std::string replaced(std::string text, const std::string& old, const std::string& by) {
-  const auto at = text.find(old);
-  EXPECT_NE(at, std::string::npos) << old;
-  return text.replace(at, old.size(), by);
-}
 inline std::string complaint_of(const std::string& text) {
   return complaint([&] { Message::parse(text); });
 }

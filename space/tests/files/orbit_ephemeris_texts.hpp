@@ -8,6 +8,7 @@
 
 #include <vectrix/space.hpp>
 
+#include "files/replaced.hpp"
 #include "temporary_file.hpp"
 
 namespace vectrix::orbit_ephemeris_message_test {
@@ -132,11 +133,6 @@ using earth::Eme2000, earth::Gcrf, earth::Itrf, earth::Teme;
 
 inline const auto gap = 3600.0 * si::second;
 
-inline std::string replaced(std::string text, const std::string& old, const std::string& by) {
-  const auto at = text.find(old);
-  EXPECT_NE(at, std::string::npos) << old;
-  return text.replace(at, old.size(), by);
-}
 inline std::string complaint_of(const std::string& text) {
   return complaint([&] { return Message::parse(text); });
 }

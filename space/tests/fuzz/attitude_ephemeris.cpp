@@ -16,9 +16,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   const fuzz::InputFile file(bytes, size);
   const auto message = fuzz::accepted([&] { return AttitudeEphemerisMessage::read(file.path()); });
   if (!message) return 0;
-  // Before 1960 there is no text in UTC.
-  const auto text = fuzz::accepted([&] { return message->text(); });
-  if (text && AttitudeEphemerisMessage::parse(*text).text() != *text) std::abort();
+  const std::string text = message->text();
+  if (AttitudeEphemerisMessage::parse(text).text() != text) std::abort();
   constexpr double rounding = 1e-15;
   for (const auto& segment : message->segments()) {
     const auto a = called<Reference>(segment.ref_frame_a());
@@ -27,7 +26,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
     for (const auto& sample : nearest.samples) {
       if (!(std::abs(sample.q_a_from_b.eigen().norm() - 1.0) < rounding)) std::abort();
     }
-    fuzz::accepted([&] { return segment.samples<Reference, Body>(a, b); });
+    if (nearest.distance <= unit_norm_tolerance) static_cast<void>(segment.samples<Reference, Body>(a, b));
     fuzz::accepted([&] { return segment.angular_velocities<Reference, Body>(in<Body>, a, b); });
   }
   return 0;

@@ -173,21 +173,24 @@ TEST(Sgp4, PathHasTheDerivativesOfThePosition) {
   }
 }
 
-TEST(Sgp4, IsAnEdgeOfAGraphWithTheDerivativesOfThePosition) {
+TEST(Sgp4, IsAnEdgeOfAGraphAndSoIsItsPath) {
   const auto set = sets().front();
   const Orbit orbit(set, ten_days);
   const Epoch t = after(orbit.elements(), 100.0);
-  const auto graph = frame_graph(edge(orbit));
-  const auto now = graph.at(t);
-  const auto path = orbit.path(t);
   using earth::Teme;
-  EXPECT_EQ(now.position(of<Ship>, relative_to<Teme>, in<Teme>).coordinates(),
-            path.motion.position.coordinates());
-  EXPECT_EQ(now.velocity(of<Ship>, relative_to<Teme>, observed_from<Teme>, in<Teme>).coordinates(),
-            path.motion.velocity.coordinates());
-  EXPECT_EQ(now.acceleration(of<Ship>, relative_to<Teme>, observed_from<Teme>, in<Teme>).coordinates(),
-            path.acceleration.coordinates());
-  EXPECT_EQ(now.rotation(to<Teme>, from<Ship>).matrix(), Eigen::Matrix3d::Identity());
+  const auto velocity = [&](const auto& graph) {
+    return graph.at(t).velocity(of<Ship>, relative_to<Teme>, observed_from<Teme>, in<Teme>).coordinates();
+  };
+  const auto published = frame_graph(edge(orbit));
+  EXPECT_EQ(published.at(t).position(of<Ship>, relative_to<Teme>, in<Teme>).coordinates(),
+            orbit.at(t).position.coordinates());
+  EXPECT_EQ(velocity(published), orbit.at(t).velocity.coordinates());
+  EXPECT_EQ(published.at(t).rotation(to<Teme>, from<Ship>).matrix(), Eigen::Matrix3d::Identity());
+  const auto exact = frame_graph(edge(path(orbit)));
+  EXPECT_EQ(velocity(exact), orbit.path(t).motion.velocity.coordinates());
+  EXPECT_EQ(
+      exact.at(t).acceleration(of<Ship>, relative_to<Teme>, observed_from<Teme>, in<Teme>).coordinates(),
+      orbit.path(t).acceleration.coordinates());
 }
 
 // What is published as velocity is not the derivative of the position, and how far it is from it.

@@ -7,6 +7,7 @@
 
 #include <vectrix/frames/errors.hpp>
 #include <vectrix/kinematics.hpp>
+#include <vectrix/space/earth/frames_of_date.hpp>
 #include <vectrix/space/sky/ephemeris.hpp>
 
 #include "temporary_file.hpp"

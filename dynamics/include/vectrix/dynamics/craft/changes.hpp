@@ -87,8 +87,9 @@ detail::Change<detail::Clock, F> every(const Quantity<si::time>& period, F updat
 }
 
 /// A change of a held value at the given times: becomes(x), or a function as every() takes it. Times before
-/// the start of a run, or not before its end, have no effect. Throws BadInput unless they are finite
-/// and increase.
+/// the start of a run, or not before its end, have no effect. Times too close for the rounding of time are
+/// one instant; each of them still sees what the one before gave. Throws BadInput unless they are finite and
+/// increase.
 template <class F>
 detail::Change<detail::TimeList, F> at_times(const std::vector<Quantity<si::time>>& times, F update) {
   return {{detail::checked_times(times)}, std::move(update)};

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <array>
 #include <concepts>
 #include <cstddef>
+#include <functional>
 #include <tuple>
 #include <type_traits>
 #include <utility>
@@ -32,23 +34,48 @@ template <class G, class F> struct PartOf<Change<Zero<G>, F>> {
   static constexpr bool load = false, held = false, ticks = false, zero = true;
 };
 
-/// What a zero or a settling value of a load sees: an instant with its accelerations, under all loads.
-template <CraftType C> struct Solved {
-  Solved(const Now<C>& at, const double* ydot = nullptr) : now(at), rates(ydot) {}
+/// An instant with the derivative of its state under all loads.
+template <CraftType C> struct Accelerated {
   Now<C> now;
-  const double* rates;  ///< the derivative of the state
+  const std::array<double, C::state_size>& rates;
 };
-/// At the start of each smooth segment, after all changes, a held value that is X{} may become another at
-/// once: what the function of const Solved<C>& gives. A joint that sticks breaks away when its load jumps.
-template <class F> struct Settling { F function; };
-template <class F> Settling<F> settling(const F& function) {
-  return {function};
+/// What a zero or a settling value of a load sees: an instant, and its accelerations if the held X were `x`.
+/// They are solved when they are asked for; those of the held X once for all functions that see the instant.
+template <CraftType C, class X> struct Solved {
+  Now<C> now;
+  std::function<Accelerated<C>(const X& x)> with;  ///< it overwrites what it gave before
+};
+/// What a function of the state with these arguments sees: Solved if it takes one, else Now<C>.
+template <class C, class Arguments> struct SeenBy : std::type_identity<Now<C>> {};
+template <class C, class X, class... Rest>
+struct SeenBy<C, std::tuple<Solved<C, X>, Rest...>> : std::type_identity<Solved<C, X>> {};
+/// At the start of each smooth segment, after all changes, X may settle: `ends` says which X is no longer
+/// what it was, as a joint that is at rest no longer slips, and becomes X{}; then an X{} may become another,
+/// what `begins` gives: a joint breaks away when its load jumps.
+template <class Ends, class Begins> struct Settling {
+  Ends ends;
+  Begins begins;
+};
+template <class Ends, class Begins> Settling<Ends, Begins> settling(const Ends& ends, const Begins& begins) {
+  return {ends, begins};
 }
-template <class F> struct PartOf<Settling<F>> {
+template <class Part> inline constexpr bool is_settling = false;
+template <class Ends, class Begins> inline constexpr bool is_settling<Settling<Ends, Begins>> = true;
+template <class Ends, class Begins> struct PartOf<Settling<Ends, Begins>> {
   static constexpr bool load = false, held = false, ticks = false, zero = false;
 };
-template <class Part> inline constexpr bool is_settling = false;
-template <class F> inline constexpr bool is_settling<Settling<F>> = true;
+
+/// While the held X is X{}, a number of the state is zero, as the speed of a joint that sticks: what it is
+/// when X becomes X{}, as the time of the zero is rounded, it is no longer.
+template <class X> struct StandsStill {
+  using held = X;
+  std::size_t at;
+};
+template <class Part> inline constexpr bool stands_still = false;
+template <class X> inline constexpr bool stands_still<StandsStill<X>> = true;
+template <class X> struct PartOf<StandsStill<X>> {
+  static constexpr bool load = false, held = false, ticks = false, zero = false;
+};
 
 template <class... Types> using Joined = decltype(std::tuple_cat(std::declval<Types>()...));
 template <class Part> struct HeldType { using type = std::tuple<>; };
@@ -90,8 +117,9 @@ template <class U> inline constexpr bool is_size<Quantity<U>> = true;
 template <class C, class G, class Tuple> struct GivesSize;
 template <class C, class G, class... X> struct GivesSize<C, G, std::tuple<X...>> {
   static constexpr bool test() {
-    if constexpr (std::invocable<const G&, const Now<C>&, const X&...>)
-      return is_size<std::remove_cvref_t<std::invoke_result_t<const G&, const Now<C>&, const X&...>>>;
+    using Seen = typename SeenBy<C, Arguments<G>>::type;
+    if constexpr (std::invocable<const G&, const Seen&, const X&...>)
+      return is_size<std::remove_cvref_t<std::invoke_result_t<const G&, const Seen&, const X&...>>>;
     else
       return false;
   }
@@ -134,7 +162,11 @@ template <class C, class HeldTuple, class F>
 struct FaultOfUpdate<C, HeldTuple, F> {
   using type = Nothing;
 };
-template <class C, class HeldTuple, class F> struct FaultOfPart<C, HeldTuple, Settling<F>> {
+template <class C, class HeldTuple, class Ends, class Begins>
+struct FaultOfPart<C, HeldTuple, Settling<Ends, Begins>> {
+  using type = Nothing;
+};
+template <class C, class HeldTuple, class X> struct FaultOfPart<C, HeldTuple, StandsStill<X>> {
   using type = Nothing;
 };
 template <class C, class HeldTuple, class Trigger, class F>

@@ -17,6 +17,10 @@ inline Square3 numbers(const Eigen::Matrix3d& m) {
   return {numbers(Eigen::Vector3d(m.col(0))), numbers(Eigen::Vector3d(m.col(1))),
           numbers(Eigen::Vector3d(m.col(2)))};
 }
+/// The six numbers of a symmetric matrix.
+inline multibody::Symmetric<double> symmetric(const Eigen::Matrix3d& m) {
+  return {m(0, 0), m(1, 1), m(2, 2), m(0, 1), m(0, 2), m(1, 2)};
+}
 inline Eigen::Vector3d eigen(const Column3& v) {
   return {v.x, v.y, v.z};
 }

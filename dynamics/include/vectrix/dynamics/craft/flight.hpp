@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <deque>
+#include <limits>
 #include <memory>
 #include <span>
 #include <tuple>
@@ -57,10 +58,11 @@ template <CraftType C, class... Loads>
 CraftRates<C, Loads...> rates_under(const C& craft, const std::tuple<Loads...>& loads) {
   return std::apply([&](const Loads&... load) { return CraftRates<C, Loads...>(craft, load...); }, loads);
 }
-/// Whether a function sees the accelerations.
-template <class C, class Arguments> inline constexpr bool sees_accelerations = false;
-template <class C, class... Rest>
-inline constexpr bool sees_accelerations<C, std::tuple<Solved<C>, Rest...>> = true;
+/// The held X with which a function sees the accelerations; void if it does not see them.
+template <class C, class Arguments> struct SolvesWith { using type = void; };
+template <class C, class X, class... Rest> struct SolvesWith<C, std::tuple<Solved<C, X>, Rest...>> {
+  using type = X;
+};
 
 /// The values that a run holds, and their changes. Its loads, roots and changes refer to it.
 template <CraftType C, class... Parts> class Flight {
@@ -83,14 +85,17 @@ template <CraftType C, class... Parts> class Flight {
               return Runnings{Running<std::remove_cvref_t<decltype(part)>>(part, start, end)...};
             },
             parts_)),
-        rates_(rates_under(scenario.craft(), loads())) {
+        rates_(rates_under(scenario.craft(), held_loads(parts_, values_))) {
     std::apply([&](const auto&... value) { (record(start, value), ...); }, values_);
   }
   Flight(const Flight&) = delete;
   Flight& operator=(const Flight&) = delete;
 
-  auto loads() const { return held_loads(parts_, values_); }
-
+  /// The derivative of the state under the loads, with the values that are held now.
+  void rates(double t, const double* y, double* ydot) {
+    solved_ = false;
+    rates_(t, y, ydot);
+  }
   std::vector<double> breakpoints(double start, double end) const {
     std::vector<const TickList*> lists;
     for_each_part([&]<std::size_t i>() {
@@ -106,7 +111,7 @@ template <CraftType C, class... Parts> class Flight {
     return roots;
   }
   /// All changes that are due see the values from before.
-  void change(double t, std::span<const double> y, std::span<const ode::Event> ended_by) {
+  void change(double t, std::span<double> y, std::span<const ode::Event> ended_by) {
     if constexpr (!std::is_same_v<HeldTuple, std::tuple<>>) {
       const Now<C> now = now_at(t, y);
       HeldTuple next = values_;
@@ -116,6 +121,7 @@ template <CraftType C, class... Parts> class Flight {
         if constexpr (PartOf<Part<i>>::ticks) tick(std::get<i>(parts_), std::get<i>(running_), now, next);
       });
       values_ = std::move(next);
+      solved_ = false;
       settle(t, y);
     }
   }
@@ -139,37 +145,74 @@ template <CraftType C, class... Parts> class Flight {
     (std::index_sequence_for<Parts...>{});
   }
 
+  /// An instant is placed once for all functions that see it.
   Now<C> now_at(double t, std::span<const double> y) {
-    core_->tree.place(y.data(), work_);
-    return {trusted, *core_, t, y.data(), work_};
+    if (!(t == t_ && std::equal(y.begin(), y.end(), y_.begin()))) {
+      t_ = t;
+      std::copy(y.begin(), y.end(), y_.begin());
+      core_->tree.place(y_.data(), work_);
+      solved_ = false;
+    }
+    return {trusted, *core_, t_, y_.data(), work_};
   }
-  Solved<C> solved_at(double t, std::span<const double> y) {
-    rates_(t, y.data(), ydot_.data());
-    return {Now<C>{trusted, *core_, t, y.data(), rates_.work()}, ydot_.data()};
+  template <class X> Solved<C, X> solved_at(double t, std::span<const double> y) {
+    return {now_at(t, y), [this](const X& x) { return solve_with(x); }};
   }
-  void settle(double t, std::span<const double> y) {
+  template <class X> Accelerated<C> solve_with(const X& x) {
+    X& value = std::get<X>(values_);
+    const bool as_held = value == x;
+    if (!(as_held && solved_)) {
+      struct Restored {
+        X& value;
+        X held;
+        ~Restored() { value = std::move(held); }
+      } restored{value, std::exchange(value, x)};
+      solved_ = false;
+      rates_(t_, y_.data(), ydot_.data());
+      solved_ = as_held;
+    }
+    return {{trusted, *core_, t_, y_.data(), rates_.work()}, ydot_};
+  }
+  void settle(double t, std::span<double> y) {
     bool settled = true;
-    const auto one = [&]<class Part>(const Part& part) {
+    const auto end = [&]<class Part>(const Part& part) {
       if constexpr (is_settling<Part>) {
-        using X = decltype(part.function(std::declval<const Solved<C>&>()));
+        using X = typename UpdateOf<decltype(part.begins)>::result;
         X& value = std::get<X>(values_);
-        if (!(value == X{})) return;
-        value = part.function(solved_at(t, y));
-        if (value == X{}) return;
+        if (value == X{} || !part.ends(now_at(t, y), value)) return;
+        value = X{};
         record(t, value);
-        settled = false;
       }
     };
+    const auto begin = [&]<class Part>(const Part& part) {
+      if constexpr (is_settling<Part>) {
+        using X = typename UpdateOf<decltype(part.begins)>::result;
+        X& value = std::get<X>(values_);
+        if (!(value == X{})) return;
+        X next = part.begins(solved_at<X>(t, y));
+        if (next == X{}) return;
+        value = std::move(next);
+        record(t, value);
+        settled = solved_ = false;
+      }
+    };
+    const auto stand_still = [&]<class Part>(const Part& part) {
+      if constexpr (stands_still<Part>)
+        if (std::get<typename Part::held>(values_) == typename Part::held{}) y[part.at] = 0.0;
+    };
+    std::apply([&](const auto&... part) { (end(part), ...); }, parts_);
+    std::apply([&](const auto&... part) { (stand_still(part), ...); }, parts_);
     do {
       settled = true;
-      std::apply([&](const auto&... part) { (one(part), ...); }, parts_);
+      std::apply([&](const auto&... part) { (begin(part), ...); }, parts_);
     } while (!settled);
   }
-  template <class F> typename UpdateOf<F>::result found(const F& update, const Now<C>& now) const {
+  template <class F>
+  static typename UpdateOf<F>::result found(const F& update, const Now<C>& now, const HeldTuple& values) {
     if constexpr (is_becomes<F>)
       return update.value;
     else
-      return with_held(std::type_identity<Taken<1, F>>{}, update, values_, now);
+      return with_held(std::type_identity<Taken<1, F>>{}, update, values, now);
   }
   template <class X> void put(HeldTuple& next, double t, X value) {
     record(t, value);
@@ -182,15 +225,21 @@ template <CraftType C, class... Parts> class Flight {
     else
       history.push_back({t, value});
   }
+  /// Of several ticks of one list at one instant each sees what the one before gave. Those of a clock, which
+  /// may have a latency, are at instants of their own.
   template <class Trigger, class F>
   void tick(const Change<Trigger, F>& change, Running<Change<Trigger, F>>& running, const Now<C>& now,
             HeldTuple& next) {
+    using X = typename UpdateOf<F>::result;
     const double t = now.time().value();
     const auto due = [&](std::size_t tick, double latency) {
       const auto& times = running.list.times;
       return tick < times.size() && times[tick] + latency <= t + apart_;
     };
-    for (; due(running.sampled, 0.0); ++running.sampled) running.waiting.push_back(found(change.update, now));
+    for (HeldTuple seen = values_; due(running.sampled, 0.0); ++running.sampled) {
+      running.waiting.push_back(found(change.update, now, seen));
+      std::get<X>(seen) = running.waiting.back();
+    }
     for (; due(running.applied, running.list.latency); ++running.applied) {
       put(next, t, std::move(running.waiting.front()));
       running.waiting.pop_front();
@@ -202,16 +251,17 @@ template <CraftType C, class... Parts> class Flight {
     if constexpr (!is_effect<F>) {
       const auto is_this = [&](const ode::Event& event) { return event.root == root; };
       if (std::any_of(ended_by.begin(), ended_by.end(), is_this))
-        put(next, now.time().value(), found(change.update, now));
+        put(next, now.time().value(), found(change.update, now, values_));
     }
   }
   template <class G, class F> ode::Root root(const Change<Zero<G>, F>& change) {
     const auto value = [this, &g = change.trigger.function](double t, std::span<const double> y) -> double {
       const auto at = [&] {
-        if constexpr (sees_accelerations<C, Arguments<G>>)
-          return solved_at(t, y);
-        else
+        using X = typename SolvesWith<C, Arguments<G>>::type;
+        if constexpr (std::is_void_v<X>)
           return now_at(t, y);
+        else
+          return solved_at<X>(t, y);
       };
       const auto found = with_held(std::type_identity<Taken<1, G>>{}, g, values_, at());
       if constexpr (std::is_convertible_v<decltype(found), double>)
@@ -229,7 +279,9 @@ template <CraftType C, class... Parts> class Flight {
   HeldTuple values_;
   Runnings running_;
   Rates rates_;
-  std::array<double, C::state_size> ydot_{};
+  double t_ = std::numeric_limits<double>::quiet_NaN();  ///< the instant of work_, and of rates_ if solved_
+  std::array<double, C::state_size> y_{}, ydot_{};
+  bool solved_ = false;
   typename HistoryOf<HeldTuple>::type history_;
 };
 

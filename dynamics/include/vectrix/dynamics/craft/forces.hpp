@@ -140,7 +140,8 @@ template <CraftType C> class Forces {
       work_->locked_rotors[Shape::template spin_at<B> - Shape::rotors_begin] = 1;
     } else {
       constexpr std::size_t end = Shape::template link_of<B>();
-      for (std::size_t i = end - Shape::template Part<B>::counts.links; i < end; ++i) work_->held[i] = 1;
+      for (std::size_t i = end - Shape::template Part<B>::counts.links; i < end; ++i)
+        work_->locked_links[i] = 1;
     }
   }
   template <class B>

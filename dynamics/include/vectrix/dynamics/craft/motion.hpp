@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <memory>
@@ -40,7 +39,6 @@ template <class C, class... Loads> class CraftRates {
       : core_(craft.core()), work_(core_->tree.work()), loads_(loads...) {}
 
   void operator()(double t, const double* y, double* ydot) {
-    std::fill(work_.held.begin(), work_.held.end(), char{0});
     core_->tree.place(y, work_);
     if constexpr (sizeof...(Loads) > 0) {
       const Now<C> now{trusted, *core_, t, y, work_};

@@ -53,12 +53,10 @@ typename detail::TrajectoryOf<C, detail::HeldTypes<Parts...>>::type propagate(
   detail::Flight<C, Parts...> flight(scenario, problem.start, problem.end);
   problem.breakpoints = flight.breakpoints(problem.start, problem.end);
   problem.roots = flight.roots();
-  problem.at_segment_start = [&](double t, std::span<const double> y, std::span<const ode::Event> ended_by) {
+  problem.at_segment_start = [&](double t, std::span<double> y, std::span<const ode::Event> ended_by) {
     flight.change(t, y, ended_by);
   };
-  auto rates =
-      std::apply([&](const auto&... load) { return detail::CraftRates(craft, load...); }, flight.loads());
-  auto rhs = [&rates](double, double t, auto y, auto ydot) { rates(t, y.data(), ydot.data()); };
+  auto rhs = [&flight](double, double t, auto y, auto ydot) { flight.rates(t, y.data(), ydot.data()); };
   try {
     if (!ode::is_inlined(how.method)) problem.rhs = rhs;
     ode::Solution solution = problem.rhs ? ode::solve(problem) : ode::solve<N>(problem, rhs);

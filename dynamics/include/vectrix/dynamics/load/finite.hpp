@@ -26,6 +26,10 @@ template <class P, class D> bool all_finite(const Wrench<P, D>& W) {
   return all_finite(W.force()) && all_finite(W.torque());
 }
 
+/// For two numbers that may differ in their last digits only.
+template <class U> std::string all_digits(const Quantity<U>& x) {
+  return text(x.value()) + " " + unit_symbol<U>;
+}
 /// The value itself. Throws BadInput, as "spring: the stiffness is nan", if it is not finite.
 template <class Value> const Value& finite(const char* load, const char* what, const Value& value) {
   if (!all_finite(value)) throw BadInput(std::string{load} + ": the " + what + " is " + text(value));

@@ -1,37 +1,32 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <string>
 #include <tuple>
 #include <type_traits>
 #include <vectrix/dynamics/craft/craft_scenario.hpp>
 #include <vectrix/dynamics/load/act.hpp>
 #include <vectrix/dynamics/load/finite.hpp>
+#include <vectrix/dynamics/load/joint_units.hpp>
 
 namespace vectrix {
 
 /// The held value of the friction on a joint or a rotor: it sticks, or it slips forwards or backwards.
 template <class On> struct StickSlip {
-  int slips = 0;  ///< 0: it sticks; else the sign of its speed
+  int slips = 0;      ///< 0: it sticks; else the sign of its speed
+  double from = 0.0;  ///< its speed times that sign when it broke away: 0, or a rounding below
   bool operator==(const StickSlip&) const = default;
 };
 
 namespace detail {
 
-template <class C, class On>
-inline constexpr bool turns_with_friction =
-    C::shape::template has_joint_of<On, JointKind::hinge> || C::shape::template has_rotor<On>;
-template <class C, class On>
-inline constexpr bool slides_with_friction = C::shape::template has_joint_of<On, JointKind::slider>;
-
-/// Whether the units are those of the effort and the speed of a hinge or rotor, or of a slider.
 template <class C, class On, class Effort, class Speed, class Damping> constexpr bool is_friction() {
-  if constexpr (std::is_same_v<unit_product<Damping, Speed>, Effort>)
-    return (turns_with_friction<C, On> && std::is_same_v<Effort, si::torque> &&
-            std::is_same_v<Speed, si::angular_velocity>) ||
-           (slides_with_friction<C, On> && std::is_same_v<Effort, si::force> &&
-            std::is_same_v<Speed, si::velocity>);
+  using Units = AxisUnits<C, On, true>;
+  if constexpr (is_damping<Units, Damping>())
+    return std::is_same_v<Effort, typename Units::effort> && std::is_same_v<Speed, typename Units::speed>;
   return false;
 }
 
@@ -40,6 +35,14 @@ template <class C, class On> double speed_of(const Now<C>& now) {
     return now.spin(of<On>).value();
   else
     return now.speed(of<On>).value();
+}
+
+/// Where the speed is among the numbers of the state.
+template <class C, class On> constexpr std::size_t speed_number() {
+  if constexpr (C::shape::template has_rotor<On>)
+    return C::shape::template spin_at<On>;
+  else
+    return C::shape::template speed_at<On>;
 }
 
 /// The effort that keeps the speed of a locked joint or rotor, besides what the loads apply.
@@ -57,7 +60,8 @@ template <class C, class On> double sticking_effort(const Now<C>& now) {
   } else {
     constexpr std::size_t link = Shape::template link_of<On>();
     const auto transmitted = tree.reaction(static_cast<int>(link), work);
-    const auto& along = turns_with_friction<C, On> ? transmitted.torque : transmitted.force;
+    constexpr bool turns = Shape::template has_joint_of<On, JointKind::hinge>;
+    const auto& along = turns ? transmitted.torque : transmitted.force;
     return multibody::dot(work.links[link - 1].axis, along) -
            work.efforts[Shape::template speed_at<On> - Shape::speeds_begin];
   }
@@ -71,52 +75,77 @@ template <CraftType C, class On, class Effort, class Speed, class Damping> struc
   Quantity<Speed> stribeck_speed;
   Quantity<Damping> viscous;
 
+  /// At rest exactly M_s.
   Quantity<Effort> effort(int slips, double speed) const {
     const double of_stribeck = speed / stribeck_speed.value();
     const double level =
-        coulomb.value() + (breakaway.value() - coulomb.value()) * std::exp(-of_stribeck * of_stribeck);
+        breakaway.value() + (breakaway.value() - coulomb.value()) * std::expm1(-of_stribeck * of_stribeck);
     return Quantity<Effort>::from_value(-slips * level - viscous.value() * speed);
   }
 
+  using State = StickSlip<On>;
+  using Solved = detail::Solved<C, State>;
+  static constexpr double least = std::numeric_limits<double>::min();
+
+  /// By how much the effort that keeps it at rest is above M_s; negative unless it then also begins to slip
+  /// that way, which rounding may prevent.
+  double excess(const Solved& at) const {
+    const double above = std::abs(detail::sticking_effort<C, On>(at.with(State{}).now)) - breakaway.value();
+    if (above > 0.0 && slips_first(at) != 0) return above;
+    return std::min(above, -least);
+  }
+  /// The direction in which it begins to slip from rest; 0: it stays there.
+  int slips_first(const Solved& at) const {
+    const double effort = detail::sticking_effort<C, On>(at.with(State{}).now);
+    if (!(std::abs(effort) > breakaway.value())) return 0;
+    const int slips = effort < 0.0 ? 1 : -1;
+    return slips * at.with(State{slips}).rates[detail::speed_number<C, On>()] > 0.0 ? slips : 0;
+  }
+
   template <std::size_t> auto parts() const {
-    using State = StickSlip<On>;
+    const auto speed = [](const Now<C>& now) { return detail::speed_of<C, On>(now); };
     const auto load = [law = *this](const Now<C>& now, Forces<C>& forces, const State& state) {
       if (state.slips == 0)
         forces.lock(of<On>);
       else
         detail::act<On>(forces, law.effort(state.slips, detail::speed_of<C, On>(now)));
     };
-    const auto at_first = [](const Now<C>& now) {
-      const double speed = detail::speed_of<C, On>(now);
-      return State{(speed > 0.0) - (speed < 0.0)};
+    const auto at_first = [speed](const Now<C>& now) {
+      return State{(speed(now) > 0.0) - (speed(now) < 0.0)};
     };
-    const auto slipping = [](const Now<C>& now, const State& state) {
-      return state.slips == 0 ? 1.0 : state.slips * detail::speed_of<C, On>(now);
+    const auto slipping = [speed](const Now<C>& now, const State& state) {
+      return state.slips == 0 ? 1.0 : state.slips * speed(now) - state.from + least;
     };
-    const auto excess = [limit = breakaway.value()](const detail::Solved<C>& at, const State& state) {
-      return state.slips == 0 ? std::abs(detail::sticking_effort<C, On>(at.now)) - limit : -limit;
-    };
-    const auto breaking = [limit = breakaway.value()](const detail::Solved<C>& at) {
-      const double effort = detail::sticking_effort<C, On>(at.now);
-      return State{std::abs(effort) < limit ? 0 : effort < 0.0 ? 1 : -1};
+    const auto breaking = [law = *this](const Solved& at, const State& state) {
+      return state.slips == 0 ? law.excess(at) : -1.0;
     };
     const auto as_it_is = [](const Now<C>&, const State& state) { return state; };
+    const auto rests = [speed](const Now<C>& now, const State& state) {
+      return !(state.slips * speed(now) > 0.0);
+    };
+    const auto begins = [law = *this, speed](const Solved& at) {
+      const int slips = law.slips_first(at);
+      return State{slips, std::min(slips * speed(at.now), 0.0)};
+    };
     const std::string name = frame_name<On>();
     return std::tuple{held(State{}),
                       load,
                       at_start(at_first),
                       when(name + " comes to rest", slipping, ode::Direction::falling, becomes(State{})),
-                      when(name + " breaks away", excess, ode::Direction::rising, as_it_is),
-                      detail::settling(breaking)};
+                      when(name + " breaks away", breaking, ode::Direction::rising, as_it_is),
+                      detail::StandsStill<State>{detail::speed_number<C, On>()},
+                      detail::settling(rests, begins)};
   }
 };
 
 /// Friction of Coulomb, Stribeck and viscous on a hinge, a slider or a rotor with the speed u:
 ///     M = -sign(u) (M_c + (M_s - M_c) exp(-(u/u_s)^2)) - c u
-/// At rest it sticks, and keeps at rest exactly, until the effort that this needs reaches the breakaway
-/// effort M_s, also by a jump of another load. Whether it sticks is the held value StickSlip<On>; the zeros
-/// are events of the run. Coulomb's law alone has M_s = M_c and any u_s. Throws BadInput for a number that is
-/// not finite, negative, or 0 for M_s or u_s, and if M_s < M_c.
+/// At rest it sticks, with a speed of exactly zero, until the effort that this needs is above the breakaway
+/// effort M_s, also by a jump of another load; it then slips in the direction of the effort. The speed that
+/// is left at the rounded time at which it comes to rest is set to zero, and the momentum loses it. Whether
+/// it sticks is the held value StickSlip<On>; the zeros are events of the run. Coulomb's law alone has M_s =
+/// M_c and any u_s. Throws BadInput for a number that is not finite, negative, or 0 for M_s or u_s, and if
+/// M_s < M_c.
 template <CraftType C, class On, class Effort, class Speed, class Damping>
   requires(detail::is_friction<C, On, Effort, Speed, Damping>())
 JointFriction<C, On, Effort, Speed, Damping> friction(const C&, Of<On>, const Quantity<Effort>& coulomb,
@@ -126,8 +155,8 @@ JointFriction<C, On, Effort, Speed, Damping> friction(const C&, Of<On>, const Qu
   detail::not_negative("friction", "Coulomb effort", coulomb);
   detail::positive("friction", "breakaway effort", breakaway);
   if (breakaway < coulomb)
-    throw BadInput("friction: the breakaway effort is " + detail::text(breakaway) +
-                   ", less than the Coulomb effort, " + detail::text(coulomb));
+    throw BadInput("friction: the breakaway effort is " + detail::all_digits(breakaway) +
+                   ", less than the Coulomb effort, " + detail::all_digits(coulomb));
   detail::positive("friction", "Stribeck speed", stribeck_speed);
   detail::not_negative("friction", "viscous damping", viscous);
   return {coulomb, breakaway, stribeck_speed, viscous};

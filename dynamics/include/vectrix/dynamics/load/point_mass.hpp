@@ -34,10 +34,10 @@ template <CraftType C> class PointMassAttraction {
   PointMassAttraction(detail::Trusted, const C& craft, const Quantity<si::gravitational_parameter>& mu)
       : mu_(mu) {
     const PlainSpacecraft& plain = craft.core()->plain;
-    bodies_[0] = {plain.mass, detail::numbers(plain.r_hc_h), symmetric(plain.J_c_h)};
+    bodies_[0] = {plain.mass, detail::numbers(plain.r_hc_h), detail::symmetric(plain.J_c_h)};
     for (std::size_t i = 1; i < bodies; ++i) {
       const PlainBody& body = plain.bodies[i - 1];
-      bodies_[i] = {body.mass, detail::numbers(body.r_bc_b), symmetric(body.J_c_b)};
+      bodies_[i] = {body.mass, detail::numbers(body.r_bc_b), detail::symmetric(body.J_c_b)};
     }
   }
 
@@ -53,9 +53,6 @@ template <CraftType C> class PointMassAttraction {
   }
 
  private:
-  static multibody::Symmetric<double> symmetric(const Eigen::Matrix3d& m) {
-    return {m(0, 0), m(1, 1), m(2, 2), m(0, 1), m(0, 2), m(1, 2)};
-  }
   template <class Function> static void each_part(const Function& function) {
     [&]<class... Part>(std::type_identity<std::tuple<Part...>>) {
       (function(std::type_identity<Part>{}), ...);

@@ -1,24 +1,9 @@
 #pragma once
 
-#include <type_traits>
-#include <vectrix/dynamics/craft/forces.hpp>
 #include <vectrix/dynamics/load/finite.hpp>
+#include <vectrix/dynamics/load/joint_units.hpp>
 
 namespace vectrix {
-namespace detail {
-
-/// Whether b hangs on a hinge or slider of the craft, and its effort is P times a Q.
-template <class C, class B, class P, class Q> constexpr bool is_effort_per() {
-  using Shape = typename C::shape;
-  if constexpr (Shape::template has_joint_of<B, JointKind::hinge>) {
-    return std::is_same_v<unit_product<P, Q>, si::torque>;
-  } else {
-    return Shape::template has_joint_of<B, JointKind::slider> &&
-           std::is_same_v<unit_product<P, Q>, si::force>;
-  }
-}
-
-}  // namespace detail
 
 /// A load: the effort -k (q - q_0) on a hinge or slider.
 template <CraftType C, class B, class K, class Q> struct JointSpring {
@@ -39,7 +24,7 @@ template <CraftType C, class B, class D> struct JointDamper {
 /// A spring on the joint of b, N m/rad or N/m, and where it is at rest. Throws BadInput for a number that is
 /// not finite.
 template <CraftType C, class B, class K, class Q>
-  requires(detail::is_effort_per<C, B, K, Q>())
+  requires(detail::is_stiffness<C, B, K, Q>())
 JointSpring<C, B, K, Q> spring(const C&, Of<B>, const Quantity<K>& stiffness, const Quantity<Q>& at_rest) {
   return {detail::finite("spring", "stiffness", stiffness),
           detail::finite("spring", "place of rest", at_rest)};
@@ -50,8 +35,7 @@ auto spring(  // spring(craft, of<B>, k, q_0): b on a hinge, N m/rad and rad, or
 
 /// A damper on the joint of b, N m s/rad or N s/m. Throws BadInput for a number that is not finite.
 template <CraftType C, class B, class D>
-  requires(detail::is_effort_per<C, B, D, si::angular_velocity>() ||
-           detail::is_effort_per<C, B, D, si::velocity>())
+  requires(detail::is_damping<detail::AxisUnits<C, B>, D>())
 JointDamper<C, B, D> damper(const C&, Of<B>, const Quantity<D>& damping) {
   return {detail::finite("damper", "damping", damping)};
 }

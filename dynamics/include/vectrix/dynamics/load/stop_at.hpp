@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <string>
 #include <tuple>
 #include <vectrix/dynamics/craft/craft_scenario.hpp>
 #include <vectrix/dynamics/load/finite.hpp>
-#include <vectrix/dynamics/load/springs.hpp>
+#include <vectrix/dynamics/load/joint_units.hpp>
 
 namespace vectrix {
 
@@ -27,6 +28,9 @@ template <CraftType C, class B, class K, class D, class Q> struct JointStops {
     const double q = now.coordinate(of<B>).value();
     return side > 0 ? q - upper.value() : lower.value() - q;
   }
+  /// Smaller than any p > 0: while a stop does not push, its zero is not reached, also where p is 0.
+  static constexpr double least = std::numeric_limits<double>::min();
+
   /// k p + c p'
   double push(int side, const Now<C>& now) const {
     return stiffness.value() * beyond(side, now) + damping.value() * side * now.speed(of<B>).value();
@@ -42,8 +46,9 @@ template <CraftType C, class B, class K, class D, class Q> struct JointStops {
       for (const int side : {1, -1}) {
         const double beyond = stops.beyond(side, now);
         if (beyond > 0.0)
-          throw BadInput("stop_at: " + frame_name<B>() + " starts at " + detail::text(now.coordinate(of<B>)) +
-                         ", outside [" + detail::text(stops.lower) + ", " + detail::text(stops.upper) + "]");
+          throw BadInput("stop_at: " + frame_name<B>() + " starts at " +
+                         detail::all_digits(now.coordinate(of<B>)) + ", outside [" +
+                         detail::all_digits(stops.lower) + ", " + detail::all_digits(stops.upper) + "]");
         if (beyond == 0.0 && side * now.speed(of<B>).value() > 0.0) return State{side};
       }
       return State{};
@@ -51,18 +56,20 @@ template <CraftType C, class B, class K, class D, class Q> struct JointStops {
     const auto enters = [stops = *this](int side) {
       return [stops, side](const Now<C>& now, const State& at) {
         if (at.side != 0) return -1.0;
-        return std::min(stops.stiffness.value() * stops.beyond(side, now), stops.push(side, now));
+        return std::min(stops.beyond(side, now), stops.push(side, now)) - least;
       };
     };
     const auto leaves = [stops = *this](const Now<C>& now, const State& at) {
-      return at.side == 0 ? 1.0 : stops.push(at.side, now);
+      return at.side == 0 ? 1.0 : stops.push(at.side, now) + least;
     };
+    const auto stays = [](const Now<C>&, const State&) { return false; };
     // At rest exactly at a stop, to which it is pushed.
-    const auto leans = [stops = *this](const detail::Solved<C>& at) {
-      const double towards = at.rates[C::shape::template speed_at<B>];
-      const int side = towards > 0.0 ? 1 : -1;
-      const bool rests = stops.beyond(side, at.now) == 0.0 && at.now.speed(of<B>).value() == 0.0;
-      return State{rests && towards != 0.0 ? side : 0};
+    const auto leans = [stops = *this](const detail::Solved<C, State>& at) {
+      for (const int side : {1, -1}) {
+        if (stops.beyond(side, at.now) != 0.0 || at.now.speed(of<B>).value() != 0.0) continue;
+        if (side * at.with(State{}).rates[C::shape::template speed_at<B>] > 0.0) return State{side};
+      }
+      return State{};
     };
     const std::string name = frame_name<B>();
     return std::tuple{
@@ -72,7 +79,7 @@ template <CraftType C, class B, class K, class D, class Q> struct JointStops {
         when(name + " meets its upper stop", enters(1), ode::Direction::rising, becomes(State{1})),
         when(name + " meets its lower stop", enters(-1), ode::Direction::rising, becomes(State{-1})),
         when(name + " leaves its stop", leaves, ode::Direction::falling, becomes(State{})),
-        detail::settling(leans)};
+        detail::settling(stays, leans)};
   }
 };
 
@@ -82,15 +89,14 @@ template <CraftType C, class B, class K, class D, class Q> struct JointStops {
 /// AtStop<B> is held. Throws BadInput for a number that is not finite, a stiffness that is not positive, a
 /// negative damping, or limits that do not increase; a run that starts outside of them fails and says so.
 template <CraftType C, class B, class Q, class K, class D>
-  requires(detail::is_effort_per<C, B, K, Q>() && (detail::is_effort_per<C, B, D, si::angular_velocity>() ||
-                                                   detail::is_effort_per<C, B, D, si::velocity>()))
+  requires(detail::is_stiffness<C, B, K, Q>() && detail::is_damping<detail::AxisUnits<C, B>, D>())
 JointStops<C, B, K, D, Q> stop_at(const C&, Of<B>, const Quantity<Q>& lower, const Quantity<Q>& upper,
                                   const Quantity<K>& stiffness, const Quantity<D>& damping) {
   detail::finite("stop_at", "lower limit", lower);
   detail::finite("stop_at", "upper limit", upper);
   if (!(lower < upper))
-    throw BadInput("stop_at: the lower limit is " + detail::text(lower) + ", the upper " +
-                   detail::text(upper));
+    throw BadInput("stop_at: the lower limit is " + detail::all_digits(lower) + ", the upper " +
+                   detail::all_digits(upper));
   return {lower, upper, detail::positive("stop_at", "stiffness", stiffness),
           detail::not_negative("stop_at", "damping", damping)};
 }

@@ -68,6 +68,7 @@ template <class S> Work<S> Tree<S>::work() const {
   k.efforts.assign(layout_.speeds, S(0.0));
   k.motors.assign(layout_.rotors, S(0.0));
   k.modal.assign(layout_.modes, S(0.0));
+  k.locked_links = k.held;
   k.locked_rotors.assign(layout_.rotors, 0);
   k.field = zero_column<S>();
   k.unit = identity<S>();
@@ -114,6 +115,7 @@ template <class S> void Tree<S>::place(const S* y, Work<S>& k) const {
   for (S& effort : k.efforts) effort = S(0.0);
   for (S& motor : k.motors) motor = S(0.0);
   for (S& force : k.modal) force = S(0.0);
+  for (std::size_t i = 0; i < k.held.size(); ++i) k.locked_links[i] = k.held[i];
   for (char& locked : k.locked_rotors) locked = 0;
   k.field = zero_column<S>();
   place_hub(y, k);
@@ -177,7 +179,7 @@ template <class S> void Tree<S>::add_internals(const S* y, Work<S>& k) const {
 template <class S> void Tree<S>::inward(std::size_t i, Work<S>& k) const {
   const Link<S>& link = numbers_.links[i];
   Moving<S>& b = k.links[i];
-  if (!k.held[i]) {
+  if (!k.locked_links[i]) {
     with_kind(link.joint.kind, [&](auto kind) {
       kind.eliminate(rotation(link.parent, k),
                      k.efforts.data() + (layout_.speed_at[i] - layout_.speeds_begin()), b);
@@ -206,9 +208,9 @@ template <class S> void Tree<S>::outward(std::size_t i, S* ydot, Work<S>& k) con
     b.a = p.a + cross(b.alpha, b.r);
   }
   with_kind(link.joint.kind, [&](auto kind) {
-    if (k.held[i]) {
+    if (k.locked_links[i]) {
       const S* given = k.given.data() + (layout_.speed_at[i] - layout_.speeds_begin());
-      for (int n = 0; n < kind.speeds; ++n) udot[n] = given[n];
+      for (int n = 0; n < kind.speeds; ++n) udot[n] = k.held[i] ? given[n] : S(0.0);
     } else {
       kind.advance(rotation(link.parent, k), b, udot);
     }

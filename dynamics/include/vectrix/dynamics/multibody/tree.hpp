@@ -55,10 +55,11 @@ template <class S> struct Work {
   std::vector<char> held;  ///< by link
   std::vector<S> given;    ///< by speed
 
-  // Set between place() and solve(); place() sets them to zero.
-  std::vector<S> efforts;           ///< by speed: N m, N
-  std::vector<S> motors;            ///< torques on the rotors, N m
-  std::vector<S> modal;             ///< forces on the modes, Q
+  // Set between place() and solve(); place() sets them to zero, and locks the held links.
+  std::vector<S> efforts;          ///< by speed: N m, N
+  std::vector<S> motors;           ///< torques on the rotors, N m
+  std::vector<S> modal;            ///< forces on the modes, Q
+  std::vector<char> locked_links;  ///< those that keep their speed, whatever their efforts; and the held ones
   std::vector<char> locked_rotors;  ///< those that keep their speed, whatever their motors do
   Column<S> field;                  ///< a uniform acceleration, in inertial axes, m/s^2
 

@@ -23,7 +23,8 @@ struct Node {
 };
 
 /// One zero of a root function: the index of the root in Problem::roots, its name, the first time at which
-/// the function has its new sign (or is 0), the state at that time, and `rising` or `falling`.
+/// the function has its new sign (or is 0), the state at that time, and `rising` or `falling`. A new sign
+/// that no double sees, as it lasts for less than a rounding of time, is at the nearest one.
 struct Event {
   std::size_t root;
   std::string name;
@@ -43,8 +44,9 @@ struct Record;
 /// The result of a run. It is immutable and cheap to copy. After a failure it ends at the last accepted step.
 ///
 /// Nodes are ordered by time. Smooth segments lie between consecutive breakpoints, and zeros that end a
-/// segment. Such an instant is a node of both its segments, with the same state and two one-sided rates. A
-/// temporary solution gives no spans.
+/// segment. Such an instant is a node of both its segments, with two one-sided rates and the same state,
+/// unless Problem::at_segment_start changed it: the later node has the new one, and so has at(). A temporary
+/// solution gives no spans.
 class VECTRIX_EXPORT Solution {
  public:
   explicit Solution(std::shared_ptr<const Record> record);

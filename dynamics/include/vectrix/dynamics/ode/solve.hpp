@@ -62,9 +62,10 @@ struct Root {
 
 /// Called at the start of each smooth segment, with its time and state, and with the zeros that ended the
 /// segment before: none at a breakpoint. What the right-hand side and the roots depend on, besides time and
-/// state, may change here and nowhere else. A root whose sign changes by that has no event.
+/// state, may change here and nowhere else, and so may the state. A root whose sign changes by that has no
+/// event.
 using SegmentStart =
-    std::function<void(double segment_start, std::span<const double> y, std::span<const Event> ended_by)>;
+    std::function<void(double segment_start, std::span<double> y, std::span<const Event> ended_by)>;
 
 /// An initial-value problem ydot = f(t, y), y(start) = initial_state. Members without a reasonable default
 /// are NaN until they are set.

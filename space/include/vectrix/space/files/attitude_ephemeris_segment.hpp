@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <numbers>
 #include <string>
@@ -27,14 +28,18 @@ template <Frame A, Frame B> struct NearestSamples {
 
 namespace detail {
 
+/// The frame of the rates in the data lines.
+enum class RateFrame { none, a, b };
+
 /// The data lines as the file has them, in its order and units: 4, 7 or 3 numbers in each.
 struct AttitudeLines {
   std::string place{};  // begins messages
   std::string ref_frame_a{}, ref_frame_b{};
   AttitudeType type = AttitudeType::quaternion;
   bool is_b_to_a = false, is_scalar_first = false;
-  std::string euler_sequence{};  // as it is written, 321 or ZYX
-  std::string rate_frame{};      // REF_FRAME_A or REF_FRAME_B
+  std::string euler_sequence{};     // as it is written, 321 or ZYX
+  std::array<int, 3> euler_axes{};  // of it, 0 to 2
+  RateFrame rate_frame = RateFrame::none;
   std::vector<Epoch> times{};
   std::vector<double> numbers{};
   std::vector<std::string> comments{};
@@ -152,7 +157,7 @@ class VECTRIX_EXPORT AttitudeEphemerisSegment {
                      " samples and " + detail::text(rates.size()) + " rates");
     detail::AttitudeLines lines;
     lines.type = AttitudeType::quaternion_rate;
-    lines.rate_frame = std::is_same_v<C, A> ? "REF_FRAME_A" : "REF_FRAME_B";
+    lines.rate_frame = std::is_same_v<C, A> ? detail::RateFrame::a : detail::RateFrame::b;
     for (std::size_t i = 0; i < samples.size(); ++i) {
       const auto numbers = samples[i].q_a_from_b.scalar_last();
       const Eigen::Vector3d degrees = rates[i].coordinates() * (180.0 / std::numbers::pi);

@@ -14,8 +14,9 @@ namespace vectrix {
 ///     const auto message = OrbitEphemerisMessage::read("sat.oem");
 ///     const auto orbit = message.segments().front().sampled_edge<earth::Eme2000, Satellite>(gap);
 /// Time systems: UTC, TAI, TT, TDB, GPS, the same in all segments. Lines of data may have an acceleration,
-/// and a segment covariances, but not in version 1.0. Keywords that are not of the standard, that are there
-/// twice, or in the wrong part are refused; their order is not checked. Comments are kept.
+/// and a segment covariances, but not in version 1.0. Keywords that are there twice, in the wrong part, or
+/// one or two characters off one of the standard are refused; others are kept, as comments are. The order is
+/// not checked.
 class VECTRIX_EXPORT OrbitEphemerisMessage {
  public:
   /// Throws BadInput if there is no segment, their time systems differ, the version is none of the three, or

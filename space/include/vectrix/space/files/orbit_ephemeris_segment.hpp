@@ -48,12 +48,14 @@ struct OrbitLines {
 ///     segment.samples<earth::Eme2000, Satellite>()
 ///     segment.samples<MarsInertial, Orbiter>(called<MarsInertial>("EME2000", "MARS BARYCENTER"))
 /// BadInput that names both frames if REF_FRAME or CENTER_NAME is another one. The standard names are GCRF
-/// and ICRF for earth::Gcrf, EME2000 and J2000 for Eme2000, ITRF of any year for Itrf, TEME and TEMEOFDATE
-/// for Teme, TOD for TrueOfDate, MOD for MeanOfDate; with REF_FRAME_EPOCH the last four are other frames.
+/// and ICRF for earth::Gcrf, EME2000 and J2000 for Eme2000, ITRF, also of a year, for Itrf, TEME and
+/// TEMEOFDATE for Teme, TOD for TrueOfDate, MOD for MeanOfDate; with REF_FRAME_EPOCH the last four are other
+/// frames.
 class VECTRIX_EXPORT OrbitEphemerisSegment {
  public:
-  /// Of samples. Throws BadInput if there are none, the times do not increase, a number is not finite, a
-  /// text cannot be a line of a message, or a sample is more than 1 ms outside START_TIME and STOP_TIME.
+  /// Of samples. Throws BadInput if there are none, the times do not increase or are before the first one of
+  /// the time system, a number is not finite, a text cannot be a line of a message, another keyword cannot be
+  /// kept, or a sample is more than 1 ms outside START_TIME and STOP_TIME.
   template <Frame A, Frame Q, class... Given>
     requires(detail::is_claim<A, Given...>)
   OrbitEphemerisSegment(EphemerisMetadata metadata, const std::vector<PositionSample<A, Q, Epoch>>& samples,
@@ -115,9 +117,9 @@ class VECTRIX_EXPORT OrbitEphemerisSegment {
     const bool hermite = is_hermite();
     const int degree = interpolation_degree();
     using Motion = InterpolatedPosition<A, Q, Epoch>;
-    const auto motion = hermite ? Motion(samples<A, Q>(called...), Hermite{degree}, longest_gap)
-                                : Motion(samples<A, Q>(called...), Lagrange{degree}, longest_gap);
-    return edge(EphemerisPosition<A, Q>(motion, useable()));
+    auto motion = hermite ? Motion(samples<A, Q>(called...), Hermite{degree}, longest_gap)
+                          : Motion(samples<A, Q>(called...), Lagrange{degree}, longest_gap);
+    return edge(EphemerisPosition<A, Q>(std::move(motion), useable()));
   }
   template <class A, class Q, class... Given>
   auto sampled_edge(  // if A has no standard name in a file: sampled_edge<A, Q>(gap, called<A>("NAME"))

@@ -98,7 +98,7 @@ template <Point Q> class Sgp4 {
   [[nodiscard]] PointMotion<earth::Teme, Q, earth::Teme> at(const Epoch& epoch) const {
     return detail::point_motion_of<earth::Teme, Q, earth::Teme>(model_.at(epoch));
   }
-  /// The same position with its own derivatives, exact, for edges and frames with rates:
+  /// The same position with its own derivatives, exact, for frames with rates:
   ///     lvlh(from<L>, now.motion, now.acceleration, now.jerk)
   /// Throws BadInput as at() does.
   [[nodiscard]] PointPath<earth::Teme, Q, earth::Teme> path(const Epoch& epoch) const {
@@ -109,16 +109,22 @@ template <Point Q> class Sgp4 {
             Derivative<Teme, Teme, si::acceleration>{detail::trusted,
                                                      Vector<Teme, si::jerk>{detail::trusted, now.jerk}}};
   }
-  /// path() with axes parallel to those of Teme: an edge of a frame graph, edge(orbit).
-  AcceleratingTransform<earth::Teme, Q> operator()(const Epoch& epoch) const {
-    const auto now = path(epoch);
-    return parallel(now.motion, now.acceleration);
-  }
+  /// at() with axes parallel to those of Teme: an edge of a frame graph, edge(orbit).
+  MovingTransform<earth::Teme, Q> operator()(const Epoch& epoch) const { return parallel(at(epoch)); }
 
  private:
   static std::string name() { return "Sgp4(" + frame_name<Q>() + "): "; }
 
   detail::Sgp4Model model_;
 };
+
+/// path() as an edge of a frame graph, edge(path(orbit)): with the acceleration, six times the time of
+/// edge(orbit).
+template <class Q> auto path(const Sgp4<Q>& orbit) {
+  return [orbit](const Epoch& epoch) {
+    const auto now = orbit.path(epoch);
+    return parallel(now.motion, now.acceleration);
+  };
+}
 
 }  // namespace vectrix

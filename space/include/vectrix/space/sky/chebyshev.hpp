@@ -1,6 +1,6 @@
 #pragma once
 
-#include <Eigen/Core>
+#include <array>
 #include <vector>
 
 #include <vectrix/frames/export.hpp>
@@ -8,10 +8,11 @@
 
 namespace vectrix::detail {
 
-/// A motion by Chebyshev series, one for each piece of whole days of TAI:
-///     r(u) = sum_j c_j T_j(u), u in [-1, 1] over the piece       v = dr/dt
-/// The series pass through the motion at the extrema of the highest T_j, of which two are the ends of the
-/// piece: so r is continuous. The pieces lie on one grid, whatever the span: a result does not depend on it.
+/// A motion by polynomials through its positions at Chebyshev points, one for each piece of whole days of
+/// TAI:
+///     r(u) = sum_k a_k u^k, u in [-1, 1] over the piece       v = dr/dt
+/// The points are the extrema of the highest Chebyshev polynomial, of which two are the ends of the piece: so
+/// r is continuous. The pieces lie on one grid, whatever the span: a result does not depend on it.
 class VECTRIX_EXPORT ChebyshevPieces {
  public:
   using Series = PlainMotion (*)(const JulianDate<scale::Tt>& tt);
@@ -23,14 +24,14 @@ class VECTRIX_EXPORT ChebyshevPieces {
   [[nodiscard]] PlainMotion at(const JulianDate<scale::Tai>& tai) const;
 
  private:
-  using Row = Eigen::Vector4d;  // the last number is 0: two registers instead of one and a half
+  using Row = std::array<double, 4>;  // x, y, z, and 0: two registers instead of one and a half
 
   int piece_days_;
   double pieces_per_day_;
   int rows_of_piece_;
   int pieces_ = 0;
   double first_day_ = 0.0;
-  std::vector<Row> rows_;  // the coefficients of the first piece, an even number of them, of the second ...
+  std::vector<Row> rows_;  // of each piece an even number of coefficients, from that of the highest power
 };
 
 }  // namespace vectrix::detail

@@ -13,6 +13,9 @@
 #include <vectrix/space/time/julian_date.hpp>
 
 namespace vectrix {
+namespace detail {
+class EpochReader;
+}
 
 /// An instant, stored as a Julian date in International Atomic Time (TAI) to about 1e-11 s. Scales are ways
 /// to read and to write it; TimeScale lists them. Differences are SI seconds and include leap seconds; as one
@@ -99,6 +102,8 @@ class VECTRIX_EXPORT Epoch {
   friend VECTRIX_EXPORT std::ostream& operator<<(std::ostream& out, const Epoch& epoch);
 
  private:
+  friend class detail::EpochReader;
+
   explicit Epoch(const JulianDate<scale::Tai>& tai) : tai_(tai) {}
 
   [[nodiscard]] JulianDate<TimeScale> date_in(const TimeScale& scale) const;
