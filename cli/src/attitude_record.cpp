@@ -77,8 +77,7 @@ AttitudeRecord read_table(const std::filesystem::path& file, const TableColumns&
     record.numbers.push_back(q);
     if (columns.rates.empty()) continue;
     Eigen::Vector3d w;
-    for (std::size_t i = 0; i < 3; ++i)
-      w[static_cast<Eigen::Index>(i)] = table.number(row, columns.rates[i]);
+    for (std::size_t i = 0; i < 3; ++i) w[static_cast<Eigen::Index>(i)] = table.number(row, columns.rates[i]);
     record.rates.push_back(w);
   }
   require_two(record);
@@ -91,7 +90,8 @@ AttitudeRecord read_message(const std::filesystem::path& file, std::optional<std
   const auto a = inertial(part.ref_frame_a()), b = inertial(part.ref_frame_b());
   if (a.has_value() == b.has_value())
     throw BadInput(file.string() + ": the frames are '" + part.ref_frame_a() + "' and '" +
-                   part.ref_frame_b() + "'; one of them must be EME2000, J2000, GCRF or ICRF, the other a body");
+                   part.ref_frame_b() +
+                   "'; one of them must be EME2000, J2000, GCRF or ICRF, the other a body");
   const detail::AttitudeLines& lines = part.lines(detail::trusted);
   AttitudeRecord record;
   record.file = file.string();
@@ -106,8 +106,8 @@ AttitudeRecord read_message(const std::filesystem::path& file, std::optional<std
     record.has_quaternions = false;
     record.stated = {Convention::Scalar::last, Convention::Maps::to_reference};
     const auto& reference_name = a ? part.ref_frame_a() : part.ref_frame_b();
-    for (const auto& sample : part.samples<Reference, Body>(called<Reference>(reference_name),
-                                                            called<Body>(record.body)))
+    for (const auto& sample :
+         part.samples<Reference, Body>(called<Reference>(reference_name), called<Body>(record.body)))
       record.numbers.push_back(sample.q_a_from_b.scalar_last());
   } else {
     // A2B: v^a = R(q) v^b.
@@ -123,8 +123,9 @@ AttitudeRecord read_message(const std::filesystem::path& file, std::optional<std
         record.rates.push_back((a ? 1.0 : -1.0) * Eigen::Vector3d(line[4], line[5], line[6]));
     }
     if (width == 7 && lines.is_b_to_a)
-      record.no_rates = "The rates are not used: with ATTITUDE_DIR B2A the message does not say whether they are of " +
-                        part.ref_frame_a() + " or of " + part.ref_frame_b() + ".";
+      record.no_rates =
+          "The rates are not used: with ATTITUDE_DIR B2A the message does not say whether they are of " +
+          part.ref_frame_a() + " or of " + part.ref_frame_b() + ".";
     record.rate_unit = radians_per_degree;
     if (!record.rates.empty())
       record.rate_axes =

@@ -39,12 +39,12 @@ struct AttitudeRecord {
   bool has_quaternions = true;  // else Euler angles, whose numbers have no other order
   std::vector<Epoch> times;
   std::vector<std::array<double, 4>> numbers;  // in the order of the file
-  std::vector<Eigen::Vector3d> rates{};        // of the body relative to the reference; empty if there are none
-  double rate_unit = 1.0;                      // rad/s
-  RateAxes rate_axes = RateAxes::body;         // stated
-  std::string no_rates{};                      // why rates of the file are not used
-  TimeScale time_scale = scale::utc;           // in which the file has the times
-  std::optional<MessageText> message{};        // of a message
+  std::vector<Eigen::Vector3d> rates{};  // of the body relative to the reference; empty if there are none
+  double rate_unit = 1.0;                // rad/s
+  RateAxes rate_axes = RateAxes::body;   // stated
+  std::string no_rates{};                // why rates of the file are not used
+  TimeScale time_scale = scale::utc;     // in which the file has the times
+  std::optional<MessageText> message{};  // of a message
 
   [[nodiscard]] std::size_t size() const { return times.size(); }
   /// The quaternion that takes coordinates from the body to the reference, of norm 1.

@@ -39,7 +39,8 @@ class Findings {
     } else if (confirmed_ > 0) {
       out_ << "The file as stated fits.\n";
     } else {
-      out_ << "Not decided: nothing here tells the readings apart. Rates (--rates), an orbit (--tle, --oem) or a\n"
+      out_ << "Not decided: nothing here tells the readings apart. Rates (--rates), an orbit (--tle, --oem) "
+              "or a\n"
               "target (--axis, --target) may.\n";
     }
     return refuted_ == 0 && confirmed_ > 0;
@@ -58,8 +59,8 @@ void write_rates(const AttitudeRecord& record, Findings& findings, std::ostream&
   const auto evidence = compare_rates(record);
   const RateAxes stated = record.rate_axes;
   const RateAxes other = stated == RateAxes::body ? RateAxes::reference : RateAxes::body;
-  out << "Rates less the turns of the attitude, deg/s rms; the rates are " << shown(degrees * evidence.rms_rate)
-      << " deg/s rms\n"
+  out << "Rates less the turns of the attitude, deg/s rms; the rates are "
+      << shown(degrees * evidence.rms_rate) << " deg/s rms\n"
       << label("rates in the axes of") << padded(axes_name(stated, record), 14)
       << padded(axes_name(other, record), 14) << '\n';
   const auto readings = readings_of(record);
@@ -81,8 +82,8 @@ void write_rates(const AttitudeRecord& record, Findings& findings, std::ostream&
     const int along = turned->axes[i];
     return std::string(along < 0 ? "-" : "") + "xyz"[std::abs(along) - 1];
   };
-  findings.add(Verdict::another, std::string(turned->reading.name()) + ", with x, y, z of the rates along " + axis(0) +
-                                     ", " + axis(1) + ", " + axis(2) + " of " + record.body + ", " +
+  findings.add(Verdict::another, std::string(turned->reading.name()) + ", with x, y, z of the rates along " +
+                                     axis(0) + ", " + axis(1) + ", " + axis(2) + " of " + record.body + ", " +
                                      shown(degrees * turned->difference) + " deg/s");
 }
 
@@ -113,13 +114,15 @@ bool check(const CheckOptions& options, std::ostream& out) {
   if (orbit) {
     // Half the rate of a low orbit: what turns faster does not keep an attitude relative to LVLH.
     constexpr double useless = 5e-4;
-    write_angles(record, steadiness(record, orbit), "Rate relative to LVLH, deg/s rms", useless, findings, out);
+    write_angles(record, steadiness(record, orbit), "Rate relative to LVLH, deg/s rms", useless, findings,
+                 out);
   }
   if (options.target) {
     const auto& a = *options.axis;
     constexpr double useless = std::numbers::pi / 4.0;
     write_angles(record, off_target(record, a, *options.target, orbit),
-                 "Median angle between the axis " + name_of(a) + " of " + record.body + " and " + name_of(*options.target) + ", deg",
+                 "Median angle between the axis " + name_of(a) + " of " + record.body + " and " +
+                     name_of(*options.target) + ", deg",
                  useless, findings, out);
   }
   return findings.conclude();

@@ -15,9 +15,11 @@ std::string orbit_table(const OrbitRecord& record) {
                                        [](const auto& line) { return line.acceleration.has_value(); });
   if (!accelerated && std::any_of(lines.lines.begin(), lines.lines.end(),
                                   [](const auto& line) { return line.acceleration.has_value(); }))
-    throw BadInput(record.file + ": some lines have an acceleration, others have none; a table has them for all");
-  const std::string frame = inertial(lines.ref_frame).value_or(lines.ref_frame), scale = small(record.time_scale.name()),
-                    time = "time_" + scale, in = "_in_" + small(frame);
+    throw BadInput(record.file +
+                   ": some lines have an acceleration, others have none; a table has them for all");
+  const std::string frame = inertial(lines.ref_frame).value_or(lines.ref_frame),
+                    scale = small(record.time_scale.name()), time = "time_" + scale,
+                    in = "_in_" + small(frame);
   const std::vector<std::string> position{"x" + in + "_m", "y" + in + "_m", "z" + in + "_m"},
       velocity{"vx" + in + "_m_per_s", "vy" + in + "_m_per_s", "vz" + in + "_m_per_s"},
       acceleration{"ax" + in + "_m_per_s2", "ay" + in + "_m_per_s2", "az" + in + "_m_per_s2"};
@@ -30,7 +32,8 @@ std::string orbit_table(const OrbitRecord& record) {
   if (inertial(frame) && is_about_earth)
     text += "# Options to read it: --time " + time + " --scale " + scale + " --position " + joined(position) +
             " --velocity " + joined(velocity) + " --unit m --reference " + frame + "\n";
-  text += time + "," + joined(position) + "," + joined(velocity) + (accelerated ? "," + joined(acceleration) : "") + "\n";
+  text += time + "," + joined(position) + "," + joined(velocity) +
+          (accelerated ? "," + joined(acceleration) : "") + "\n";
   for (const detail::OrbitLine& line : lines.lines) {
     text += exact_text(line.time, record.time_scale);
     add_fields(text, line.position);
@@ -61,7 +64,8 @@ void convert(const OrbitFile& orbit, const ConvertOptions& options, std::ostream
   const bool is_table = is_table_name(options.out, ".oem");
   OrbitRecord record = read_orbit_file(orbit);
   if (!options.frame.empty()) record = relative_to_frame(std::move(record), inertial_name(options.frame));
-  write_new(options.out, is_table ? orbit_table(record) : orbit_message(record, options, orbit), options.force);
+  write_new(options.out, is_table ? orbit_table(record) : orbit_message(record, options, orbit),
+            options.force);
   out << options.out.string() << ": " << record.lines.lines.size() << " samples of an orbit in "
       << record.lines.ref_frame << '\n';
   for (const std::string& what : record.computed) out << "  not to the last digit: " << what << '\n';

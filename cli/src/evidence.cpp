@@ -52,7 +52,8 @@ double rate_difference(const std::vector<Quaterniond>& q, const std::vector<Step
   double sum = 0.0;
   for (const auto& [i, duration] : steps) {
     const Quaterniond by_rate = turned(0.5 * duration * (rates[i] + rates[i + 1]));
-    const Quaterniond turn = axes == RateAxes::body ? q[i].conjugate() * q[i + 1] : q[i + 1] * q[i].conjugate();
+    const Quaterniond turn =
+        axes == RateAxes::body ? q[i].conjugate() * q[i + 1] : q[i + 1] * q[i].conjugate();
     const double difference = angle_of(turn.conjugate() * by_rate) / duration;
     sum += difference * difference;
   }
@@ -140,8 +141,7 @@ std::vector<double> steadiness(const AttitudeRecord& record, const FlownOrbit& o
     const auto q = to_reference(record, reading);
     double sum = 0.0;
     for (const auto& [i, duration] : steps) {
-      const Quaterniond before = lvlh_from_reference[i] * q[i],
-                        after = lvlh_from_reference[i + 1] * q[i + 1];
+      const Quaterniond before = lvlh_from_reference[i] * q[i], after = lvlh_from_reference[i + 1] * q[i + 1];
       const double rate = angle_of(before.conjugate() * after) / duration;
       sum += rate * rate;
     }
@@ -157,7 +157,8 @@ std::vector<double> off_target(const AttitudeRecord& record, const Vector3d& axi
   for (const Reading& reading : readings_of(record)) {
     const auto q = to_reference(record, reading);
     std::vector<double> angles;
-    for (std::size_t i = 0; i < record.size(); ++i) angles.push_back(angle_between(q[i] * axis, to_target[i]));
+    for (std::size_t i = 0; i < record.size(); ++i)
+      angles.push_back(angle_between(q[i] * axis, to_target[i]));
     found.push_back(median(angles));
   }
   return found;

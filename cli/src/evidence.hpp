@@ -45,8 +45,9 @@ std::vector<double> off_target(const AttitudeRecord& record, const Eigen::Vector
 
 /// What a list of disagreements, one a reading, says: that which is stated comes first.
 enum class Verdict { as_stated, another, undecided };
-/// Another reading must be more than three times better than the stated one; the stated one is confirmed if it
-/// is more than three times better than all others. Nothing is decided if the best disagreement exceeds `useless`.
+/// Another reading must be more than three times better than the stated one; the stated one is confirmed if
+/// it is more than three times better than all others. Nothing is decided if the best disagreement exceeds
+/// `useless`.
 Verdict verdict(const std::vector<double>& disagreements, double useless);
 
 }  // namespace vectrix::cli

@@ -59,8 +59,8 @@ std::vector<std::string> fields(const char* option, const std::string& text, std
   std::istringstream in(text + ",");
   for (std::string field; std::getline(in, field, ',');) all.push_back(field);
   if (all.size() != count)
-    throw BadInput(std::string(option) + ' ' + text + " has " + detail::text(all.size()) + " fields between commas, not " +
-                   detail::text(count));
+    throw BadInput(std::string(option) + ' ' + text + " has " + detail::text(all.size()) +
+                   " fields between commas, not " + detail::text(count));
   return all;
 }
 
@@ -125,8 +125,12 @@ OrbitFile orbit_of(const ConvertWords& words) {
   need(!words.unit.empty(), "--unit m|km");
   need(!shared.reference.empty(), "--reference EME2000|GCRF");
   need.check(orbit.file);
-  orbit.columns = OrbitColumns{shared.time, scales.at(words.attitude.scale), fields("--position", words.position, 3),
-                               fields("--velocity", words.velocity, 3), words.unit == "km", shared.reference};
+  orbit.columns = OrbitColumns{shared.time,
+                               scales.at(words.attitude.scale),
+                               fields("--position", words.position, 3),
+                               fields("--velocity", words.velocity, 3),
+                               words.unit == "km",
+                               shared.reference};
   return orbit;
 }
 
@@ -136,7 +140,8 @@ Eigen::Vector3d axis_of(const TargetWords& words) {
   for (std::size_t i = 0; i < 3; ++i) {
     double& number = axis[static_cast<Eigen::Index>(i)];
     const char* const end = numbers[i].data() + numbers[i].size();
-    if (const auto read = std::from_chars(numbers[i].data(), end, number); read.ec != std::errc() || read.ptr != end)
+    if (const auto read = std::from_chars(numbers[i].data(), end, number);
+        read.ec != std::errc() || read.ptr != end)
       throw BadInput("--axis " + words.axis + ": '" + numbers[i] + "' is no number");
   }
   return axis;
@@ -146,7 +151,8 @@ constexpr const char* attitude_file = "CCSDS AEM (KVN), or a table with a header
 
 void add_attitude(CLI::App& command, AttitudeWords& words, const char* file) {
   command.add_option("file", words.source.file, file)->required();
-  command.add_option("--segment", words.source.selection.segment, "of a message with several: which one, counted from 1");
+  command.add_option("--segment", words.source.selection.segment,
+                     "of a message with several: which one, counted from 1");
   command.add_option("--from", words.from, "only samples from this time on: '2023-04-20T05:00:00 UTC'");
   command.add_option("--until", words.until, "only samples until this time");
   const char* table = "A table";
@@ -182,20 +188,23 @@ void add_target(CLI::App& command, TargetWords& words, bool needed, const char* 
   command.add_option("--axis", words.axis, "x,y,z in the body: what should look at the target")
       ->group(group)
       ->required(needed);
-  command.add_option("--target", words.target, "sun, moon, earth (its centre) or velocity (relative to GCRF)")
+  command
+      .add_option("--target", words.target, "sun, moon, earth (its centre) or velocity (relative to GCRF)")
       ->group(group)
       ->check(CLI::IsMember({"sun", "moon", "earth", "velocity"}))
       ->required(needed);
 }
 
 void add_check(CLI::App& app, CheckWords& words) {
-  auto& check = *app.add_subcommand("check", "say which reading of an attitude file its rates, orbit or target fit");
+  auto& check =
+      *app.add_subcommand("check", "say which reading of an attitude file its rates, orbit or target fit");
   check.footer(
       "Readings: as stated; transposed; with the scalar at the other end; both. None is chosen for you.\n"
       "Exit code: 0 if a comparison confirms the file as stated and none prefers another reading, 1 if not,\n"
       "2 if the input is wrong.\n\n"
       "  vectrix check attitude.aem --tle satellite.tle\n"
-      "  vectrix check attitude.csv --time time_utc --quaternion q0,q1,q2,q3 --scalar last --maps reference \\\n"
+      "  vectrix check attitude.csv --time time_utc --quaternion q0,q1,q2,q3 --scalar last --maps reference "
+      "\\\n"
       "      --reference EME2000 --rates wx,wy,wz --rate-unit rad/s");
   add_attitude(check, words.attitude, attitude_file);
   add_orbit(check, words.options.orbit, "To compare with");
@@ -203,29 +212,39 @@ void add_check(CLI::App& app, CheckWords& words) {
 }
 
 void add_pointing(CLI::App& app, PointingWords& words) {
-  auto& pointing = *app.add_subcommand("pointing", "how far an axis of the body is from a target, and whether that is good enough");
+  auto& pointing = *app.add_subcommand(
+      "pointing", "how far an axis of the body is from a target, and whether that is good enough");
   pointing.footer(
-      "Absolute error (APE): the angle at each sample. Relative error (RPE): for each window that begins at a\n"
+      "Absolute error (APE): the angle at each sample. Relative error (RPE): for each window that begins at "
+      "a\n"
       "sample, the most that the target moves in the body from its mean direction.\n"
-      "Exit code: 0 if what is required is fulfilled, or nothing is required, 1 if not, 2 if the input is wrong.\n\n"
-      "  vectrix pointing attitude.aem --tle satellite.tle --axis 0,0,1 --target sun --correction apparent \\\n"
+      "Exit code: 0 if what is required is fulfilled, or nothing is required, 1 if not, 2 if the input is "
+      "wrong.\n\n"
+      "  vectrix pointing attitude.aem --tle satellite.tle --axis 0,0,1 --target sun --correction apparent "
+      "\\\n"
       "      --require 0.5 --percent 99.7");
   add_attitude(pointing, words.attitude, attitude_file);
   const char* where = "Where it should look";
   add_target(pointing, words.target, true, where);
   pointing
-      .add_option("--correction", words.correction,
-                  "of the Sun or the Moon: geometric (where it is), light_time (where it was when the light left), "
-                  "apparent (that with aberration)")
+      .add_option(
+          "--correction", words.correction,
+          "of the Sun or the Moon: geometric (where it is), light_time (where it was when the light left), "
+          "apparent (that with aberration)")
       ->group(where)
       ->check(CLI::IsMember({"geometric", "light_time", "apparent"}));
   add_orbit(pointing, words.options.orbit, where);
   const char* required = "What is required";
-  pointing.add_option("--require", words.options.required, "deg: the largest absolute error that is allowed")->group(required);
-  pointing.add_option("--percent", words.options.percent, "how many of the samples, or windows, have to fulfil it")
+  pointing.add_option("--require", words.options.required, "deg: the largest absolute error that is allowed")
+      ->group(required);
+  pointing
+      .add_option("--percent", words.options.percent,
+                  "how many of the samples, or windows, have to fulfil it")
       ->group(required);
   pointing.add_option("--window", words.options.window, "s: of the relative error")->group(required);
-  pointing.add_option("--require-relative", words.options.required_relative, "deg: the largest relative error that is allowed")
+  pointing
+      .add_option("--require-relative", words.options.required_relative,
+                  "deg: the largest relative error that is allowed")
       ->group(required);
   pointing.add_option("--csv", words.options.csv, "writes the angle of every sample to this file");
   pointing.add_flag("--force", words.options.force, "overwrites it");
@@ -234,23 +253,34 @@ void add_pointing(CLI::App& app, PointingWords& words) {
 void add_convert(CLI::App& app, ConvertWords& words) {
   auto& convert = *app.add_subcommand("convert", "write an attitude or an orbit as a message or as a table");
   convert.footer(
-      "A table is written with the scalar first; R(q) takes coordinates to the reference; lengths are in metres; its\n"
+      "A table is written with the scalar first; R(q) takes coordinates to the reference; lengths are in "
+      "metres; its\n"
       "columns name frames and units. The digits are those of the file; what had to be computed is said.\n"
       "Exit code: 0, or 2 if the input is wrong; then nothing is written.\n\n"
       "  vectrix convert attitude.aem attitude.csv --frame GCRF");
   add_attitude(convert, words.attitude, "CCSDS AEM or OEM (KVN), or a table with a header line");
-  convert.add_option("out", words.options.out, "attitude.aem or orbit.oem for a message of CCSDS (KVN), a .csv for a table")->required();
+  convert
+      .add_option("out", words.options.out,
+                  "attitude.aem or orbit.oem for a message of CCSDS (KVN), a .csv for a table")
+      ->required();
   const char* orbit = "A table of an orbit";
-  convert.add_option("--position", words.position, "the three columns of the position, with commas")->group(orbit);
-  convert.add_option("--velocity", words.velocity, "the three columns of the velocity, with commas")->group(orbit);
-  convert.add_option("--unit", words.unit, "m (and m/s) or km (and km/s)")->group(orbit)->check(CLI::IsMember({"m", "km"}));
-  convert.add_option("--frame", words.options.frame, "EME2000 (J2000) or GCRF (ICRF): relative to this instead");
+  convert.add_option("--position", words.position, "the three columns of the position, with commas")
+      ->group(orbit);
+  convert.add_option("--velocity", words.velocity, "the three columns of the velocity, with commas")
+      ->group(orbit);
+  convert.add_option("--unit", words.unit, "m (and m/s) or km (and km/s)")
+      ->group(orbit)
+      ->check(CLI::IsMember({"m", "km"}));
+  convert.add_option("--frame", words.options.frame,
+                     "EME2000 (J2000) or GCRF (ICRF): relative to this instead");
   convert.add_flag("--force", words.options.force, "overwrites an existing file");
   const char* message = "A message";
   convert.add_option("--object-name", words.options.text.object_name, "OBJECT_NAME")->group(message);
-  convert.add_option("--object-id", words.options.text.object_id, "OBJECT_ID, such as 2018-099A")->group(message);
+  convert.add_option("--object-id", words.options.text.object_id, "OBJECT_ID, such as 2018-099A")
+      ->group(message);
   convert.add_option("--originator", words.options.text.originator, "ORIGINATOR")->group(message);
-  convert.add_option("--body", words.options.body, "the name of the frame of the body, such as SC_BODY_1")->group(message);
+  convert.add_option("--body", words.options.body, "the name of the frame of the body, such as SC_BODY_1")
+      ->group(message);
   convert.add_option("--aem-version", words.options.aem_version, "2.0 (default) or 1.0")
       ->group(message)
       ->check(CLI::IsMember({"1.0", "2.0"}));
@@ -283,7 +313,9 @@ bool run_convert(ConvertWords& words) {
   words.options.text.creation_date = now();
   const bool has_orbit = !words.position.empty() || !words.velocity.empty();
   if (has_orbit && !words.attitude.quaternion.empty())
-    throw BadInput("--quaternion is of an attitude, --position and --velocity are of an orbit; one is converted at a time");
+    throw BadInput(
+        "--quaternion is of an attitude, --position and --velocity are of an orbit; one is converted at a "
+        "time");
   if (has_orbit || is_orbit_message(words.attitude.source.file)) {
     convert(orbit_of(words), words.options, std::cout);
   } else {

@@ -4,8 +4,8 @@
 
 namespace vectrix::cli {
 
-MessageText message_text(const GivenText& given, const std::optional<MessageText>& read, const TimeScale& scale,
-                         const std::string& file, const std::string& also_missing) {
+MessageText message_text(const GivenText& given, const std::optional<MessageText>& read,
+                         const TimeScale& scale, const std::string& file, const std::string& also_missing) {
   MessageText text = read.value_or(MessageText{});
   if (!read) {
     std::string missing;

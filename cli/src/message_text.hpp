@@ -22,8 +22,8 @@ struct GivenText {
 
 /// The text of a message to be written. If none was read, all must be given, and `also_missing` names other
 /// options that are missing: BadInput.
-MessageText message_text(const GivenText& given, const std::optional<MessageText>& read, const TimeScale& scale,
-                         const std::string& file, const std::string& also_missing);
+MessageText message_text(const GivenText& given, const std::optional<MessageText>& read,
+                         const TimeScale& scale, const std::string& file, const std::string& also_missing);
 
 /// The times of the metadata, for data from the first to the last time. Throws BadInput if none of them is
 /// useable.

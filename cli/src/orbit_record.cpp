@@ -11,7 +11,8 @@ OrbitRecord of_message(const OrbitFile& source) {
   const auto message = OrbitEphemerisMessage::read(source.file);
   const auto& segment = segment_of(message, source.selection.segment, source.file);
   return {source.file.string(), segment.metadata().time_system,
-          MessageText{message.header(), segment.metadata(), segment.comments()}, segment.lines(detail::trusted)};
+          MessageText{message.header(), segment.metadata(), segment.comments()},
+          segment.lines(detail::trusted)};
 }
 
 OrbitRecord of_table(const OrbitFile& source) {

@@ -22,7 +22,8 @@ PlainAttitude plain(const AttitudeRecord& record) {
   attitude.rates_in_degrees = record.rate_unit == radians_per_degree;
   attitude.rate_axes = record.rate_axes;
   for (Eigen::Vector3d& w : attitude.rates) w.array() += 0.0;
-  if (!record.has_quaternions) attitude.computed.emplace_back("the quaternions are computed from Euler angles");
+  if (!record.has_quaternions)
+    attitude.computed.emplace_back("the quaternions are computed from Euler angles");
   const bool first = record.stated.scalar == Convention::Scalar::first;
   const double sign = record.stated.maps == Convention::Maps::to_reference ? 1.0 : -1.0;
   for (const auto& n : record.numbers) {
@@ -50,9 +51,9 @@ PlainAttitude relative_to_frame(PlainAttitude attitude, const std::string& refer
 }
 
 PlainAttitude as_in_a_message(PlainAttitude attitude) {
-  if (std::any_of(attitude.quaternions.begin(), attitude.quaternions.end(),
-                  is_far_from_unit)) {
-    attitude.computed.push_back("the quaternions, the first of norm " + shown(norm_of(attitude.quaternions.front())) +
+  if (std::any_of(attitude.quaternions.begin(), attitude.quaternions.end(), is_far_from_unit)) {
+    attitude.computed.push_back("the quaternions, the first of norm " +
+                                shown(norm_of(attitude.quaternions.front())) +
                                 ", are divided by their norms");
     for (auto& q : attitude.quaternions) {
       const double length = norm_of(q);

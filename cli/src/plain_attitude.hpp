@@ -14,7 +14,7 @@ struct PlainAttitude {
   TimeScale time_scale = scale::utc;
   std::vector<Epoch> times{};
   std::vector<std::array<double, 4>> quaternions{};  // of any norm
-  std::vector<Eigen::Vector3d> rates{};              // of the body relative to the reference; empty if there are none
+  std::vector<Eigen::Vector3d> rates{};  // of the body relative to the reference; empty if there are none
   bool rates_in_degrees = false;
   RateAxes rate_axes = RateAxes::body;
   std::vector<std::string> computed{};  // which numbers are not those of the file, and why
@@ -24,8 +24,8 @@ struct PlainAttitude {
 PlainAttitude plain(const AttitudeRecord& record);
 /// Relative to EME2000 or GCRF instead.
 PlainAttitude relative_to_frame(PlainAttitude attitude, const std::string& reference);
-/// As a message can have it: quaternions of norm 1 within a hundredth, and rates in degrees. If one quaternion
-/// is not so, all are divided by their norms.
+/// As a message can have it: quaternions of norm 1 within a hundredth, and rates in degrees. If one
+/// quaternion is not so, all are divided by their norms.
 PlainAttitude as_in_a_message(PlainAttitude attitude);
 
 }  // namespace vectrix::cli

@@ -32,10 +32,12 @@ std::string seen(const PointingOptions& options, bool from_orbit) {
 // The figures of angles, and the samples at which they are; in degrees.
 class Figures {
  public:
-  Figures(const std::vector<double>& angles, const std::vector<Epoch>& times) : angles_(angles), times_(times) {
+  Figures(const std::vector<double>& angles, const std::vector<Epoch>& times)
+      : angles_(angles), times_(times) {
     order_.resize(angles.size());
     std::iota(order_.begin(), order_.end(), std::size_t{0});
-    std::stable_sort(order_.begin(), order_.end(), [&](std::size_t a, std::size_t b) { return angles[a] < angles[b]; });
+    std::stable_sort(order_.begin(), order_.end(),
+                     [&](std::size_t a, std::size_t b) { return angles[a] < angles[b]; });
   }
 
   [[nodiscard]] double quantile(double percent) const { return degrees * angles_[at(percent)]; }
@@ -57,7 +59,9 @@ class Figures {
   }
 
  private:
-  [[nodiscard]] std::size_t at(double percent) const { return order_[place_of_quantile(percent, order_.size())]; }
+  [[nodiscard]] std::size_t at(double percent) const {
+    return order_[place_of_quantile(percent, order_.size())];
+  }
   static std::string figure(const char* name, double angle) {
     return label(name, 12) + padded(decimals(degrees * angle), 12);
   }
@@ -72,18 +76,20 @@ bool fulfils(const Figures& figures, double required, double percent, std::size_
   const double found = figures.quantile(percent);
   const bool good = found <= required;
   const std::size_t within = figures.count_within(required);
-  out << "  Required: at most " << exact_number(required) << " deg in " << exact_number(percent) << " % of the " << what
-      << ". It is " << decimals(found) << " deg, margin " << decimals(required - found) << " deg; " << within << " of "
-      << count << " are within.\n  " << (good ? "Fulfilled.\n" : "Not fulfilled.\n");
+  out << "  Required: at most " << exact_number(required) << " deg in " << exact_number(percent)
+      << " % of the " << what << ". It is " << decimals(found) << " deg, margin "
+      << decimals(required - found) << " deg; " << within << " of " << count << " are within.\n  "
+      << (good ? "Fulfilled.\n" : "Not fulfilled.\n");
   return good;
 }
 
 std::string table(const PointingOptions& options, const AttitudeRecord& record, const std::string& target,
                   const std::vector<double>& angles) {
   std::string text = "# Angle between the axis (" + exact_number(options.axis.x()) + ", " +
-                     exact_number(options.axis.y()) + ", " + exact_number(options.axis.z()) + ") of " + record.body +
-                     " and " + target + ".\n# Attitude of " + record.body + " relative to " + record.reference +
-                     " from " + record.file + ". Times in UTC, angles in degrees.\ntime_utc,angle_deg\n";
+                     exact_number(options.axis.y()) + ", " + exact_number(options.axis.z()) + ") of " +
+                     record.body + " and " + target + ".\n# Attitude of " + record.body + " relative to " +
+                     record.reference + " from " + record.file +
+                     ". Times in UTC, angles in degrees.\ntime_utc,angle_deg\n";
   for (std::size_t i = 0; i < angles.size(); ++i)
     text += exact_text(record.times[i], scale::utc) + "," + exact_number(degrees * angles[i]) + "\n";
   return text;
@@ -91,7 +97,8 @@ std::string table(const PointingOptions& options, const AttitudeRecord& record, 
 
 void require_angle(const char* option, const std::optional<double>& angle) {
   if (angle && !(*angle > 0.0 && *angle <= 180.0))
-    throw BadInput(std::string(option) + ' ' + detail::text(*angle) + " is no angle above 0 and at most 180 degrees");
+    throw BadInput(std::string(option) + ' ' + detail::text(*angle) +
+                   " is no angle above 0 and at most 180 degrees");
 }
 
 void check_options(const PointingOptions& options) {
@@ -104,7 +111,8 @@ void check_options(const PointingOptions& options) {
   require_angle("--require", options.required);
   require_angle("--require-relative", options.required_relative);
   if ((options.required || options.required_relative) != options.percent.has_value())
-    throw BadInput("--percent, how many of the samples have to fulfil it, goes with --require or --require-relative");
+    throw BadInput(
+        "--percent, how many of the samples have to fulfil it, goes with --require or --require-relative");
   if (options.percent && !(*options.percent > 0.0 && *options.percent <= 100.0))
     throw BadInput("--percent " + detail::text(*options.percent) + " is not above 0 and at most 100");
   if (options.required_relative && !options.window)
@@ -128,15 +136,16 @@ bool write_relative(const PointingOptions& options, const AttitudeRecord& record
   std::vector<Epoch> starts;
   for (const std::size_t i : found.starts) starts.push_back(record.times[i]);
   out << "\nRelative error, deg: the most that the target moves from its mean direction in a window of "
-      << exact_number(*options.window) << " s,\n" << found.errors.size() << " windows; " << found.left_out
-      << " more reach over a gap or the end\n";
+      << exact_number(*options.window) << " s,\n"
+      << found.errors.size() << " windows; " << found.left_out << " more reach over a gap or the end\n";
   const Figures figures(found.errors, starts);
   figures.write(out);
-  out << "  The largest change between two samples at most " << exact_number(*options.window) << " s apart is "
-      << decimals(degrees * found.largest_change) << " deg,\n  from " << record.times[found.change_from].utc(3) << " UTC to "
-      << record.times[found.change_until].utc(3) << " UTC.\n";
-  return !options.required_relative || fulfils(figures, *options.required_relative, *options.percent,
-                                               found.errors.size(), "windows", out);
+  out << "  The largest change between two samples at most " << exact_number(*options.window)
+      << " s apart is " << decimals(degrees * found.largest_change) << " deg,\n  from "
+      << record.times[found.change_from].utc(3) << " UTC to " << record.times[found.change_until].utc(3)
+      << " UTC.\n";
+  return !options.required_relative ||
+         fulfils(figures, *options.required_relative, *options.percent, found.errors.size(), "windows", out);
 }
 
 }  // namespace

@@ -14,11 +14,11 @@ struct PointingOptions {
   OrbitSource orbit{};
   Eigen::Vector3d axis = Eigen::Vector3d::Zero();  // in the axes of the body, any length
   Target target = Target::sun;
-  std::optional<SkyCorrection> correction{};           // of the Sun and the Moon, which need one
-  std::optional<double> window{};                      // s
+  std::optional<SkyCorrection> correction{};            // of the Sun and the Moon, which need one
+  std::optional<double> window{};                       // s
   std::optional<double> required, required_relative{};  // deg, of the absolute and the relative error
-  std::optional<double> percent{};                     // of the samples, or the windows, that have to fulfil it
-  std::filesystem::path csv{};                         // empty if not wanted
+  std::optional<double> percent{};  // of the samples, or the windows, that have to fulfil it
+  std::filesystem::path csv{};      // empty if not wanted
   bool force = false;
 };
 

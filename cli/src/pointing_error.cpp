@@ -35,12 +35,13 @@ std::vector<double> absolute_errors(const std::vector<Vector3d>& in_body, const 
   return all;
 }
 
-RelativeErrors relative_errors(const AttitudeRecord& record, const std::vector<Vector3d>& in_body, double seconds) {
+RelativeErrors relative_errors(const AttitudeRecord& record, const std::vector<Vector3d>& in_body,
+                               double seconds) {
   constexpr double rounding = 1e-9;  // s: epochs are kept to 1e-11 s, and a sum of steps is a window
   const double usual = faults_of(record).median_step;
   if (!(seconds >= usual - rounding))
-    throw BadInput("--window " + detail::text(seconds) + " s is shorter than the steps of " + record.file + ", " +
-                   detail::text(usual) + " s");
+    throw BadInput("--window " + detail::text(seconds) + " s is shorter than the steps of " + record.file +
+                   ", " + detail::text(usual) + " s");
   const double longest = longest_step(usual);
   RelativeErrors found;
   // first to last is the window; it is whole up to the next gap, or the end.
@@ -49,7 +50,8 @@ RelativeErrors relative_errors(const AttitudeRecord& record, const std::vector<V
     const Epoch& start = record.times[first];
     const auto later = [&](std::size_t i) { return (record.times[i] - start).value(); };
     whole = std::max(whole, first);
-    while (whole + 1 < record.size() && (record.times[whole + 1] - record.times[whole]).value() <= longest) ++whole;
+    while (whole + 1 < record.size() && (record.times[whole + 1] - record.times[whole]).value() <= longest)
+      ++whole;
     last = std::max(last, first);
     while (last < whole && later(last + 1) <= seconds + rounding) ++last;
     for (std::size_t i = first + 1; i <= last; ++i) {

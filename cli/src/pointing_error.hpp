@@ -19,7 +19,8 @@ struct RelativeErrors {
 
 /// The unit vectors to the target in the axes of the body, as the record is stated, from those in the axes of
 /// the reference.
-std::vector<Eigen::Vector3d> seen_in_body(const AttitudeRecord& record, const std::vector<Eigen::Vector3d>& directions);
+std::vector<Eigen::Vector3d> seen_in_body(const AttitudeRecord& record,
+                                          const std::vector<Eigen::Vector3d>& directions);
 
 /// The absolute pointing error at every sample, rad: the angle between the axis and the target.
 std::vector<double> absolute_errors(const std::vector<Eigen::Vector3d>& in_body, const Eigen::Vector3d& axis);

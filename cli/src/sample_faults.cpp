@@ -21,9 +21,10 @@ void add(SampleFaults::Extreme& found, double value, std::size_t sample) {
 }
 
 void write_head(const AttitudeRecord& record, const SampleFaults& faults, std::ostream& out) {
-  out << record.file << "\n" << record.size() << " samples of " << record.body << " relative to "
-      << record.reference << ", " << record.times.front() << " to " << record.times.back() << ", usually "
-      << shown(faults.median_step) << " s apart.\n";
+  out << record.file << "\n"
+      << record.size() << " samples of " << record.body << " relative to " << record.reference << ", "
+      << record.times.front() << " to " << record.times.back() << ", usually " << shown(faults.median_step)
+      << " s apart.\n";
   if (record.has_quaternions) {
     const bool to_body = record.stated.maps == Convention::Maps::to_body;
     out << "As stated, R(q) takes coordinates to " << (to_body ? record.body : record.reference)
@@ -38,12 +39,14 @@ void write_faults(const AttitudeRecord& record, const SampleFaults& faults, std:
   const auto at = [&](std::size_t sample) {
     return "sample " + detail::text(sample + 1) + ", " + record.times[sample].utc(3) + " UTC";
   };
-  const auto line = [&](const SampleFaults::Extreme& found, const std::string& what, const std::string& largest) {
+  const auto line = [&](const SampleFaults::Extreme& found, const std::string& what,
+                        const std::string& largest) {
     if (found.count > 0)
-      out << "  " << found.count << ' ' << what << (largest.empty() ? ", first" : "; most " + largest) << " at "
-          << at(found.sample) << '\n';
+      out << "  " << found.count << ' ' << what << (largest.empty() ? ", first" : "; most " + largest)
+          << " at " << at(found.sample) << '\n';
   };
-  line(faults.gaps, "gaps, steps longer than three times the usual one", shown(faults.gaps.largest) + " s, which ends");
+  line(faults.gaps, "gaps, steps longer than three times the usual one",
+       shown(faults.gaps.largest) + " s, which ends");
   line(faults.sign_flips, "changes from q to -q: the attitude is one, its numbers are not", "");
   line(faults.half_turns, "steps near half a turn: rates must say which way it turned",
        shown(degrees * faults.half_turns.largest) + " deg");

@@ -13,7 +13,8 @@ namespace vectrix::cli {
 
 /// The part of a file that is asked for.
 struct Selection {
-  std::optional<std::size_t> segment{};  // of a message, counted from 1; it may be left out if there is only one
+  std::optional<std::size_t>
+      segment{};  // of a message, counted from 1; it may be left out if there is only one
   std::optional<Epoch> from{}, until{};  // both included
 };
 
@@ -36,9 +37,11 @@ const auto& segment_of(const Message& message, const std::optional<std::size_t>&
                        const std::filesystem::path& file) {
   const std::size_t count = message.segments().size();
   if (!segment && count > 1)
-    throw BadInput(file.string() + ": there are " + detail::text(count) + " segments; missing: --segment NUMBER");
+    throw BadInput(file.string() + ": there are " + detail::text(count) +
+                   " segments; missing: --segment NUMBER");
   if (segment && (*segment < 1 || *segment > count))
-    throw BadInput(file.string() + ": asked for segment " + detail::text(*segment) + " of " + detail::text(count));
+    throw BadInput(file.string() + ": asked for segment " + detail::text(*segment) + " of " +
+                   detail::text(count));
   return message.segments()[segment.value_or(1) - 1];
 }
 

@@ -34,7 +34,8 @@ template <class Numbers> void add_fields(std::string& line, const Numbers& numbe
 inline bool is_table_name(const std::filesystem::path& file, const std::string& message) {
   const std::string kind = file.extension().string();
   if (kind != ".csv" && kind != message)
-    throw BadInput(file.string() + ": the name ends neither in " + message + " nor in .csv, which says what to write");
+    throw BadInput(file.string() + ": the name ends neither in " + message +
+                   " nor in .csv, which says what to write");
   return kind == ".csv";
 }
 

@@ -30,8 +30,8 @@ std::vector<Vector3d> lines_of_sight(const std::vector<Epoch>& times, const std:
 }
 
 // In GCRF, of any length.
-std::vector<Vector3d> lines_to(Target target, const std::vector<Epoch>& times, const std::vector<Motion>& motions,
-                               const SkyCorrection& correction) {
+std::vector<Vector3d> lines_to(Target target, const std::vector<Epoch>& times,
+                               const std::vector<Motion>& motions, const SkyCorrection& correction) {
   if (target == Target::sun) return lines_of_sight<sky::Sun>(times, motions, correction);
   if (target == Target::moon) return lines_of_sight<sky::Moon>(times, motions, correction);
   std::vector<Vector3d> lines;
@@ -45,10 +45,14 @@ std::vector<Vector3d> lines_to(Target target, const std::vector<Epoch>& times, c
 
 std::string name_of(Target target) {
   switch (target) {
-    case Target::sun: return "the Sun";
-    case Target::moon: return "the Moon";
-    case Target::earth: return "the centre of the Earth";
-    default: return "the velocity relative to GCRF";
+    case Target::sun:
+      return "the Sun";
+    case Target::moon:
+      return "the Moon";
+    case Target::earth:
+      return "the centre of the Earth";
+    default:
+      return "the velocity relative to GCRF";
   }
 }
 

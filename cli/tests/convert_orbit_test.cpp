@@ -22,7 +22,8 @@ std::string content(const std::filesystem::path& file) {
 
 const ConvertOptions named{{}, {}, {"S", "2026-001A", "TEST", "2026-11-29T00:00:00"}};
 
-std::string convert_to(const OrbitFile& source, const std::filesystem::path& out, const std::string& frame = "") {
+std::string convert_to(const OrbitFile& source, const std::filesystem::path& out,
+                       const std::string& frame = "") {
   ConvertOptions options = named;
   options.out = out;
   options.frame = frame;
@@ -51,7 +52,8 @@ bool same(const OrbitRecord& a, const OrbitRecord& b) {
 
 // Sixteen digits.
 std::string any_decimal(const char* exponent) {
-  return std::to_string(*rc::gen::inRange<std::int64_t>(-9'999'999'999'999'999, 9'999'999'999'999'999)) + exponent;
+  return std::to_string(*rc::gen::inRange<std::int64_t>(-9'999'999'999'999'999, 9'999'999'999'999'999)) +
+         exponent;
 }
 
 RC_GTEST_PROP(ConvertOrbit, LosesNoDigit, ()) {
@@ -62,7 +64,8 @@ RC_GTEST_PROP(ConvertOrbit, LosesNoDigit, ()) {
   const auto start = Epoch::from_utc("2026-11-29T00:00:00");
   for (int i = 0; i < 4; ++i) {
     const auto picoseconds = *rc::gen::inRange<std::int64_t>(0, 1'000'000'000'000);
-    text += exact_text(start + (60.0 * i + 1e-12 * static_cast<double>(picoseconds)) * si::second, scale::tdb);
+    text +=
+        exact_text(start + (60.0 * i + 1e-12 * static_cast<double>(picoseconds)) * si::second, scale::tdb);
     for (int k = 0; k < 3; ++k) text += "," + any_decimal(kilometres ? "e-12" : "e-9");
     for (int k = 0; k < 3; ++k) text += "," + any_decimal(kilometres ? "e-15" : "e-12");
     text += "\n";
@@ -97,9 +100,11 @@ constexpr const char* covariances =
 TEST(ConvertOrbit, TurnsPositionsVelocitiesAndAccelerationsToTheOtherFrame) {
   TemporaryFolder folder;
   const auto in = folder.written("in.oem", message("J2000", covariances)), out = folder.file("out.oem");
-  EXPECT_EQ(convert_to({in}, out, "ICRF"),
-            out.string() + ": 3 samples of an orbit in GCRF\n  not to the last digit: the orbit is turned from EME2000 to GCRF\n");
-  const auto before = OrbitEphemerisMessage::read(in).segments()[0], after = OrbitEphemerisMessage::read(out).segments()[0];
+  EXPECT_EQ(convert_to({in}, out, "ICRF"), out.string() +
+                                               ": 3 samples of an orbit in GCRF\n  not to the last digit: "
+                                               "the orbit is turned from EME2000 to GCRF\n");
+  const auto before = OrbitEphemerisMessage::read(in).segments()[0],
+             after = OrbitEphemerisMessage::read(out).segments()[0];
   const auto R_gcrf_from_eme = inverse(eme2000_from_gcrf());
   const auto old = before.samples<Eme2000, Satellite>();
   const auto found = after.samples<Gcrf, Satellite>();
@@ -107,9 +112,16 @@ TEST(ConvertOrbit, TurnsPositionsVelocitiesAndAccelerationsToTheOtherFrame) {
   const auto found_a = after.accelerations<Gcrf, Satellite>();
   constexpr double rounding = 1e-8;  // m, of 7000 km; more than enough for the others
   for (std::size_t i = 0; i < 3; ++i) {
-    EXPECT_LE((found[i].motion.position.coordinates() - R_gcrf_from_eme.matrix() * old[i].motion.position.coordinates()).norm(), rounding);
-    EXPECT_LE((found[i].motion.velocity.coordinates() - R_gcrf_from_eme.matrix() * old[i].motion.velocity.coordinates()).norm(), rounding);
-    EXPECT_LE((found_a[i].coordinates() - R_gcrf_from_eme.matrix() * old_a[i].coordinates()).norm(), rounding);
+    EXPECT_LE((found[i].motion.position.coordinates() -
+               R_gcrf_from_eme.matrix() * old[i].motion.position.coordinates())
+                  .norm(),
+              rounding);
+    EXPECT_LE((found[i].motion.velocity.coordinates() -
+               R_gcrf_from_eme.matrix() * old[i].motion.velocity.coordinates())
+                  .norm(),
+              rounding);
+    EXPECT_LE((found_a[i].coordinates() - R_gcrf_from_eme.matrix() * old_a[i].coordinates()).norm(),
+              rounding);
     EXPECT_GT((found[i].motion.position.coordinates() - old[i].motion.position.coordinates()).norm(), 0.1);
   }
   EXPECT_EQ(after.metadata().object_name, "S");
@@ -122,8 +134,10 @@ TEST(ConvertOrbit, KeepsAnyFrameAndSaysWhatATableLeavesOut) {
   TemporaryFolder folder;
   OrbitFile in{folder.written("in.oem", message("TEME", covariances))};
   const auto out = folder.file("out.csv"), part = folder.file("part.oem");
-  EXPECT_EQ(convert_to(in, out), out.string() + ": 3 samples of an orbit in TEME\n  left out: 2 covariances\n");
-  const auto table = CsvTable::read(out, {"time_utc", "x_in_teme_m", "vz_in_teme_m_per_s", "az_in_teme_m_per_s2"});
+  EXPECT_EQ(convert_to(in, out),
+            out.string() + ": 3 samples of an orbit in TEME\n  left out: 2 covariances\n");
+  const auto table =
+      CsvTable::read(out, {"time_utc", "x_in_teme_m", "vz_in_teme_m_per_s", "az_in_teme_m_per_s2"});
   EXPECT_EQ(table.number(0, "x_in_teme_m"), 6778066.9);
   EXPECT_EQ(table.number(2, "vz_in_teme_m_per_s"), 7600.0);
   EXPECT_EQ(table.number(2, "az_in_teme_m_per_s2"), 8.0);
@@ -143,7 +157,9 @@ TEST(ConvertOrbit, RefusesWhatItCannotSay) {
   const auto in = folder.written("in.oem", message("ITRF2000"));
   EXPECT_EQ(refusal({in}, "out.oem", "GCRF"),
             "FILE: the orbit is in 'ITRF2000'; --frame turns EME2000 and GCRF into each other");
-  EXPECT_NE(refusal({in}, "out.aem").find("the name ends neither in .oem nor in .csv, which says what to write"), std::string::npos);
+  EXPECT_NE(
+      refusal({in}, "out.aem").find("the name ends neither in .oem nor in .csv, which says what to write"),
+      std::string::npos);
   auto stopped = message("TOD");
   stopped.insert(stopped.find("TIME_SYSTEM"), "REF_FRAME_EPOCH = 2026-01-01T00:00:00\n");
   EXPECT_EQ(refusal({folder.written("tod.oem", stopped)}, "out.csv"),
@@ -154,12 +170,14 @@ TEST(ConvertOrbit, RefusesWhatItCannotSay) {
             "FILE: some lines have an acceleration, others have none; a table has them for all");
   const auto table = [&](const std::string& rows) {
     const auto file = folder.written("t.csv", "t,x,y,z,u,v,w\n" + rows);
-    return refusal({file, OrbitColumns{"t", scale::utc, {"x", "y", "z"}, {"u", "v", "w"}, true, "GCRF"}}, "out.oem");
+    return refusal({file, OrbitColumns{"t", scale::utc, {"x", "y", "z"}, {"u", "v", "w"}, true, "GCRF"}},
+                   "out.oem");
   };
   EXPECT_EQ(table(""), "FILE: there are no samples");
   EXPECT_EQ(table("2026-11-29T00:00:00,1,2,3,4,5,6\n2026-11-29T00:00:00,1,2,3,4,5,6\n"),
             "table FILE, line 3, column 1 ('t'): 2026-11-29T00:00:00 is not after the row before");
-  EXPECT_EQ(table("2026-11-29T00:00:00,1,2,nan,4,5,6\n"), "table FILE, line 2, column 4 ('z'): 'nan' times 10^3 is not a finite number");
+  EXPECT_EQ(table("2026-11-29T00:00:00,1,2,nan,4,5,6\n"),
+            "table FILE, line 2, column 4 ('z'): 'nan' times 10^3 is not a finite number");
   for (const char* out : {"out.oem", "out.csv"}) EXPECT_FALSE(std::filesystem::exists(folder.file(out)));
 }
 

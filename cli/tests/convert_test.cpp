@@ -28,7 +28,8 @@ std::string content(const std::filesystem::path& file) {
 }
 
 // A table in the convention in which convert writes one.
-TableColumns written_columns(const std::string& reference, const std::string& scale, const TableColumns& like) {
+TableColumns written_columns(const std::string& reference, const std::string& scale,
+                             const TableColumns& like) {
   const std::string q = "q_" + reference + "_from_body_";
   TableColumns columns = like;
   columns.time = "time_" + scale;
@@ -43,7 +44,8 @@ TableColumns written_columns(const std::string& reference, const std::string& sc
 }
 
 double any_number(double size) {
-  return size * (1e-17 * static_cast<double>(*rc::gen::inRange<std::int64_t>(-100'000'000'000'000'000, 100'000'000'000'000'001)));
+  return size * (1e-17 * static_cast<double>(*rc::gen::inRange<std::int64_t>(-100'000'000'000'000'000,
+                                                                             100'000'000'000'000'001)));
 }
 
 std::string convert_to(const AttitudeSource& source, const std::filesystem::path& out) {
@@ -64,9 +66,13 @@ RC_GTEST_PROP(Convert, LosesNoDigit, ()) {
   TemporaryFolder folder;
   const bool utc = *rc::gen::arbitrary<bool>(), has_rates = *rc::gen::arbitrary<bool>();
   const std::string scale = utc ? "utc" : "tt";
-  TableColumns columns{"t", utc ? TimeScale(scale::utc) : TimeScale(scale::tt), {"a", "b", "c", "d"},
-                       {*rc::gen::element(Scalar::first, Scalar::last), *rc::gen::element(Maps::to_body, Maps::to_reference)},
-                       "EME2000", {}};
+  TableColumns columns{
+      "t",
+      utc ? TimeScale(scale::utc) : TimeScale(scale::tt),
+      {"a", "b", "c", "d"},
+      {*rc::gen::element(Scalar::first, Scalar::last), *rc::gen::element(Maps::to_body, Maps::to_reference)},
+      "EME2000",
+      {}};
   if (has_rates) columns.rates = {"wx", "wy", "wz"};
   columns.rates_in_degrees = true;
   columns.rate_axes = *rc::gen::element(RateAxes::body, RateAxes::reference);
@@ -102,9 +108,11 @@ RC_GTEST_PROP(Convert, LosesNoDigit, ()) {
 }
 
 constexpr const char* head =
-    "CCSDS_AEM_VERS = 1.0\nCOMMENT of the header\nCREATION_DATE = 2020-01-01T00:00:00\nORIGINATOR = SOMEONE\n";
+    "CCSDS_AEM_VERS = 1.0\nCOMMENT of the header\nCREATION_DATE = 2020-01-01T00:00:00\nORIGINATOR = "
+    "SOMEONE\n";
 std::string segment(const std::string& direction, const std::string& type, const std::string& lines) {
-  return "META_START\nCOMMENT of the metadata\nOBJECT_NAME = SAT\nOBJECT_ID = 2020-007B\nREF_FRAME_A = SC_BODY_1\n"
+  return "META_START\nCOMMENT of the metadata\nOBJECT_NAME = SAT\nOBJECT_ID = 2020-007B\nREF_FRAME_A = "
+         "SC_BODY_1\n"
          "REF_FRAME_B = J2000\nATTITUDE_DIR = " +
          direction +
          "\nTIME_SYSTEM = TAI\nSTART_TIME = 2026-11-29T00:00:00\nUSEABLE_START_TIME = 2026-11-29T00:00:30\n"
@@ -124,7 +132,8 @@ TEST(Convert, KeepsTheAttitudeOfAMessageAndItsWords) {
     options.text.creation_date = "2026-11-29T00:00:00";
     std::ostringstream said;
     convert(source, options, said);
-    const auto before = AttitudeEphemerisMessage::read(in), after = AttitudeEphemerisMessage::read(options.out);
+    const auto before = AttitudeEphemerisMessage::read(in),
+               after = AttitudeEphemerisMessage::read(options.out);
     const auto body = called<Body>("SC_BODY_1");
     const auto samples = before.segments()[0].samples<Eme2000, Body>(body),
                found = after.segments()[0].samples<Eme2000, Body>(body);
@@ -134,8 +143,10 @@ TEST(Convert, KeepsTheAttitudeOfAMessageAndItsWords) {
       EXPECT_EQ(found[i].q_a_from_b.scalar_last(), samples[i].q_a_from_b.scalar_last());
     }
     EXPECT_EQ(content(options.out).substr(0, content(options.out).find("DATA_START")),
-              "CCSDS_AEM_VERS = 2.0\nCOMMENT of the header\nCREATION_DATE = 2026-11-29T00:00:00\nORIGINATOR = SOMEONE\n\n"
-              "META_START\nCOMMENT of the metadata\nOBJECT_NAME = SAT\nOBJECT_ID = 2020-007B\nREF_FRAME_A = EME2000\n"
+              "CCSDS_AEM_VERS = 2.0\nCOMMENT of the header\nCREATION_DATE = 2026-11-29T00:00:00\nORIGINATOR "
+              "= SOMEONE\n\n"
+              "META_START\nCOMMENT of the metadata\nOBJECT_NAME = SAT\nOBJECT_ID = 2020-007B\nREF_FRAME_A = "
+              "EME2000\n"
               "REF_FRAME_B = SC_BODY_1\nTIME_SYSTEM = TAI\nSTART_TIME = 2026-11-29T00:00:00.000\n"
               "USEABLE_START_TIME = 2026-11-29T00:00:30.000\nSTOP_TIME = 2026-11-29T00:03:00.000\n"
               "ATTITUDE_TYPE = QUATERNION\nMETA_STOP\n\n");
@@ -156,7 +167,11 @@ TEST(Convert, KeepsTheAttitudeOfAMessageAndItsWords) {
 }
 
 TEST(Convert, TurnsAttitudeAndRatesToTheOtherFrame) {
-  PlainAttitude attitude{"body", "EME2000", scale::utc, {Epoch::from_utc("2026-11-29T00:00:00")}, {{0.5, -0.5, 0.5, 0.5}},
+  PlainAttitude attitude{"body",
+                         "EME2000",
+                         scale::utc,
+                         {Epoch::from_utc("2026-11-29T00:00:00")},
+                         {{0.5, -0.5, 0.5, 0.5}},
                          {Eigen::Vector3d(1.0, 2.0, 3.0)}};
   attitude.rate_axes = RateAxes::reference;
   const auto rotation = [](const PlainAttitude& a) {
@@ -181,23 +196,29 @@ TEST(Convert, TurnsAttitudeAndRatesToTheOtherFrame) {
 
 TEST(Convert, SaysWhatIsNotToTheLastDigit) {
   TemporaryFolder folder;
-  const std::string rows = "t,w,x,y,z,p,q,r\n2026-11-29T00:00:00,0,3,4,0,1,0,0\n2026-11-29T00:00:01,0,3,4,0,1,0,0\n";
-  const AttitudeSource table{folder.written("in.csv", rows),
-                             TableColumns{"t", scale::utc, {"w", "x", "y", "z"}, {Scalar::first, Maps::to_reference}, "GCRF",
-                                          {"p", "q", "r"}}};
+  const std::string rows =
+      "t,w,x,y,z,p,q,r\n2026-11-29T00:00:00,0,3,4,0,1,0,0\n2026-11-29T00:00:01,0,3,4,0,1,0,0\n";
+  const AttitudeSource table{folder.written("in.csv", rows), TableColumns{"t",
+                                                                          scale::utc,
+                                                                          {"w", "x", "y", "z"},
+                                                                          {Scalar::first, Maps::to_reference},
+                                                                          "GCRF",
+                                                                          {"p", "q", "r"}}};
   const auto out = folder.file("out.aem");
   EXPECT_EQ(convert_to(table, out),
-            out.string() + ": 2 samples of SC_BODY_1 relative to GCRF\n"
-                           "  not to the last digit: the quaternions, the first of norm 5, are divided by their norms\n"
-                           "  not to the last digit: the rates are converted from rad/s to deg/s\n");
+            out.string() +
+                ": 2 samples of SC_BODY_1 relative to GCRF\n"
+                "  not to the last digit: the quaternions, the first of norm 5, are divided by their norms\n"
+                "  not to the last digit: the rates are converted from rad/s to deg/s\n");
   const auto written = read_message(out, std::nullopt);
   EXPECT_EQ(written.numbers[0], (std::array{0.6, 0.8, 0.0, 0.0}));
   EXPECT_NEAR(written.rates_in_radians()[0].x(), 1.0, 1e-15);
   const auto angles = folder.written(
       "angles.aem", head + segment("A2B", "ATTITUDE_TYPE = EULER_ANGLE\nEULER_ROT_SEQ = 321\n",
                                    "2026-11-29T00:00:00 10 20 30\n2026-11-29T00:03:00 10 20 31\n"));
-  EXPECT_NE(convert_to({angles}, folder.file("angles.csv")).find("the quaternions are computed from Euler angles"),
-            std::string::npos);
+  EXPECT_NE(
+      convert_to({angles}, folder.file("angles.csv")).find("the quaternions are computed from Euler angles"),
+      std::string::npos);
 }
 
 TEST(Convert, RefusesWhatWouldLoseOrOverwriteSomething) {
@@ -215,7 +236,8 @@ TEST(Convert, RefusesWhatWouldLoseOrOverwriteSomething) {
   EXPECT_EQ(refusal(options.out), "FILE: exists; --force overwrites it");
   EXPECT_EQ(content(options.out), "precious");
   options.out = folder.file("out.txt");
-  EXPECT_EQ(refusal(options.out), "FILE: the name ends neither in .aem nor in .csv, which says what to write");
+  EXPECT_EQ(refusal(options.out),
+            "FILE: the name ends neither in .aem nor in .csv, which says what to write");
   options.out = folder.file("new.aem");
   options.frame = "ITRF";
   EXPECT_EQ(refusal(in), "the reference 'ITRF' is none of EME2000, J2000, GCRF, ICRF");
@@ -229,21 +251,26 @@ TEST(Convert, RefusesWhatWouldLoseOrOverwriteSomething) {
   source.file = folder.written("two.aem", head + part + part);
   EXPECT_EQ(refusal(source.file), "FILE: there are 2 segments; missing: --segment NUMBER");
   source.file = folder.written(
-      "b2a.aem", head + segment("B2A", "ATTITUDE_TYPE = QUATERNION/RATE\nQUATERNION_TYPE = FIRST\nRATE_FRAME = REF_FRAME_A\n",
-                                "2026-11-29T00:00:00 1 0 0 0 1 0 0\n2026-11-29T00:03:00 1 0 0 0 1 0 0\n"));
+      "b2a.aem",
+      head + segment("B2A",
+                     "ATTITUDE_TYPE = QUATERNION/RATE\nQUATERNION_TYPE = FIRST\nRATE_FRAME = REF_FRAME_A\n",
+                     "2026-11-29T00:00:00 1 0 0 0 1 0 0\n2026-11-29T00:03:00 1 0 0 0 1 0 0\n"));
   EXPECT_EQ(refusal(source.file),
-            "FILE: The rates are not used: with ATTITUDE_DIR B2A the message does not say whether they are of SC_BODY_1 or of "
+            "FILE: The rates are not used: with ATTITUDE_DIR B2A the message does not say whether they are "
+            "of SC_BODY_1 or of "
             "J2000. They would be lost");
   source.file = in;
   source.selection.until = Epoch::from("2026-11-29T00:02:00 TAI");
   std::ostringstream said;
   convert(source, options, said);
   EXPECT_EQ(read_message(options.out, std::nullopt).size(), 2U);
-  source = {folder.written("t.csv", "t,w,x,y,z\n2026-11-29T00:00:00,1,0,0,0\n2026-11-29T00:00:01,1,0,0,0\n"),
-                      TableColumns{"t", scale::utc, {"w", "x", "y", "z"}, {Scalar::first, Maps::to_reference}, "GCRF", {}}};
+  source = {
+      folder.written("t.csv", "t,w,x,y,z\n2026-11-29T00:00:00,1,0,0,0\n2026-11-29T00:00:01,1,0,0,0\n"),
+      TableColumns{"t", scale::utc, {"w", "x", "y", "z"}, {Scalar::first, Maps::to_reference}, "GCRF", {}}};
   options.text.originator = "TEST";
   EXPECT_EQ(refusal(source.file),
-            "FILE: a table does not say what a message needs; missing: --object-name NAME, --object-id ID, --body FRAME");
+            "FILE: a table does not say what a message needs; missing: --object-name NAME, --object-id ID, "
+            "--body FRAME");
 }
 
 }  // namespace

@@ -47,13 +47,19 @@ Published published() {
 // The attitude of the cubesat at other times, at a constant rate between its samples.
 AttitudeRecord cubesat_at(const std::vector<Epoch>& times) {
   struct Body : moving_frame {};
-  const auto record = read_table(
-      data / "CTIM_20230420_attitude.csv",
-      {"UTC", scale::utc, {"quaternion_c", "quaternion_x", "quaternion_y", "quaternion_z"}, {Scalar::first, Maps::to_body}, "GCRF", {}});
+  const auto record = read_table(data / "CTIM_20230420_attitude.csv",
+                                 {"UTC",
+                                  scale::utc,
+                                  {"quaternion_c", "quaternion_x", "quaternion_y", "quaternion_z"},
+                                  {Scalar::first, Maps::to_body},
+                                  "GCRF",
+                                  {}});
   std::vector<AttitudeSample<Gcrf, Body, Epoch>> samples;
   for (std::size_t i = 0; i < record.size(); ++i) {
     const auto q = record.to_reference(i, record.stated);
-    samples.push_back({record.times[i], nearest_quaternion_scalar_first(to<Gcrf>, from<Body>, q.w(), q.x(), q.y(), q.z()).quaternion});
+    samples.push_back(
+        {record.times[i],
+         nearest_quaternion_scalar_first(to<Gcrf>, from<Body>, q.w(), q.x(), q.y(), q.z()).quaternion});
   }
   const SampledAttitude motion(samples, 30.0 * si::second);
   AttitudeRecord at = record;
@@ -69,20 +75,24 @@ AttitudeRecord cubesat_at(const std::vector<Epoch>& times) {
 
 // The mounting turns the boresight by 0.57 deg from -z of the body.
 TEST(Pointing, FindsTheAnglesThatACubesatsGroundProcessingHasPublished) {
-  const Vector3d boresight = Eigen::Quaterniond(9.999876e-01, 1.534418e-03, 4.728365e-03, -7.255375e-06).normalized() *
-                             Vector3d(0.0, 0.0, -1.0);
+  const Vector3d boresight =
+      Eigen::Quaterniond(9.999876e-01, 1.534418e-03, 4.728365e-03, -7.255375e-06).normalized() *
+      Vector3d(0.0, 0.0, -1.0);
   const auto expected = published();
   const auto record = cubesat_at(expected.times);
-  const auto orbit = orbit_of_elements(data / "CTIM_20230419.tle", from_until(expected.times.front(), expected.times.back()));
+  const auto orbit = orbit_of_elements(data / "CTIM_20230419.tle",
+                                       from_until(expected.times.front(), expected.times.back()));
   const auto rms = [&](const SkyCorrection& correction, const FlownOrbit& flown, const Vector3d& axis) {
-    const auto found = absolute_errors(
-        seen_in_body(record, directions(record, Target::sun, correction, flown)), axis);
+    const auto found =
+        absolute_errors(seen_in_body(record, directions(record, Target::sun, correction, flown)), axis);
     double sum = 0.0;
-    for (std::size_t i = 0; i < found.size(); ++i) sum += std::pow((found[i] - expected.off_sun[i]) / arcsecond, 2);
+    for (std::size_t i = 0; i < found.size(); ++i)
+      sum += std::pow((found[i] - expected.off_sun[i]) / arcsecond, 2);
     return std::sqrt(sum / static_cast<double>(found.size()));
   };
   ASSERT_EQ(record.size(), 719U);
-  constexpr double of_printed_cosines = 0.03;  // arcsec: cosines near 1, with 16 digits, of a position good to metres
+  constexpr double of_printed_cosines =
+      0.03;  // arcsec: cosines near 1, with 16 digits, of a position good to metres
   EXPECT_LE(rms(geometric, orbit, boresight), of_printed_cosines);
   EXPECT_GT(rms(apparent, orbit, boresight), 10.0);
   EXPECT_GT(rms(geometric, nullptr, boresight), 4.0);
@@ -96,7 +106,8 @@ RC_GTEST_PROP(Quantile, IsTheFirstThatSoManyDoNotExceed, ()) {
   constexpr double rounding = 1e-9;
   RC_ASSERT(place < count);
   RC_ASSERT(100.0 * static_cast<double>(place + 1) >= percent * static_cast<double>(count) - rounding);
-  RC_ASSERT(place == 0 || 100.0 * static_cast<double>(place) < percent * static_cast<double>(count) - rounding);
+  RC_ASSERT(place == 0 ||
+            100.0 * static_cast<double>(place) < percent * static_cast<double>(count) - rounding);
 }
 
 TEST(Quantile, IsNotPushedFurtherByTheRoundingOfThePercents) {
@@ -133,15 +144,20 @@ TEST(RelativeError, LeavesOutWindowsThatReachOverAGap) {
   EXPECT_EQ(found.starts, (std::vector<std::size_t>{0, 1, 2, 3, 4, 5, 10, 11, 12, 13, 14, 15}));
   EXPECT_EQ(found.left_out, 8U);
   EXPECT_NEAR(found.largest_change, 4.0 * 0.002, 1e-9);  // not over the gap
-  EXPECT_NE(complaint([&] { (void)relative_errors(record, seen, 10.0); }).find("no stretch without gaps"), std::string::npos);
-  EXPECT_NE(complaint([&] { (void)relative_errors(record, seen, 0.9); }).find("--window 0.9 s is shorter than the steps"),
+  EXPECT_NE(complaint([&] { (void)relative_errors(record, seen, 10.0); }).find("no stretch without gaps"),
+            std::string::npos);
+  EXPECT_NE(complaint([&] {
+              (void)relative_errors(record, seen, 0.9);
+            }).find("--window 0.9 s is shorter than the steps"),
             std::string::npos);
 }
 
 // A circle in the plane of x and y, and a body at rest in GCRF.
 class Circle : public ::testing::Test {
  protected:
-  Circle() : record(AttitudeMotion{{0.0, 0.0, 1e-12}, {0.0, 0.0, 1e-12}}.record(60, stated, stated, RateAxes::body, RateAxes::body)) {}
+  Circle()
+      : record(AttitudeMotion{{0.0, 0.0, 1e-12}, {0.0, 0.0, 1e-12}}.record(60, stated, stated, RateAxes::body,
+                                                                           RateAxes::body)) {}
   static double angle(double t) { return 1.08e-3 * t; }
   static PointMotion<Gcrf, Satellite, Gcrf> orbit(const Epoch& t) {
     constexpr double r = 7e6, n = 1.08e-3;
@@ -164,7 +180,9 @@ TEST_F(Circle, HasItsVelocityAheadAndTheEarthBelow) {
   }
   record.reference = "EME2000";
   const auto bias = directions(record, Target::velocity, geometric, orbit);
-  EXPECT_LE(angle_between(bias[0], (eme2000_from_gcrf() * vector<si::dimensionless>(in<Gcrf>, ahead[0])).coordinates()), 1e-15);
+  EXPECT_LE(angle_between(
+                bias[0], (eme2000_from_gcrf() * vector<si::dimensionless>(in<Gcrf>, ahead[0])).coordinates()),
+            1e-15);
   EXPECT_GT(angle_between(bias[0], ahead[0]), 1e-8);
 }
 
@@ -173,21 +191,28 @@ TEST_F(Circle, SeesSunAndMoonByTheWordsOfTheLibrary) {
   const auto span = from_until(record.times.front(), record.times.back());
   const Ephemeris<sky::Moon> moon(span);
   const auto off = [&](auto seen) {
-    return angle_between(directions(record, Target::moon, seen, orbit)[7], moon.direction(t, orbit(t), seen).coordinates());
+    return angle_between(directions(record, Target::moon, seen, orbit)[7],
+                         moon.direction(t, orbit(t), seen).coordinates());
   };
   constexpr double rounding = 1e-15;
   EXPECT_LE(off(geometric), rounding);
   EXPECT_LE(off(light_time), rounding);
   EXPECT_LE(off(apparent), rounding);
-  const auto where = directions(record, Target::sun, geometric, nullptr), image = directions(record, Target::sun, apparent, nullptr);
-  EXPECT_NEAR(angle_between(where[7], image[7]) / arcsecond, 20.5, 0.5);  // the Earth's aberration over its year
+  const auto where = directions(record, Target::sun, geometric, nullptr),
+             image = directions(record, Target::sun, apparent, nullptr);
+  EXPECT_NEAR(angle_between(where[7], image[7]) / arcsecond, 20.5,
+              0.5);  // the Earth's aberration over its year
 }
 
 PointingOptions cubesat() {
   PointingOptions options;
   options.attitude.file = data / "CTIM_20230420_attitude.csv";
-  options.attitude.columns = {"UTC", scale::utc, {"quaternion_c", "quaternion_x", "quaternion_y", "quaternion_z"},
-                              {Scalar::first, Maps::to_body}, "GCRF", {}};
+  options.attitude.columns = {"UTC",
+                              scale::utc,
+                              {"quaternion_c", "quaternion_x", "quaternion_y", "quaternion_z"},
+                              {Scalar::first, Maps::to_body},
+                              "GCRF",
+                              {}};
   options.orbit.elements = data / "CTIM_20230419.tle";
   options.axis = {0.0, 0.0, -1.0};
   options.correction = geometric;
@@ -213,7 +238,8 @@ TEST(Pointing, WritesTheAnglesOfTheSamplesThatAreAskedFor) {
   EXPECT_LE(record.times.back(), *options.attitude.selection.until);
   const auto span = from_until(record.times.front(), record.times.back());
   const auto angles = absolute_errors(
-      seen_in_body(record, directions(record, Target::sun, geometric, read_orbit(options.orbit, span))), options.axis);
+      seen_in_body(record, directions(record, Target::sun, geometric, read_orbit(options.orbit, span))),
+      options.axis);
   ASSERT_EQ(table.rows(), record.size());
   for (std::size_t i = 0; i < record.size(); ++i) {
     EXPECT_EQ(table.value(i, "time_utc", Epoch::from_utc), record.times[i]);
@@ -222,7 +248,9 @@ TEST(Pointing, WritesTheAnglesOfTheSamplesThatAreAskedFor) {
   std::ifstream in(file.path());
   std::string line;
   std::getline(in, line);
-  EXPECT_EQ(line, "# Angle between the axis (0, 0, -1) of the body and the Sun, geometric, seen from the satellite.");
+  EXPECT_EQ(
+      line,
+      "# Angle between the axis (0, 0, -1) of the body and the Sun, geometric, seen from the satellite.");
 }
 
 TEST(Pointing, FulfilsWhatIsRequiredOfSoManySamples) {
@@ -252,21 +280,26 @@ TEST(Pointing, RefusesWhatIsNotStated) {
             "--correction is of the Sun and the Moon, not of the centre of the Earth");
   EXPECT_EQ(refusal([](auto& o) { o.target = Target::velocity, o.correction.reset(), o.orbit = {}; }),
             "the direction of the velocity relative to GCRF needs an orbit: --tle or --oem");
-  EXPECT_EQ(refusal([](auto& o) { o.required = 1.0; }),
-            "--percent, how many of the samples have to fulfil it, goes with --require or --require-relative");
-  EXPECT_EQ(refusal([](auto& o) { o.percent = 99.7; }),
-            "--percent, how many of the samples have to fulfil it, goes with --require or --require-relative");
+  EXPECT_EQ(
+      refusal([](auto& o) { o.required = 1.0; }),
+      "--percent, how many of the samples have to fulfil it, goes with --require or --require-relative");
+  EXPECT_EQ(
+      refusal([](auto& o) { o.percent = 99.7; }),
+      "--percent, how many of the samples have to fulfil it, goes with --require or --require-relative");
   EXPECT_EQ(refusal([](auto& o) { o.required = nan, o.percent = 99.7; }),
             "--require nan is no angle above 0 and at most 180 degrees");
-  EXPECT_EQ(refusal([](auto& o) { o.required = 1.0, o.percent = 100.1; }), "--percent 100.1 is not above 0 and at most 100");
+  EXPECT_EQ(refusal([](auto& o) { o.required = 1.0, o.percent = 100.1; }),
+            "--percent 100.1 is not above 0 and at most 100");
   EXPECT_EQ(refusal([](auto& o) { o.required_relative = 1.0, o.percent = 99.7; }),
             "--require-relative needs the window of the relative error; missing: --window SECONDS");
   EXPECT_EQ(refusal([](auto& o) { o.window = nan; }), "--window nan is no duration");
   EXPECT_EQ(refusal([](auto& o) { o.axis.setZero(); }), "--axis (0, 0, 0) has no direction");
   EXPECT_EQ(refusal([](auto& o) { o.attitude.selection.until = Epoch::from_utc("2023-04-20T05:20:10"); }),
-            "FILE: the samples from 2023-04-20T05:20:00.000000 UTC until 2023-04-20T05:20:10.000000 UTC are 1; at least two are needed");
+            "FILE: the samples from 2023-04-20T05:20:00.000000 UTC until 2023-04-20T05:20:10.000000 UTC are "
+            "1; at least two are needed");
   EXPECT_EQ(refusal([](auto& o) { o.attitude.selection.from = Epoch::from_utc("2023-04-20T07:10:00"); }),
-            "FILE: the samples from 2023-04-20T07:10:00.000000 UTC until 2023-04-20T06:10:00.000000 UTC are 0; at least two are needed");
+            "FILE: the samples from 2023-04-20T07:10:00.000000 UTC until 2023-04-20T06:10:00.000000 UTC are "
+            "0; at least two are needed");
 }
 
 }  // namespace

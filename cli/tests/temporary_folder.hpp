@@ -14,8 +14,9 @@ class TemporaryFolder {
  public:
   TemporaryFolder() {
     const auto* const test = ::testing::UnitTest::GetInstance()->current_test_info();
-    path_ = std::filesystem::temp_directory_path() / (std::string{"vectrix_"} + test->test_suite_name() + "_" +
-                                                      test->name() + "_folder_" + std::to_string(::getpid()));
+    path_ =
+        std::filesystem::temp_directory_path() / (std::string{"vectrix_"} + test->test_suite_name() + "_" +
+                                                  test->name() + "_folder_" + std::to_string(::getpid()));
     std::filesystem::remove_all(path_);
     std::filesystem::create_directory(path_);
   }
