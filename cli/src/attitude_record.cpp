@@ -1,29 +1,26 @@
 #include "attitude_record.hpp"
 
-#include <algorithm>
-#include <cctype>
 #include <cmath>
-#include <numbers>
-#include <optional>
+#include <fstream>
+
+#include "selection.hpp"
 
 namespace vectrix::cli {
 namespace {
-
-constexpr double radians_per_degree = std::numbers::pi / 180.0;
-
-// A name of an inertial reference as the record has it; nothing for another frame.
-std::optional<std::string> inertial(std::string name) {
-  std::transform(name.begin(), name.end(), name.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
-  if (name == "EME2000" || name == "J2000") return "EME2000";
-  if (name == "GCRF" || name == "ICRF") return "GCRF";
-  return std::nullopt;
-}
 
 void require_two(const AttitudeRecord& record) {
   if (record.size() < 2)
     throw BadInput(record.file + ": there is " + detail::text(record.size()) +
                    " sample; at least two are needed");
+}
+
+std::string first_word(const std::filesystem::path& file) {
+  std::ifstream in(file);
+  if (!in) throw BadInput(file.string() + ": cannot be read");
+  std::string word;
+  in >> word;
+  if (word.starts_with("\xef\xbb\xbf")) word.erase(0, 3);
+  return word;
 }
 
 }  // namespace
@@ -37,17 +34,31 @@ Eigen::Quaterniond AttitudeRecord::to_reference(std::size_t sample, const Conven
   return convention.maps == Convention::Maps::to_reference ? unit : unit.conjugate();
 }
 
+std::vector<Eigen::Vector3d> AttitudeRecord::rates_in_radians() const {
+  std::vector<Eigen::Vector3d> all;
+  for (const Eigen::Vector3d& w : rates) all.emplace_back(rate_unit * w);
+  return all;
+}
+
+bool is_message(const std::filesystem::path& file) {
+  const std::string word = first_word(file);
+  return word.starts_with("CCSDS_") || word.starts_with("<?xml") || word == "COMMENT";
+}
+
+bool is_orbit_message(const std::filesystem::path& file) {
+  return first_word(file).starts_with("CCSDS_OEM");
+}
+
 AttitudeRecord read_table(const std::filesystem::path& file, const TableColumns& columns) {
   const auto table = CsvTable::read(file, {});
   AttitudeRecord record;
   record.file = file.string();
   record.body = "the body";
-  const auto reference = inertial(columns.reference);
-  if (!reference)
-    throw BadInput("the reference '" + columns.reference + "' is none of EME2000, J2000, GCRF, ICRF");
-  record.reference = *reference;
+  record.reference = inertial_name(columns.reference);
+  record.time_scale = columns.scale;
   record.stated = columns.stated;
   record.rate_axes = columns.rate_axes;
+  if (columns.rates_in_degrees) record.rate_unit = radians_per_degree;
   for (std::size_t row = 0; row < table.rows(); ++row) {
     const auto time = table.value(row, columns.time,
                                   [&](const std::string& text) { return Epoch::from(columns.scale, text); });
@@ -66,38 +77,37 @@ AttitudeRecord read_table(const std::filesystem::path& file, const TableColumns&
     record.numbers.push_back(q);
     if (columns.rates.empty()) continue;
     Eigen::Vector3d w;
-    for (std::size_t i = 0; i < 3; ++i)
-      w[static_cast<Eigen::Index>(i)] = table.number(row, columns.rates[i]);
-    record.rates.emplace_back(columns.rates_in_degrees ? Eigen::Vector3d(radians_per_degree * w) : w);
+    for (std::size_t i = 0; i < 3; ++i) w[static_cast<Eigen::Index>(i)] = table.number(row, columns.rates[i]);
+    record.rates.push_back(w);
   }
   require_two(record);
   return record;
 }
 
-AttitudeRecord read_message(const std::filesystem::path& file, std::size_t segment) {
+AttitudeRecord read_message(const std::filesystem::path& file, std::optional<std::size_t> segment) {
   const auto message = AttitudeEphemerisMessage::read(file);
-  if (segment < 1 || segment > message.segments().size())
-    throw BadInput(file.string() + ": asked for segment " + detail::text(segment) + " of " +
-                   detail::text(message.segments().size()));
-  const auto& part = message.segments()[segment - 1];
+  const auto& part = segment_of(message, segment, file);
   const auto a = inertial(part.ref_frame_a()), b = inertial(part.ref_frame_b());
   if (a.has_value() == b.has_value())
     throw BadInput(file.string() + ": the frames are '" + part.ref_frame_a() + "' and '" +
-                   part.ref_frame_b() + "'; one of them must be EME2000, J2000, GCRF or ICRF, the other a body");
+                   part.ref_frame_b() +
+                   "'; one of them must be EME2000, J2000, GCRF or ICRF, the other a body");
   const detail::AttitudeLines& lines = part.lines(detail::trusted);
   AttitudeRecord record;
   record.file = file.string();
   record.body = a ? part.ref_frame_b() : part.ref_frame_a();
   record.reference = a ? *a : *b;
   record.times = lines.times;
+  record.time_scale = part.metadata().time_system;
+  record.message = MessageText{message.header(), part.metadata(), part.comments()};
   if (part.type() == AttitudeType::euler_angle) {
     struct Reference : inertial_frame {};
     struct Body : moving_frame {};
     record.has_quaternions = false;
     record.stated = {Convention::Scalar::last, Convention::Maps::to_reference};
     const auto& reference_name = a ? part.ref_frame_a() : part.ref_frame_b();
-    for (const auto& sample : part.samples<Reference, Body>(called<Reference>(reference_name),
-                                                            called<Body>(record.body)))
+    for (const auto& sample :
+         part.samples<Reference, Body>(called<Reference>(reference_name), called<Body>(record.body)))
       record.numbers.push_back(sample.q_a_from_b.scalar_last());
   } else {
     // A2B: v^a = R(q) v^b.
@@ -108,9 +118,15 @@ AttitudeRecord read_message(const std::filesystem::path& file, std::size_t segme
     for (std::size_t i = 0; i < part.size(); ++i) {
       const double* line = lines.numbers.data() + i * width;
       record.numbers.push_back({line[0], line[1], line[2], line[3]});
-      if (width == 7)
-        record.rates.push_back(radians_per_degree * Eigen::Vector3d(line[4], line[5], line[6]));
+      // Of B relative to A.
+      if (width == 7 && !lines.is_b_to_a)
+        record.rates.push_back((a ? 1.0 : -1.0) * Eigen::Vector3d(line[4], line[5], line[6]));
     }
+    if (width == 7 && lines.is_b_to_a)
+      record.no_rates =
+          "The rates are not used: with ATTITUDE_DIR B2A the message does not say whether they are of " +
+          part.ref_frame_a() + " or of " + part.ref_frame_b() + ".";
+    record.rate_unit = radians_per_degree;
     if (!record.rates.empty())
       record.rate_axes =
           (lines.rate_frame == detail::RateFrame::a) == a.has_value() ? RateAxes::reference : RateAxes::body;

@@ -3,12 +3,17 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <filesystem>
+#include <numbers>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include <vectrix/space.hpp>
+
+#include "message_text.hpp"
 
 namespace vectrix::cli {
 
@@ -34,14 +39,24 @@ struct AttitudeRecord {
   bool has_quaternions = true;  // else Euler angles, whose numbers have no other order
   std::vector<Epoch> times;
   std::vector<std::array<double, 4>> numbers;  // in the order of the file
-  std::vector<Eigen::Vector3d> rates;          // rad/s; empty if there are none
-  RateAxes rate_axes = RateAxes::body;         // stated
-  std::string no_rates{};                      // why rates of the file are not used
+  std::vector<Eigen::Vector3d> rates{};  // of the body relative to the reference; empty if there are none
+  double rate_unit = 1.0;                // rad/s
+  RateAxes rate_axes = RateAxes::body;   // stated
+  std::string no_rates{};                // why rates of the file are not used
+  TimeScale time_scale = scale::utc;     // in which the file has the times
+  std::optional<MessageText> message{};  // of a message
 
   [[nodiscard]] std::size_t size() const { return times.size(); }
   /// The quaternion that takes coordinates from the body to the reference, of norm 1.
   [[nodiscard]] Eigen::Quaterniond to_reference(std::size_t sample, const Convention& convention) const;
+  /// The rates in rad/s.
+  [[nodiscard]] std::vector<Eigen::Vector3d> rates_in_radians() const;
 };
+
+/// The norm of a quaternion.
+inline double norm_of(const std::array<double, 4>& q) {
+  return std::hypot(std::hypot(q[0], q[1]), std::hypot(q[2], q[3]));
+}
 
 /// The names of the columns of a table, and what its numbers mean.
 struct TableColumns {
@@ -59,8 +74,15 @@ struct TableColumns {
 /// than two samples, and times that do not increase.
 AttitudeRecord read_table(const std::filesystem::path& file, const TableColumns& columns);
 
-/// The segment of an attitude ephemeris message, counted from 1. Throws BadInput as the message does, for a
-/// segment that the file does not have, and if neither frame is EME2000 or GCRF.
-AttitudeRecord read_message(const std::filesystem::path& file, std::size_t segment);
+/// The segment of an attitude ephemeris message, counted from 1, which may be left out if there is only one.
+/// Throws BadInput as the message does, for a segment that the file does not have, and if neither frame is
+/// EME2000 or GCRF.
+AttitudeRecord read_message(const std::filesystem::path& file, std::optional<std::size_t> segment);
+/// Whether the file begins as a message does, or else is a table. Throws BadInput if it cannot be read.
+bool is_message(const std::filesystem::path& file);
+/// Whether the file begins as an orbit ephemeris message does. Throws BadInput if it cannot be read.
+bool is_orbit_message(const std::filesystem::path& file);
+
+inline constexpr double radians_per_degree = std::numbers::pi / 180.0;
 
 }  // namespace vectrix::cli

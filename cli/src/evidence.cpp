@@ -4,12 +4,12 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "median.hpp"
+#include "quantile.hpp"
+#include "sample_faults.hpp"
 
 namespace vectrix::cli {
 namespace {
 
-using earth::Eme2000, earth::Gcrf;
 using Eigen::Quaterniond, Eigen::Vector3d;
 
 constexpr double decisive = 3.0;  // a disagreement so many times smaller decides
@@ -39,7 +39,7 @@ std::vector<Step> steps_of(const AttitudeRecord& record) {
   std::vector<double> durations;
   for (std::size_t i = 0; i + 1 < record.size(); ++i)
     durations.push_back((record.times[i + 1] - record.times[i]).value());
-  const double longest = 3.0 * median(durations);
+  const double longest = longest_step(median(durations));
   std::vector<Step> steps;
   for (std::size_t i = 0; i < durations.size(); ++i)
     if (durations[i] <= longest) steps.push_back({i, durations[i]});
@@ -52,7 +52,8 @@ double rate_difference(const std::vector<Quaterniond>& q, const std::vector<Step
   double sum = 0.0;
   for (const auto& [i, duration] : steps) {
     const Quaterniond by_rate = turned(0.5 * duration * (rates[i] + rates[i + 1]));
-    const Quaterniond turn = axes == RateAxes::body ? q[i].conjugate() * q[i + 1] : q[i + 1] * q[i].conjugate();
+    const Quaterniond turn =
+        axes == RateAxes::body ? q[i].conjugate() * q[i + 1] : q[i + 1] * q[i].conjugate();
     const double difference = angle_of(turn.conjugate() * by_rate) / duration;
     sum += difference * difference;
   }
@@ -91,40 +92,36 @@ std::vector<SignedAxes> right_handed_axes() {
   return all;
 }
 
-// R_reference^gcrf.
-Eigen::Matrix3d gcrf_from(const std::string& reference) {
-  if (reference == "EME2000") return inverse(eme2000_from_gcrf()).matrix();
-  return Eigen::Matrix3d::Identity();
-}
-
 }  // namespace
 
 RateEvidence compare_rates(const AttitudeRecord& record) {
   const auto steps = steps_of(record);
-  RateEvidence evidence{{}, {}, rms_of(record.rates)};
+  const auto rates = record.rates_in_radians();
+  RateEvidence evidence{{}, {}, rms_of(rates)};
   for (const Reading& reading : readings_of(record)) {
     const auto q = to_reference(record, reading);
-    evidence.stated_axes.push_back(rate_difference(q, steps, record.rates, record.rate_axes));
-    evidence.other_axes.push_back(rate_difference(q, steps, record.rates, other(record.rate_axes)));
+    evidence.stated_axes.push_back(rate_difference(q, steps, rates, record.rate_axes));
+    evidence.other_axes.push_back(rate_difference(q, steps, rates, other(record.rate_axes)));
   }
   return evidence;
 }
 
 std::optional<RatesInOtherAxes> axes_of_rates(const AttitudeRecord& record) {
   const auto steps = steps_of(record);
+  const auto given = record.rates_in_radians();
   std::vector<RatesInOtherAxes> tried;
   for (const Reading& reading : all_readings) {
     if (reading.other_order) continue;
     const auto q = to_reference(record, reading);
     for (const SignedAxes& axes : right_handed_axes()) {
       std::vector<Vector3d> rates;
-      for (const Vector3d& w : record.rates) rates.push_back(in_body(axes, w));
+      for (const Vector3d& w : given) rates.push_back(in_body(axes, w));
       tried.push_back({reading, axes, rate_difference(q, steps, rates, RateAxes::body)});
     }
   }
   std::partial_sort(tried.begin(), tried.begin() + 2, tried.end(),
                     [](const auto& a, const auto& b) { return a.difference < b.difference; });
-  const double other = std::min(tried[1].difference, rms_of(record.rates));
+  const double other = std::min(tried[1].difference, rms_of(given));
   if (decisive * tried[0].difference >= other) return std::nullopt;
   return tried[0];
 }
@@ -144,8 +141,7 @@ std::vector<double> steadiness(const AttitudeRecord& record, const FlownOrbit& o
     const auto q = to_reference(record, reading);
     double sum = 0.0;
     for (const auto& [i, duration] : steps) {
-      const Quaterniond before = lvlh_from_reference[i] * q[i],
-                        after = lvlh_from_reference[i + 1] * q[i + 1];
+      const Quaterniond before = lvlh_from_reference[i] * q[i], after = lvlh_from_reference[i + 1] * q[i + 1];
       const double rate = angle_of(before.conjugate() * after) / duration;
       sum += rate * rate;
     }
@@ -156,26 +152,13 @@ std::vector<double> steadiness(const AttitudeRecord& record, const FlownOrbit& o
 
 std::vector<double> off_target(const AttitudeRecord& record, const Vector3d& axis, Target target,
                                const FlownOrbit& orbit) {
-  const auto span = from_until(record.times.front(), record.times.back());
-  const Ephemeris<sky::Sun> sun(span);
-  const Ephemeris<sky::Moon> moon(span);
-  const Eigen::Matrix3d R_reference_from_gcrf = gcrf_from(record.reference).transpose();
-  std::vector<Vector3d> directions;  // in the reference
-  for (const Epoch& t : record.times) {
-    Vector3d line = Vector3d::Zero();
-    if (target == Target::sun) line = sun.motion(t).position.coordinates();
-    if (target == Target::moon) line = moon.motion(t).position.coordinates();
-    if (orbit) line -= orbit(t).position.coordinates();
-    directions.emplace_back(R_reference_from_gcrf * line.normalized());
-  }
+  const auto to_target = directions(record, target, geometric, orbit);
   std::vector<double> found;
   for (const Reading& reading : readings_of(record)) {
     const auto q = to_reference(record, reading);
     std::vector<double> angles;
-    for (std::size_t i = 0; i < record.size(); ++i) {
-      const Vector3d looked = q[i] * axis.normalized();
-      angles.push_back(std::atan2(looked.cross(directions[i]).norm(), looked.dot(directions[i])));
-    }
+    for (std::size_t i = 0; i < record.size(); ++i)
+      angles.push_back(angle_between(q[i] * axis, to_target[i]));
     found.push_back(median(angles));
   }
   return found;

@@ -8,6 +8,7 @@
 #include "attitude_record.hpp"
 #include "flown_orbit.hpp"
 #include "reading.hpp"
+#include "target.hpp"
 
 namespace vectrix::cli {
 
@@ -38,16 +39,15 @@ std::optional<RatesInOtherAxes> axes_of_rates(const AttitudeRecord& record);
 /// The rms rate of the body relative to LVLH, rad/s, by reading.
 std::vector<double> steadiness(const AttitudeRecord& record, const FlownOrbit& orbit);
 
-enum class Target { sun, moon, earth };
-/// The median angle between an axis of the body and the target, rad, by reading. The target is geometric; the
-/// Sun may be seen from the centre of the Earth, if there is no orbit.
+/// The median angle between an axis of the body and the target, rad, by reading. The target is geometric.
 std::vector<double> off_target(const AttitudeRecord& record, const Eigen::Vector3d& axis, Target target,
                                const FlownOrbit& orbit);
 
 /// What a list of disagreements, one a reading, says: that which is stated comes first.
 enum class Verdict { as_stated, another, undecided };
-/// Another reading must be more than three times better than the stated one; the stated one is confirmed if it
-/// is more than three times better than all others. Nothing is decided if the best disagreement exceeds `useless`.
+/// Another reading must be more than three times better than the stated one; the stated one is confirmed if
+/// it is more than three times better than all others. Nothing is decided if the best disagreement exceeds
+/// `useless`.
 Verdict verdict(const std::vector<double>& disagreements, double useless);
 
 }  // namespace vectrix::cli

@@ -23,7 +23,8 @@ struct Reading {
     return stated;
   }
 };
-inline constexpr std::array<Reading, 4> all_readings{{{false, false}, {true, false}, {false, true}, {true, true}}};
+inline constexpr std::array<Reading, 4> all_readings{
+    {{false, false}, {true, false}, {false, true}, {true, true}}};
 
 /// The readings that a record can have.
 inline std::vector<Reading> readings_of(const AttitudeRecord& record) {

@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <ostream>
+#include <string>
 
-#include "median.hpp"
+#include "figures.hpp"
+#include "quantile.hpp"
 
 namespace vectrix::cli {
 namespace {
@@ -17,8 +20,46 @@ void add(SampleFaults::Extreme& found, double value, std::size_t sample) {
   ++found.count;
 }
 
-double norm(const std::array<double, 4>& q) {
-  return std::sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
+void write_head(const AttitudeRecord& record, const SampleFaults& faults, std::ostream& out) {
+  out << record.file << "\n"
+      << record.size() << " samples of " << record.body << " relative to " << record.reference << ", "
+      << record.times.front() << " to " << record.times.back() << ", usually " << shown(faults.median_step)
+      << " s apart.\n";
+  if (record.has_quaternions) {
+    const bool to_body = record.stated.maps == Convention::Maps::to_body;
+    out << "As stated, R(q) takes coordinates to " << (to_body ? record.body : record.reference)
+        << "; the scalar is " << (record.stated.scalar == Convention::Scalar::first ? "first" : "last")
+        << ".\n";
+  }
+  out << '\n';
+}
+
+void write_faults(const AttitudeRecord& record, const SampleFaults& faults, std::ostream& out) {
+  out << "Samples\n";
+  const auto at = [&](std::size_t sample) {
+    return "sample " + detail::text(sample + 1) + ", " + record.times[sample].utc(3) + " UTC";
+  };
+  const auto line = [&](const SampleFaults::Extreme& found, const std::string& what,
+                        const std::string& largest) {
+    if (found.count > 0)
+      out << "  " << found.count << ' ' << what << (largest.empty() ? ", first" : "; most " + largest)
+          << " at " << at(found.sample) << '\n';
+  };
+  line(faults.gaps, "gaps, steps longer than three times the usual one",
+       shown(faults.gaps.largest) + " s, which ends");
+  line(faults.sign_flips, "changes from q to -q: the attitude is one, its numbers are not", "");
+  line(faults.half_turns, "steps near half a turn: rates must say which way it turned",
+       shown(degrees * faults.half_turns.largest) + " deg");
+  line(faults.jumps, "jumps, ten times faster than usual", shown(degrees * faults.jumps.largest) + " deg");
+  line(faults.norm_errors, "quaternions whose norm is off the median norm by more than 1e-6",
+       shown(faults.norm_errors.largest) + " of it");
+  if (std::abs(faults.scale - 1.0) > 1e-6)
+    out << "  the norm of the quaternions is " << shown(faults.scale) << ", not 1\n";
+  if (faults.gaps.count + faults.sign_flips.count + faults.half_turns.count + faults.jumps.count +
+          faults.norm_errors.count ==
+      0)
+    out << "  no gaps, changes of sign, half turns, jumps or doubtful norms\n";
+  out << '\n';
 }
 
 }  // namespace
@@ -33,7 +74,7 @@ SampleFaults faults_of(const AttitudeRecord& record) {
     turns.push_back(2.0 * std::atan2(turn.vec().norm(), std::abs(turn.w())));
     if (turn.w() < 0.0) add(found.sign_flips, 0.0, i + 1);
   }
-  for (const auto& q : record.numbers) norms.push_back(norm(q));
+  for (const auto& q : record.numbers) norms.push_back(norm_of(q));
   found.median_step = median(durations);
   found.scale = median(norms);
   std::vector<double> speeds;
@@ -41,7 +82,7 @@ SampleFaults faults_of(const AttitudeRecord& record) {
   const double usual = median(speeds);
   constexpr double least_jump = 0.5 * std::numbers::pi / 180.0;
   for (std::size_t i = 0; i < turns.size(); ++i) {
-    if (durations[i] > 3.0 * found.median_step) add(found.gaps, durations[i], i + 1);
+    if (durations[i] > longest_step(found.median_step)) add(found.gaps, durations[i], i + 1);
     if (turns[i] > 0.9 * std::numbers::pi) add(found.half_turns, turns[i], i + 1);
     if (speeds[i] > 10.0 * usual && turns[i] > least_jump) add(found.jumps, turns[i], i + 1);
   }
@@ -51,6 +92,12 @@ SampleFaults faults_of(const AttitudeRecord& record) {
     if (off > tolerance) add(found.norm_errors, off, i);
   }
   return found;
+}
+
+void write_samples(const AttitudeRecord& record, std::ostream& out) {
+  const SampleFaults faults = faults_of(record);
+  write_head(record, faults, out);
+  write_faults(record, faults, out);
 }
 
 }  // namespace vectrix::cli

@@ -6,6 +6,11 @@
 
 namespace vectrix::cli {
 
+/// A longer step is a gap.
+inline double longest_step(double median_step) {
+  return 3.0 * median_step;
+}
+
 /// What the samples of an attitude show without anything to compare with.
 struct SampleFaults {
   struct Extreme {
@@ -23,5 +28,8 @@ struct SampleFaults {
   double scale;         // the median norm
 };
 SampleFaults faults_of(const AttitudeRecord& record);
+
+/// Writes what the record has, in the convention that is stated, and what its samples show.
+void write_samples(const AttitudeRecord& record, std::ostream& out);
 
 }  // namespace vectrix::cli

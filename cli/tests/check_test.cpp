@@ -19,14 +19,14 @@ const std::filesystem::path data = std::filesystem::path(VECTRIX_SOURCE_DIR) / "
 // Two hours of a cubesat that looks at the Sun with -z.
 CheckOptions cubesat() {
   CheckOptions options;
-  options.file = data / "CTIM_20230420_attitude.csv";
-  options.columns = {"UTC",
-                     scale::utc,
-                     {"quaternion_c", "quaternion_x", "quaternion_y", "quaternion_z"},
-                     {Scalar::first, Maps::to_body},
-                     "J2000",
-                     {}};
-  options.elements = data / "CTIM_20230419.tle";
+  options.attitude.file = data / "CTIM_20230420_attitude.csv";
+  options.attitude.columns = {"UTC",
+                              scale::utc,
+                              {"quaternion_c", "quaternion_x", "quaternion_y", "quaternion_z"},
+                              {Scalar::first, Maps::to_body},
+                              "J2000",
+                              {}};
+  options.orbit.elements = data / "CTIM_20230419.tle";
   options.axis = Eigen::Vector3d(0.0, 0.0, -1.0);
   options.target = Target::sun;
   return options;
@@ -34,9 +34,10 @@ CheckOptions cubesat() {
 // 25 s of Sentinel-1A with its gyros, whose axes are not those of the quaternions.
 CheckOptions sentinel() {
   CheckOptions options;
-  options.file = data / "S1A_IW_20220414T102211_attitude.csv";
-  options.columns = {"time_utc",    scale::utc, {"q0", "q1", "q2", "q3"}, {Scalar::last, Maps::to_reference}, "GCRF",
-                     {"wx", "wy", "wz"}};
+  options.attitude.file = data / "S1A_IW_20220414T102211_attitude.csv";
+  options.attitude.columns = {
+      "time_utc", scale::utc,        {"q0", "q1", "q2", "q3"}, {Scalar::last, Maps::to_reference},
+      "GCRF",     {"wx", "wy", "wz"}};
   return options;
 }
 
@@ -59,12 +60,12 @@ TEST(Check, ConfirmsTheCubesatAndFindsEachMistakeMadeOnPurpose) {
   EXPECT_TRUE(says(right, "The file as stated fits.\n")) << right.text;
   CheckOptions options = cubesat();
   for (const bool without_orbit : {false, true}) {
-    if (without_orbit) options.elements.clear();
-    options.columns->stated = {Scalar::first, Maps::to_reference};
+    if (without_orbit) options.orbit.elements.clear();
+    options.attitude.columns->stated = {Scalar::first, Maps::to_reference};
     EXPECT_TRUE(says(checked(options), "Another reading fits three times better: transposed.\n"));
-    options.columns->stated = {Scalar::last, Maps::to_body};
+    options.attitude.columns->stated = {Scalar::last, Maps::to_body};
     EXPECT_TRUE(says(checked(options), "Another reading fits three times better: other order of numbers.\n"));
-    options.columns->stated = {Scalar::last, Maps::to_reference};
+    options.attitude.columns->stated = {Scalar::last, Maps::to_reference};
     const auto both = checked(options);
     EXPECT_FALSE(both.fits);
     EXPECT_TRUE(says(both, "Another reading fits three times better: other order and transposed.\n"));
@@ -85,12 +86,14 @@ TEST(Check, FindsTheAxesOfSentinelsGyros) {
   EXPECT_FALSE(found.fits);
   EXPECT_TRUE(says(found, "as stated, with x, y, z of the rates along -y, -x, -z of the body")) << found.text;
   CheckOptions transposed = sentinel();
-  transposed.columns->stated.maps = Maps::to_body;
-  EXPECT_TRUE(says(checked(transposed), "transposed, with x, y, z of the rates along -y, -x, -z of the body"));
+  transposed.attitude.columns->stated.maps = Maps::to_body;
+  EXPECT_TRUE(
+      says(checked(transposed), "transposed, with x, y, z of the rates along -y, -x, -z of the body"));
 }
 
 constexpr const char* head =
-    "CCSDS_AEM_VERS = 1.0\nCREATION_DATE = 2026-11-29T00:00:00\nORIGINATOR = TEST\nMETA_START\nOBJECT_NAME = S\n"
+    "CCSDS_AEM_VERS = 1.0\nCREATION_DATE = 2026-11-29T00:00:00\nORIGINATOR = TEST\nMETA_START\nOBJECT_NAME = "
+    "S\n"
     "OBJECT_ID = 2026-001A\nREF_FRAME_A = SC_BODY_1\nREF_FRAME_B = EME2000\n";
 
 // One attitude, 36.87 deg about x in 3 minutes, as messages with their own conventions.
@@ -105,18 +108,28 @@ TEST(Check, TakesTheConventionOfAMessageFromIt) {
   const auto text = [](const std::string& written) {
     TemporaryFile file(written);
     CheckOptions options;
-    options.file = file.path();
+    options.attitude.file = file.path();
     return checked(options).text;
   };
   const auto a2b = text(message("A2B", "FIRST", "1 0 0 0", "0.8 0.6 0 0"));
   EXPECT_NE(a2b.find("2 samples of SC_BODY_1 relative to EME2000"), std::string::npos) << a2b;
-  EXPECT_NE(a2b.find("As stated, R(q) takes coordinates to SC_BODY_1; the scalar is first."), std::string::npos);
+  EXPECT_NE(a2b.find("As stated, R(q) takes coordinates to SC_BODY_1; the scalar is first."),
+            std::string::npos);
+  // The rate of B relative to A, as AttitudeEphemerisSegment has it: that of the body is its negative.
+  EXPECT_NE(a2b.find("This decides nothing."), std::string::npos) << a2b;  // x is one axis in both frames
+  EXPECT_EQ(a2b.find("Another reading"), std::string::npos) << a2b;
   const auto b2a = text(message("B2A", "LAST", "0 0 0 1", "0.6 0 0 0.8"));
-  EXPECT_NE(b2a.find("As stated, R(q) takes coordinates to EME2000; the scalar is last."), std::string::npos) << b2a;
+  EXPECT_NE(b2a.find("As stated, R(q) takes coordinates to EME2000; the scalar is last."), std::string::npos)
+      << b2a;
+  EXPECT_NE(
+      b2a.find("The rates are not used: with ATTITUDE_DIR B2A the message does not say whether they are of "
+               "SC_BODY_1 or of EME2000."),
+      std::string::npos)
+      << b2a;
 }
 
 std::string refusal(const CheckOptions& options) {
-  return complaint([&] { (void)checked(options); }, options.file);
+  return complaint([&] { (void)checked(options); }, options.attitude.file);
 }
 
 TEST(Check, RefusesWhatItCannotCompare) {
@@ -127,19 +140,21 @@ TEST(Check, RefusesWhatItCannotCompare) {
   EXPECT_EQ(refusal(options), "--axis (1, nan, 0) has no direction");
   options = cubesat();
   options.axis.reset();
-  EXPECT_EQ(refusal(options), "--axis and --target go together: an axis of the body, and what it should look at");
+  EXPECT_EQ(refusal(options),
+            "--axis and --target go together: an axis of the body, and what it should look at");
   options = cubesat();
-  options.elements.clear();
+  options.orbit.elements.clear();
   options.target = Target::moon;
   EXPECT_EQ(refusal(options), "the direction of the Moon needs an orbit: --tle or --oem");
   options = cubesat();
-  options.columns->reference = "ITRF";
+  options.attitude.columns->reference = "ITRF";
   EXPECT_EQ(refusal(options), "the reference 'ITRF' is none of EME2000, J2000, GCRF, ICRF");
   options = cubesat();
-  options.orbit = "some.oem";
-  EXPECT_EQ(refusal(options), "two orbits are given, --tle " + options.elements.string() + " and --oem some.oem");
+  options.orbit.message = "some.oem";
+  EXPECT_EQ(refusal(options),
+            "two orbits are given, --tle " + options.orbit.elements.string() + " and --oem some.oem");
   options = cubesat();
-  options.columns->time = "TIME";
+  options.attitude.columns->time = "TIME";
   EXPECT_EQ(refusal(options).substr(0, 10), "table FILE");
 }
 
@@ -147,18 +162,22 @@ TEST(Check, RefusesTablesThatAreNoAttitude) {
   const auto of = [](const std::string& rows) {
     TemporaryFile file("t,w,x,y,z\n" + rows);
     CheckOptions options;
-    options.file = file.path();
-    options.columns = {"t", scale::utc, {"w", "x", "y", "z"}, {Scalar::first, Maps::to_body}, "GCRF", {}};
+    options.attitude.file = file.path();
+    options.attitude.columns = {"t",    scale::utc, {"w", "x", "y", "z"}, {Scalar::first, Maps::to_body},
+                                "GCRF", {}};
     return refusal(options);
   };
   EXPECT_EQ(of("2026-11-29T00:00:00,1,0,0,0\n"), "FILE: there is 1 sample; at least two are needed");
   EXPECT_EQ(of("2026-11-29T00:00:00,1,0,0,0\n2026-11-29T00:00:00,1,0,0,0\n"),
             "table FILE, line 3, column 1 ('t'): 2026-11-29T00:00:00 is not after the row before");
-  EXPECT_EQ(of("2026-11-29T00:00:00,1,0,0,0\n2026-11-29T00:00:01,0,0,0,0\n"),
-            "table FILE, line 3, column 2 ('w'): the squared norm of the quaternion is 0; it has no direction");
-  EXPECT_EQ(of("2026-11-29T00:00:00,1e200,0,0,0\n2026-11-29T00:00:01,1,0,0,0\n"),
-            "table FILE, line 2, column 2 ('w'): the squared norm of the quaternion is inf; it has no direction");
-  EXPECT_EQ(of("2026-11-29T00:00:00,1,nan,0,0\n"), "table FILE, line 2, column 3 ('x'): 'nan' is not a finite number");
+  EXPECT_EQ(
+      of("2026-11-29T00:00:00,1,0,0,0\n2026-11-29T00:00:01,0,0,0,0\n"),
+      "table FILE, line 3, column 2 ('w'): the squared norm of the quaternion is 0; it has no direction");
+  EXPECT_EQ(
+      of("2026-11-29T00:00:00,1e200,0,0,0\n2026-11-29T00:00:01,1,0,0,0\n"),
+      "table FILE, line 2, column 2 ('w'): the squared norm of the quaternion is inf; it has no direction");
+  EXPECT_EQ(of("2026-11-29T00:00:00,1,nan,0,0\n"),
+            "table FILE, line 2, column 3 ('x'): 'nan' is not a finite number");
 }
 
 // One of each.
@@ -172,12 +191,12 @@ TEST(SampleFaults, AreCountedWhereTheyAre) {
     record.numbers.push_back({factor * std::cos(0.5 * angle), factor * std::sin(0.5 * angle), 0.0, 0.0});
   };
   for (int i = 0; i < 10; ++i) add(i, 0.001 * i, 1.0);
-  add(10.0, 0.010, -1.0);         // -q: a change of sign, and one back
+  add(10.0, 0.010, -1.0);  // -q: a change of sign, and one back
   add(11.0, 0.011, 1.0);
-  add(20.0, 0.020, 1.0);          // a gap of 9 s
-  add(21.0, 0.121, 1.0);          // a jump of 0.1 rad
-  add(22.0, 0.122, 1.0 + 2e-6);   // the norm
-  add(23.0, 3.122, 1.0);          // a jump of 3 rad, near half a turn
+  add(20.0, 0.020, 1.0);         // a gap of 9 s
+  add(21.0, 0.121, 1.0);         // a jump of 0.1 rad
+  add(22.0, 0.122, 1.0 + 2e-6);  // the norm
+  add(23.0, 3.122, 1.0);         // a jump of 3 rad, near half a turn
   const SampleFaults found = faults_of(record);
   EXPECT_EQ(found.sign_flips.count, 2U);
   EXPECT_EQ(found.sign_flips.sample, 10U);

@@ -19,13 +19,15 @@ double any_angle(double largest) {
 }
 // Neither along an axis nor slow: its rate differs in the axes of both frames, and turned to other axes.
 AttitudeMotion any_motion() {
-  const Vector3d axis = AttitudeMotion::turned({0.3 + any_angle(5.0), 1.0 + any_angle(2.0), 0.5}) * Vector3d::UnitX();
+  const Vector3d axis =
+      AttitudeMotion::turned({0.3 + any_angle(5.0), 1.0 + any_angle(2.0), 0.5}) * Vector3d::UnitX();
   const Vector3d other = AttitudeMotion::turned(any_angle(1.0) * axis) *
                          (Eigen::AngleAxisd(0.5 + any_angle(2.0), axis.unitOrthogonal()) * axis);
   return {0.03 * axis, 0.05 * other};
 }
 Convention any_convention() {
-  return {*rc::gen::element(Scalar::first, Scalar::last), *rc::gen::element(Maps::to_body, Maps::to_reference)};
+  return {*rc::gen::element(Scalar::first, Scalar::last),
+          *rc::gen::element(Maps::to_body, Maps::to_reference)};
 }
 RateAxes any_axes() {
   return *rc::gen::element(RateAxes::body, RateAxes::reference);
@@ -62,8 +64,8 @@ TEST(Rates, DecideForASpinnerSampledTooSeldom) {
   const Convention written{Scalar::last, Maps::to_reference};
   const auto record = spinner.record(50, written, written, RateAxes::body, RateAxes::body);
   const auto found = compare_rates(record);
-  // Of the part across, 0.002 rad/s, that turns by 4 rad in a step, neither the mean of both ends tells nor the
-  // turn: twice that.
+  // Of the part across, 0.002 rad/s, that turns by 4 rad in a step, neither the mean of both ends tells nor
+  // the turn: twice that.
   EXPECT_LE(found.stated_axes[0], 0.004);
   EXPECT_GT(found.stated_axes[1], 1.0);
 }
@@ -117,10 +119,9 @@ class NadirPointer : public ::testing::Test {
       constexpr double r = 7e6, n = 1.08e-3;
       const double u = n * (t - start).value();
       const Vector3d x(1.0, 0.0, 0.0), y(0.0, std::cos(1.0), std::sin(1.0));
-      return point_motion(
-          of<Satellite>, relative_to<earth::Gcrf>, observed_from<earth::Gcrf>,
-          vector<si::length>(in<earth::Gcrf>, r * (std::cos(u) * x + std::sin(u) * y)),
-          vector<si::velocity>(in<earth::Gcrf>, r * n * (std::cos(u) * y - std::sin(u) * x)));
+      return point_motion(of<Satellite>, relative_to<earth::Gcrf>, observed_from<earth::Gcrf>,
+                          vector<si::length>(in<earth::Gcrf>, r * (std::cos(u) * x + std::sin(u) * y)),
+                          vector<si::velocity>(in<earth::Gcrf>, r * n * (std::cos(u) * y - std::sin(u) * x)));
     };
   }
   // Turned by 0.3 rad about the body's x axis from LVLH.
@@ -154,7 +155,8 @@ TEST_F(NadirPointer, IsSteadyInTheReadingByWhichItWasWritten) {
           const Reading& best = all_readings[smallest(found)];
           EXPECT_EQ(best.transposed, written_maps != maps);
           EXPECT_EQ(best.other_order, written_scalar != scalar);
-          constexpr double rounding = 1e-15 / 60.0 * 10.0;  // rad/s: of a few products of rotations, over 60 s
+          constexpr double rounding =
+              1e-15 / 60.0 * 10.0;  // rad/s: of a few products of rotations, over 60 s
           EXPECT_LE(found[smallest(found)], rounding);
         }
 }

@@ -25,7 +25,8 @@ template <Frame A> PointMotion<A, Satellite, A> motion(const Epoch& t) {
 }
 template <Frame A> OrbitEphemerisSegment segment(double from, double until) {
   std::vector<PositionSample<A, Satellite, Epoch>> samples;
-  for (double s = from; s <= until; s += 60.0) samples.push_back({start + s * si::second, motion<A>(start + s * si::second)});
+  for (double s = from; s <= until; s += 60.0)
+    samples.push_back({start + s * si::second, motion<A>(start + s * si::second)});
   EphemerisMetadata metadata{"SATELLITE", "2023-001A"};
   metadata.interpolation = "HERMITE";
   metadata.interpolation_degree = 7;

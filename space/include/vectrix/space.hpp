@@ -43,5 +43,6 @@
 #include <vectrix/space/sky/stars.hpp>
 #include <vectrix/space/time/epoch.hpp>
 #include <vectrix/space/time/events.hpp>
+#include <vectrix/space/time/exact_text.hpp>
 #include <vectrix/space/time/leap_seconds.hpp>
 #include <vectrix/space/time/time_span.hpp>

@@ -1,8 +1,9 @@
 #include <vectrix/space/files/attitude_ephemeris_message.hpp>
 
+#include <vectrix/space/time/exact_text.hpp>
+
 #include "attitude_lines.hpp"
 #include "ephemeris_writer.hpp"
-#include "epoch_text.hpp"
 #include "shifted_number.hpp"
 #include "text_file.hpp"
 
@@ -35,7 +36,7 @@ void write_segment(std::string& out, const AttitudeEphemerisSegment& segment, co
   detail::write_comments(out, lines.comments);
   auto number = lines.numbers.begin();
   for (const Epoch& time : lines.times) {
-    out.append(detail::exact_text(time, metadata.time_system));
+    out.append(exact_text(time, metadata.time_system));
     for (std::size_t i = 0; i < detail::numbers_in_line(lines.type); ++i)
       out.append(" ").append(detail::shifted_text(*number++, 0));
     out.append("\n");

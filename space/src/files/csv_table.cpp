@@ -3,6 +3,7 @@
 
 #include <vectrix/space/files/csv_table.hpp>
 
+#include "shifted_number.hpp"
 #include "text_file.hpp"
 
 namespace vectrix {
@@ -84,13 +85,14 @@ const std::string& CsvTable::text(std::size_t row, std::string_view column) cons
   return fields_[row * columns_.size() + field(row, column)];
 }
 
-double CsvTable::number(std::size_t row, std::string_view column) const {
+double CsvTable::number(std::size_t row, std::string_view column, int shift) const {
   const std::string& written = text(row, column);
-  const auto value = detail::parse_number(written);
-  if (!value || !std::isfinite(*value)) {
-    refuse(row, column, "'" + written + (value ? "' is not a finite number" : "' is not a number"));
-  }
-  return *value;
+  const auto value = shift == 0 ? detail::parse_number(written) : detail::parse_shifted(written, shift);
+  if (value && std::isfinite(*value)) return *value;
+  const std::string times = shift == 0 ? "" : " times 10^" + detail::text(shift);
+  refuse(row, column,
+         "'" + written + "'" +
+             (detail::parse_number(written) ? times + " is not a finite number" : " is not a number"));
 }
 
 void CsvTable::refuse(std::size_t row, std::string_view column, const std::string& reason) const {

@@ -4,8 +4,8 @@
 #include <utility>
 
 #include <vectrix/frames/errors.hpp>
+#include <vectrix/space/time/exact_text.hpp>
 
-#include "epoch_text.hpp"
 #include "shifted_number.hpp"
 
 namespace vectrix::detail {

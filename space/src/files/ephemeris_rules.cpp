@@ -5,9 +5,9 @@
 #include <utility>
 
 #include <vectrix/frames/errors.hpp>
+#include <vectrix/space/time/exact_text.hpp>
 
 #include "../time/date.hpp"
-#include "epoch_text.hpp"
 #include "kvn.hpp"
 #include "text_file.hpp"
 

@@ -1,8 +1,7 @@
 #include "ephemeris_writer.hpp"
 
 #include <vectrix/frames/errors.hpp>
-
-#include "epoch_text.hpp"
+#include <vectrix/space/time/exact_text.hpp>
 
 namespace vectrix::detail {
 

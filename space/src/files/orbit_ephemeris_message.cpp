@@ -5,9 +5,9 @@
 #include <string_view>
 
 #include <vectrix/frames/errors.hpp>
+#include <vectrix/space/time/exact_text.hpp>
 
 #include "ephemeris_reader.hpp"
-#include "epoch_text.hpp"
 #include "orbit_ephemeris_text.hpp"
 
 namespace vectrix {
@@ -115,7 +115,7 @@ class SegmentReader {
         if (!lines.covariances.empty() && !(lines.covariances.back().epoch < epoch))
           detail::refuse(reader_.place(), line,
                          "not later than the covariance before, at " +
-                             detail::exact_text(lines.covariances.back().epoch, scale));
+                             exact_text(lines.covariances.back().epoch, scale));
         lines.covariances.push_back({epoch, "", {}});
         row = 0;
       } else if (line.keyword == "COV_REF_FRAME") {

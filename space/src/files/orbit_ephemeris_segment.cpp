@@ -3,9 +3,9 @@
 #include <cmath>
 
 #include <vectrix/frames/errors.hpp>
+#include <vectrix/space/time/exact_text.hpp>
 
 #include "ephemeris_rules.hpp"
-#include "epoch_text.hpp"
 #include "frame_claim.hpp"
 #include "kvn.hpp"
 #include "orbit_ephemeris_text.hpp"
@@ -66,14 +66,14 @@ void OrbitEphemerisSegment::require_frame(const detail::FrameClaim& claim) const
                    "'");
   if (ref_frame_epoch() && detail::is_of_date(claim.standard))
     throw BadInput(lines_.place + ": REF_FRAME_EPOCH stops " + ref_frame() + " at " +
-                   detail::exact_text(*ref_frame_epoch(), metadata_.time_system) + ", so that it is not " +
+                   exact_text(*ref_frame_epoch(), metadata_.time_system) + ", so that it is not " +
                    claim.type);
 }
 
 void OrbitEphemerisSegment::require_accelerations() const {
   for (const detail::OrbitLine& line : lines_.lines) {
     if (!line.acceleration)
-      throw BadInput(lines_.place + ": the line of " + detail::exact_text(line.time, metadata_.time_system) +
+      throw BadInput(lines_.place + ": the line of " + exact_text(line.time, metadata_.time_system) +
                      " has no acceleration");
   }
 }

@@ -1,7 +1,8 @@
 #include "orbit_ephemeris_text.hpp"
 
+#include <vectrix/space/time/exact_text.hpp>
+
 #include "ephemeris_writer.hpp"
-#include "epoch_text.hpp"
 #include "shifted_number.hpp"
 #include "text_file.hpp"
 
@@ -13,7 +14,7 @@ void write_numbers(std::string& out, const Eigen::Vector3d& v) {
 }
 
 void write_covariance(std::string& out, const OrbitCovariance& covariance, const TimeScale& scale) {
-  detail::write_line(out, "EPOCH", detail::exact_text(covariance.epoch, scale));
+  detail::write_line(out, "EPOCH", exact_text(covariance.epoch, scale));
   if (!covariance.ref_frame.empty()) detail::write_line(out, "COV_REF_FRAME", covariance.ref_frame);
   std::size_t next = 0;
   for (std::size_t row = 0; row < 6; ++row) {
@@ -30,14 +31,13 @@ void write_segment(std::string& out, const OrbitEphemerisSegment& segment) {
   detail::write_object(out, metadata);
   detail::write_line(out, "REF_FRAME", lines.ref_frame);
   if (lines.ref_frame_epoch)
-    detail::write_line(out, "REF_FRAME_EPOCH",
-                       detail::exact_text(*lines.ref_frame_epoch, metadata.time_system));
+    detail::write_line(out, "REF_FRAME_EPOCH", exact_text(*lines.ref_frame_epoch, metadata.time_system));
   detail::write_span(out, metadata);
   detail::write_rest(out, metadata, detail::orbit_interpolation);
   out.append("META_STOP\n\n");
   detail::write_comments(out, lines.comments);
   for (const detail::OrbitLine& line : lines.lines) {
-    out.append(detail::exact_text(line.time, metadata.time_system));
+    out.append(exact_text(line.time, metadata.time_system));
     write_numbers(out, line.position);
     write_numbers(out, line.velocity);
     if (line.acceleration) write_numbers(out, *line.acceleration);

@@ -38,6 +38,16 @@ TEST(CsvTable, ReadsNumbersAndTextByName) {
   EXPECT_EQ(table.text(0, "name"), "Rigel");
 }
 
+TEST(CsvTable, ShiftsTheDecimalPointOfATextWithoutRoundingTwice) {
+  TemporaryFile file("a,b,c\n6778.0669,-1.1e-3,1e308\n");
+  const auto table = CsvTable::read(file.path(), {});
+  EXPECT_EQ(table.number(0, "a", 3), 6778066.9);
+  EXPECT_NE(table.number(0, "a") * 1000.0, 6778066.9);
+  EXPECT_EQ(table.number(0, "b", 3), -1.1);
+  EXPECT_EQ(complaint([&] { (void)table.number(0, "c", 3); }, file.path()),
+            "table FILE, line 2, column 3 ('c'): '1e308' times 10^3 is not a finite number");
+}
+
 TEST(CsvTable, ReadsLinesThatEndWithCarriageReturn) {
   const auto table = read("t,x\r\n1,2\r\n");
   EXPECT_EQ(table.number(0, "x"), 2.0);

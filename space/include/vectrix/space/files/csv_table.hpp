@@ -38,8 +38,9 @@ class VECTRIX_EXPORT CsvTable {
 
   /// The text of the field. Throws CsvError for a column or row that the table does not have.
   [[nodiscard]] const std::string& text(std::size_t row, std::string_view column) const;
-  /// The field as a finite number. Throws CsvError if it is anything else.
-  [[nodiscard]] double number(std::size_t row, std::string_view column) const;
+  /// The field as a finite number, times 10^shift and rounded once: kilometres in metres by the shift 3.
+  /// Throws CsvError if it is anything else.
+  [[nodiscard]] double number(std::size_t row, std::string_view column, int shift = 0) const;
   /// make(text) of the field, such as an epoch: table.value(row, "time_utc", Epoch::from_utc). A BadInput
   /// that make throws becomes a CsvError with file, line, column and its text.
   template <class Make>

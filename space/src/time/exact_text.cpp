@@ -1,4 +1,4 @@
-#include "epoch_text.hpp"
+#include <vectrix/space/time/exact_text.hpp>
 
 #include <algorithm>
 #include <charconv>
@@ -7,7 +7,7 @@
 
 #include <vectrix/frames/errors.hpp>
 
-namespace vectrix::detail {
+namespace vectrix {
 namespace {
 
 constexpr std::size_t nine = 9;
@@ -61,4 +61,4 @@ std::string exact_text(const Epoch& epoch, const TimeScale& scale) {
   return text_within(begin, epoch, scale);
 }
 
-}  // namespace vectrix::detail
+}  // namespace vectrix

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <filesystem>
+#include <iosfwd>
+#include <string>
+
+#include "message_text.hpp"
+#include "orbit_record.hpp"
+#include "sources.hpp"
+
+namespace vectrix::cli {
+
+struct ConvertOptions {
+  std::filesystem::path out;  // .aem or .oem, or .csv, says what is written
+  std::string frame{};        // EME2000 or GCRF, relative to which it is to be; empty for that of the file
+  GivenText text{};           // of a message
+  std::string body{};  // the name of its frame in a message; empty for that of the message that was read
+  std::string aem_version = "2.0";
+  bool force = false;
+};
+
+/// Writes an attitude as an AEM, or as a table with the scalar first, where R(q) takes coordinates to the
+/// reference. Times and numbers are those of the file to the last digit, in another order or with another
+/// sign, unless `out` is told what had to be computed. Throws BadInput, before anything is written.
+void convert(const AttitudeSource& attitude, const ConvertOptions& options, std::ostream& out);
+
+/// Writes an orbit as an OEM, of the version of the message that was read or 2.0, or as a table in m and m/s.
+void convert(const OrbitFile& orbit, const ConvertOptions& options, std::ostream& out);
+
+}  // namespace vectrix::cli

@@ -1,0 +1,87 @@
+#include <ostream>
+#include <vector>
+
+#include "convert.hpp"
+#include "plain_attitude.hpp"
+#include "table_text.hpp"
+
+namespace vectrix::cli {
+namespace {
+
+std::string attitude_table(const PlainAttitude& attitude, const std::string& file) {
+  const std::string reference = small(attitude.reference), scale = small(attitude.time_scale.name()),
+                    axes = attitude.rate_axes == RateAxes::body ? "body" : "reference",
+                    unit = attitude.rates_in_degrees ? "deg/s" : "rad/s";
+  const std::string time = "time_" + scale, q = "q_" + reference + "_from_body_";
+  const std::string w = "rate_in_" + (axes == "body" ? axes : reference) +
+                        (attitude.rates_in_degrees ? "_deg_per_s_" : "_rad_per_s_");
+  const std::vector<std::string> quaternion{q + "w", q + "x", q + "y", q + "z"},
+      rate{w + "x", w + "y", w + "z"};
+  std::string text = "# Attitude of " + attitude.body + " relative to " + attitude.reference + ", from " +
+                     file + ".\n# R(q) of Hamilton's product takes coordinates from the body to " +
+                     attitude.reference + ". The scalar, w, is first.\n# Options to read it: --time " + time +
+                     " --scale " + scale + " --quaternion " + joined(quaternion) +
+                     " --scalar first --maps reference --reference " + attitude.reference;
+  if (!attitude.rates.empty())
+    text += " --rates " + joined(rate) + " --rate-unit " + unit + " --rate-axes " + axes;
+  text += "\n" + time + "," + joined(quaternion) + (attitude.rates.empty() ? "" : "," + joined(rate)) + "\n";
+  for (std::size_t i = 0; i < attitude.times.size(); ++i) {
+    text += exact_text(attitude.times[i], attitude.time_scale);
+    add_fields(text, attitude.quaternions[i]);
+    if (!attitude.rates.empty()) add_fields(text, attitude.rates[i]);
+    text += "\n";
+  }
+  return text;
+}
+
+std::string attitude_message(const PlainAttitude& attitude, const MessageText& text) {
+  detail::AttitudeLines lines;
+  lines.place = "the message to be written";
+  lines.ref_frame_a = attitude.reference;
+  lines.ref_frame_b = attitude.body;
+  lines.times = attitude.times;
+  lines.comments = text.comments;
+  if (!attitude.rates.empty()) {
+    lines.type = AttitudeType::quaternion_rate;
+    lines.rate_frame =
+        attitude.rate_axes == RateAxes::reference ? detail::RateFrame::a : detail::RateFrame::b;
+  }
+  for (std::size_t i = 0; i < attitude.times.size(); ++i) {
+    const auto& q = attitude.quaternions[i];
+    lines.numbers.insert(lines.numbers.end(), {q[1], q[2], q[3], q[0]});
+    if (!attitude.rates.empty())
+      lines.numbers.insert(lines.numbers.end(), attitude.rates[i].begin(), attitude.rates[i].end());
+  }
+  const AttitudeEphemerisMessage all(text.header, {{detail::trusted, text.metadata, std::move(lines)}});
+  return text_that_reads_back(all);
+}
+
+}  // namespace
+
+void convert(const AttitudeSource& source, const ConvertOptions& options, std::ostream& out) {
+  const bool is_table = is_table_name(options.out, ".aem");
+  const AttitudeRecord record = read_attitude(source);
+  PlainAttitude attitude = plain(record);
+  if (inertial(options.body))
+    throw BadInput("--body " + options.body + " is the name of a reference, not of a body");
+  if (!options.body.empty()) attitude.body = options.body;
+  if (!options.frame.empty()) attitude = relative_to_frame(std::move(attitude), inertial_name(options.frame));
+  std::string text;
+  if (is_table) {
+    text = attitude_table(attitude, record.file);
+  } else {
+    attitude = as_in_a_message(std::move(attitude));
+    MessageText words = message_text(options.text, record.message, record.time_scale, record.file,
+                                     options.body.empty() ? "--body FRAME" : "");
+    words.header.version = options.aem_version;
+    if (!record.message || source.selection.from || source.selection.until)
+      set_times(words.metadata, attitude.times.front(), attitude.times.back(), record.file);
+    text = attitude_message(attitude, words);
+  }
+  write_new(options.out, text, options.force);
+  out << options.out.string() << ": " << attitude.times.size() << " samples of " << attitude.body
+      << " relative to " << attitude.reference << '\n';
+  for (const std::string& what : attitude.computed) out << "  not to the last digit: " << what << '\n';
+}
+
+}  // namespace vectrix::cli

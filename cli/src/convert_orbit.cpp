@@ -1,0 +1,76 @@
+#include <algorithm>
+#include <ostream>
+
+#include "convert.hpp"
+#include "table_text.hpp"
+
+namespace vectrix::cli {
+namespace {
+
+std::string orbit_table(const OrbitRecord& record) {
+  const detail::OrbitLines& lines = record.lines;
+  if (lines.ref_frame_epoch)
+    throw BadInput(record.file + ": a table does not say that REF_FRAME_EPOCH stops " + lines.ref_frame);
+  const bool accelerated = std::all_of(lines.lines.begin(), lines.lines.end(),
+                                       [](const auto& line) { return line.acceleration.has_value(); });
+  if (!accelerated && std::any_of(lines.lines.begin(), lines.lines.end(),
+                                  [](const auto& line) { return line.acceleration.has_value(); }))
+    throw BadInput(record.file +
+                   ": some lines have an acceleration, others have none; a table has them for all");
+  const std::string frame = inertial(lines.ref_frame).value_or(lines.ref_frame),
+                    scale = small(record.time_scale.name()), time = "time_" + scale,
+                    in = "_in_" + small(frame);
+  const std::vector<std::string> position{"x" + in + "_m", "y" + in + "_m", "z" + in + "_m"},
+      velocity{"vx" + in + "_m_per_s", "vy" + in + "_m_per_s", "vz" + in + "_m_per_s"},
+      acceleration{"ax" + in + "_m_per_s2", "ay" + in + "_m_per_s2", "az" + in + "_m_per_s2"};
+  std::string text = "# Orbit in " + frame + ", observed from it, from " + record.file + ".\n";
+  if (record.message) {
+    const EphemerisMetadata& metadata = record.message->metadata;
+    text += "# Of " + metadata.object_name + " relative to the centre of " + metadata.center_name + ".\n";
+  }
+  const bool is_about_earth = !record.message || small(record.message->metadata.center_name) == "earth";
+  if (inertial(frame) && is_about_earth)
+    text += "# Options to read it: --time " + time + " --scale " + scale + " --position " + joined(position) +
+            " --velocity " + joined(velocity) + " --unit m --reference " + frame + "\n";
+  text += time + "," + joined(position) + "," + joined(velocity) +
+          (accelerated ? "," + joined(acceleration) : "") + "\n";
+  for (const detail::OrbitLine& line : lines.lines) {
+    text += exact_text(line.time, record.time_scale);
+    add_fields(text, line.position);
+    add_fields(text, line.velocity);
+    if (accelerated) add_fields(text, *line.acceleration);
+    text += "\n";
+  }
+  return text;
+}
+
+std::string orbit_message(const OrbitRecord& record, const ConvertOptions& options, const OrbitFile& source) {
+  MessageText text = message_text(options.text, record.message, record.time_scale, record.file, "");
+  if (!record.message) {
+    text.header.version = "2.0";
+    text.metadata.center_name = "EARTH";  // of EME2000 and GCRF
+  }
+  detail::OrbitLines lines = record.lines;
+  if (!record.message || source.selection.from || source.selection.until)
+    set_times(text.metadata, lines.lines.front().time, lines.lines.back().time, record.file);
+  lines.place = "the message to be written";
+  return text_that_reads_back(
+      OrbitEphemerisMessage(text.header, {{detail::trusted, text.metadata, std::move(lines)}}));
+}
+
+}  // namespace
+
+void convert(const OrbitFile& orbit, const ConvertOptions& options, std::ostream& out) {
+  const bool is_table = is_table_name(options.out, ".oem");
+  OrbitRecord record = read_orbit_file(orbit);
+  if (!options.frame.empty()) record = relative_to_frame(std::move(record), inertial_name(options.frame));
+  write_new(options.out, is_table ? orbit_table(record) : orbit_message(record, options, orbit),
+            options.force);
+  out << options.out.string() << ": " << record.lines.lines.size() << " samples of an orbit in "
+      << record.lines.ref_frame << '\n';
+  for (const std::string& what : record.computed) out << "  not to the last digit: " << what << '\n';
+  if (is_table && !record.lines.covariances.empty())
+    out << "  left out: " << record.lines.covariances.size() << " covariances\n";
+}
+
+}  // namespace vectrix::cli

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdio>
+#include <numbers>
+#include <string>
+#include <string_view>
+
+namespace vectrix::cli {
+
+inline constexpr double degrees = 180.0 / std::numbers::pi;  // per radian
+
+/// Four digits.
+inline std::string shown(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.4g", value);
+  return text;
+}
+/// Six decimals: of a degree, 4 milliarcseconds.
+inline std::string decimals(double value) {
+  char text[352];
+  std::snprintf(text, sizeof text, "%.6f", value);
+  return text;
+}
+inline std::string padded(std::string text, std::size_t width) {
+  text.insert(0, width - std::min(width, text.size()), ' ');
+  return text;
+}
+/// The beginning of a line of figures.
+inline std::string label(std::string_view name, std::size_t width = 30) {
+  std::string text = "  " + std::string(name);
+  text.resize(std::max(text.size(), width), ' ');
+  return text;
+}
+
+}  // namespace vectrix::cli

@@ -1,0 +1,44 @@
+#include "message_text.hpp"
+
+#include <algorithm>
+
+namespace vectrix::cli {
+
+MessageText message_text(const GivenText& given, const std::optional<MessageText>& read,
+                         const TimeScale& scale, const std::string& file, const std::string& also_missing) {
+  MessageText text = read.value_or(MessageText{});
+  if (!read) {
+    std::string missing;
+    const auto need = [&](const std::string& words, const char* option) {
+      if (words.empty()) missing += std::string(missing.empty() ? "" : ", ") + option;
+    };
+    need(given.object_name, "--object-name NAME");
+    need(given.object_id, "--object-id ID");
+    need(given.originator, "--originator NAME");
+    if (!also_missing.empty()) need("", also_missing.c_str());
+    if (!missing.empty())
+      throw BadInput(file + ": a table does not say what a message needs; missing: " + missing);
+    text.metadata.time_system = scale;
+  }
+  const auto set = [](std::string& value, const std::string& words) {
+    if (!words.empty()) value = words;
+  };
+  text.header.creation_date = given.creation_date;
+  set(text.header.originator, given.originator);
+  set(text.metadata.object_name, given.object_name);
+  set(text.metadata.object_id, given.object_id);
+  return text;
+}
+
+void set_times(EphemerisMetadata& metadata, const Epoch& first, const Epoch& last, const std::string& file) {
+  metadata.start_time = first;
+  metadata.stop_time = last;
+  auto& useable_start = metadata.useable_start_time;
+  auto& useable_stop = metadata.useable_stop_time;
+  if (useable_start) useable_start = std::max(*useable_start, first);
+  if (useable_stop) useable_stop = std::min(*useable_stop, last);
+  if (useable_start.value_or(first) > useable_stop.value_or(last))
+    throw BadInput(file + ": none of the times is within USEABLE_START_TIME and USEABLE_STOP_TIME");
+}
+
+}  // namespace vectrix::cli

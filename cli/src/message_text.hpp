@@ -1,0 +1,43 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <vectrix/space.hpp>
+
+namespace vectrix::cli {
+
+/// What a message says besides its data.
+struct MessageText {
+  MessageHeader header;
+  EphemerisMetadata metadata;
+  std::vector<std::string> comments;  // between the data lines
+};
+
+/// What is given of a message that is to be written; what is empty is taken from the message that was read.
+struct GivenText {
+  std::string object_name{}, object_id{}, originator{}, creation_date{};
+};
+
+/// The text of a message to be written. If none was read, all must be given, and `also_missing` names other
+/// options that are missing: BadInput.
+MessageText message_text(const GivenText& given, const std::optional<MessageText>& read,
+                         const TimeScale& scale, const std::string& file, const std::string& also_missing);
+
+/// The times of the metadata, for data from the first to the last time. Throws BadInput if none of them is
+/// useable.
+void set_times(EphemerisMetadata& metadata, const Epoch& first, const Epoch& last, const std::string& file);
+
+/// Throws BadInput if the text of the message, which is to be written, cannot be read.
+template <class Message> std::string text_that_reads_back(const Message& message) {
+  std::string text = message.text();
+  try {
+    static_cast<void>(Message::parse(text));
+  } catch (const BadInput& error) {
+    throw BadInput(std::string("what would be written cannot be read, ") + error.what());
+  }
+  return text;
+}
+
+}  // namespace vectrix::cli

@@ -1,0 +1,26 @@
+#include "new_file.hpp"
+
+#include <charconv>
+#include <fstream>
+
+#include <vectrix/frames/errors.hpp>
+
+namespace vectrix::cli {
+
+void write_new(const std::filesystem::path& file, const std::string& text, bool force) {
+  if (!force && std::filesystem::exists(file))
+    throw BadInput(file.string() + ": exists; --force overwrites it");
+  std::ofstream out(file, std::ios::binary);
+  if (!out) throw BadInput(file.string() + ": cannot be written");
+  out << text;
+  out.close();
+  if (!out) throw BadInput(file.string() + ": was not written to its end");
+}
+
+std::string exact_number(double number) {
+  char text[32];
+  const auto end = std::to_chars(std::begin(text), std::end(text), number).ptr;
+  return {std::begin(text), end};
+}
+
+}  // namespace vectrix::cli

@@ -1,0 +1,71 @@
+#include "plain_attitude.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "figures.hpp"
+#include "target.hpp"
+
+namespace vectrix::cli {
+namespace {
+
+bool is_far_from_unit(const std::array<double, 4>& q) {
+  constexpr double most = 0.01;  // a message with more is not read
+  return !(std::abs(norm_of(q) - 1.0) <= most);
+}
+
+}  // namespace
+
+PlainAttitude plain(const AttitudeRecord& record) {
+  if (!record.no_rates.empty()) throw BadInput(record.file + ": " + record.no_rates + " They would be lost");
+  PlainAttitude attitude{record.body, record.reference, record.time_scale, record.times, {}, record.rates};
+  attitude.rates_in_degrees = record.rate_unit == radians_per_degree;
+  attitude.rate_axes = record.rate_axes;
+  for (Eigen::Vector3d& w : attitude.rates) w.array() += 0.0;
+  if (!record.has_quaternions)
+    attitude.computed.emplace_back("the quaternions are computed from Euler angles");
+  const bool first = record.stated.scalar == Convention::Scalar::first;
+  const double sign = record.stated.maps == Convention::Maps::to_reference ? 1.0 : -1.0;
+  for (const auto& n : record.numbers) {
+    const std::array<double, 4> q = first ? n : std::array{n[3], n[0], n[1], n[2]};
+    // + 0.0: no -0
+    attitude.quaternions.push_back({q[0], sign * q[1] + 0.0, sign * q[2] + 0.0, sign * q[3] + 0.0});
+  }
+  return attitude;
+}
+
+PlainAttitude relative_to_frame(PlainAttitude attitude, const std::string& reference) {
+  if (reference == attitude.reference) return attitude;
+  // R_new^old.
+  const Eigen::Matrix3d R_new_from_old = gcrf_from(reference).transpose() * gcrf_from(attitude.reference);
+  const Eigen::Quaterniond turn(R_new_from_old);
+  for (auto& n : attitude.quaternions) {
+    const Eigen::Quaterniond q = turn * Eigen::Quaterniond(n[0], n[1], n[2], n[3]);
+    n = {q.w(), q.x(), q.y(), q.z()};
+  }
+  if (attitude.rate_axes == RateAxes::reference)
+    for (Eigen::Vector3d& w : attitude.rates) w = R_new_from_old * w;
+  attitude.computed.push_back("the attitude is turned from " + attitude.reference + " to " + reference);
+  attitude.reference = reference;
+  return attitude;
+}
+
+PlainAttitude as_in_a_message(PlainAttitude attitude) {
+  if (std::any_of(attitude.quaternions.begin(), attitude.quaternions.end(), is_far_from_unit)) {
+    attitude.computed.push_back("the quaternions, the first of norm " +
+                                shown(norm_of(attitude.quaternions.front())) +
+                                ", are divided by their norms");
+    for (auto& q : attitude.quaternions) {
+      const double length = norm_of(q);
+      for (double& number : q) number /= length;
+    }
+  }
+  if (!attitude.rates.empty() && !attitude.rates_in_degrees) {
+    attitude.computed.emplace_back("the rates are converted from rad/s to deg/s");
+    for (Eigen::Vector3d& w : attitude.rates) w *= degrees;
+    attitude.rates_in_degrees = true;
+  }
+  return attitude;
+}
+
+}  // namespace vectrix::cli

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "attitude_record.hpp"
+
+namespace vectrix::cli {
+
+/// An attitude in one convention: the scalar first, R(q) takes coordinates from the body to the reference.
+struct PlainAttitude {
+  std::string body, reference;
+  TimeScale time_scale = scale::utc;
+  std::vector<Epoch> times{};
+  std::vector<std::array<double, 4>> quaternions{};  // of any norm
+  std::vector<Eigen::Vector3d> rates{};  // of the body relative to the reference; empty if there are none
+  bool rates_in_degrees = false;
+  RateAxes rate_axes = RateAxes::body;
+  std::vector<std::string> computed{};  // which numbers are not those of the file, and why
+};
+
+/// The numbers of the record, only in another order and with other signs.
+PlainAttitude plain(const AttitudeRecord& record);
+/// Relative to EME2000 or GCRF instead.
+PlainAttitude relative_to_frame(PlainAttitude attitude, const std::string& reference);
+/// As a message can have it: quaternions of norm 1 within a hundredth, and rates in degrees. If one
+/// quaternion is not so, all are divided by their norms.
+PlainAttitude as_in_a_message(PlainAttitude attitude);
+
+}  // namespace vectrix::cli

@@ -1,0 +1,171 @@
+#include "pointing.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "figures.hpp"
+#include "new_file.hpp"
+#include "pointing_error.hpp"
+#include "quantile.hpp"
+#include "sample_faults.hpp"
+
+namespace vectrix::cli {
+namespace {
+
+std::string words_of(const SkyCorrection& correction) {
+  if (std::holds_alternative<Geometric>(correction)) return "geometric";
+  return std::holds_alternative<LightTime>(correction) ? "with light time" : "apparent";
+}
+
+// "the Sun, apparent, seen from the satellite"
+std::string seen(const PointingOptions& options, bool from_orbit) {
+  const std::string target = name_of(options.target);
+  if (!is_in_sky(options.target)) return target;
+  return target + ", " + words_of(*options.correction) + ", seen from " +
+         (from_orbit ? "the satellite" : "the centre of the Earth");
+}
+
+// The figures of angles, and the samples at which they are; in degrees.
+class Figures {
+ public:
+  Figures(const std::vector<double>& angles, const std::vector<Epoch>& times)
+      : angles_(angles), times_(times) {
+    order_.resize(angles.size());
+    std::iota(order_.begin(), order_.end(), std::size_t{0});
+    std::stable_sort(order_.begin(), order_.end(),
+                     [&](std::size_t a, std::size_t b) { return angles[a] < angles[b]; });
+  }
+
+  [[nodiscard]] double quantile(double percent) const { return degrees * angles_[at(percent)]; }
+  [[nodiscard]] std::size_t count_within(double angle) const {
+    return static_cast<std::size_t>(
+        std::count_if(angles_.begin(), angles_.end(), [&](double a) { return degrees * a <= angle; }));
+  }
+  void write(std::ostream& out) const {
+    const auto line = [&](const char* name, std::size_t i) {
+      out << figure(name, angles_[i]) << "   at " << times_[i].utc(3) << " UTC\n";
+    };
+    line("least", order_.front());
+    line("median", at(50.0));
+    line("95 %", at(95.0));
+    line("largest", order_.back());
+    double squares = 0.0;
+    for (const double angle : angles_) squares += angle * angle;
+    out << figure("rms", std::sqrt(squares / static_cast<double>(angles_.size()))) << '\n';
+  }
+
+ private:
+  [[nodiscard]] std::size_t at(double percent) const {
+    return order_[place_of_quantile(percent, order_.size())];
+  }
+  static std::string figure(const char* name, double angle) {
+    return label(name, 12) + padded(decimals(degrees * angle), 12);
+  }
+
+  const std::vector<double>& angles_;
+  const std::vector<Epoch>& times_;
+  std::vector<std::size_t> order_;
+};
+
+bool fulfils(const Figures& figures, double required, double percent, std::size_t count, const char* what,
+             std::ostream& out) {
+  const double found = figures.quantile(percent);
+  const bool good = found <= required;
+  const std::size_t within = figures.count_within(required);
+  out << "  Required: at most " << exact_number(required) << " deg in " << exact_number(percent)
+      << " % of the " << what << ". It is " << decimals(found) << " deg, margin "
+      << decimals(required - found) << " deg; " << within << " of " << count << " are within.\n  "
+      << (good ? "Fulfilled.\n" : "Not fulfilled.\n");
+  return good;
+}
+
+std::string table(const PointingOptions& options, const AttitudeRecord& record, const std::string& target,
+                  const std::vector<double>& angles) {
+  std::string text = "# Angle between the axis (" + exact_number(options.axis.x()) + ", " +
+                     exact_number(options.axis.y()) + ", " + exact_number(options.axis.z()) + ") of " +
+                     record.body + " and " + target + ".\n# Attitude of " + record.body + " relative to " +
+                     record.reference + " from " + record.file +
+                     ". Times in UTC, angles in degrees.\ntime_utc,angle_deg\n";
+  for (std::size_t i = 0; i < angles.size(); ++i)
+    text += exact_text(record.times[i], scale::utc) + "," + exact_number(degrees * angles[i]) + "\n";
+  return text;
+}
+
+void require_angle(const char* option, const std::optional<double>& angle) {
+  if (angle && !(*angle > 0.0 && *angle <= 180.0))
+    throw BadInput(std::string(option) + ' ' + detail::text(*angle) +
+                   " is no angle above 0 and at most 180 degrees");
+}
+
+void check_options(const PointingOptions& options) {
+  require_axis(options.axis);
+  if (is_in_sky(options.target) && !options.correction)
+    throw BadInput(name_of(options.target) +
+                   " is not where it is seen; missing: --correction geometric|light_time|apparent");
+  if (!is_in_sky(options.target) && options.correction)
+    throw BadInput("--correction is of the Sun and the Moon, not of " + name_of(options.target));
+  require_angle("--require", options.required);
+  require_angle("--require-relative", options.required_relative);
+  if ((options.required || options.required_relative) != options.percent.has_value())
+    throw BadInput(
+        "--percent, how many of the samples have to fulfil it, goes with --require or --require-relative");
+  if (options.percent && !(*options.percent > 0.0 && *options.percent <= 100.0))
+    throw BadInput("--percent " + detail::text(*options.percent) + " is not above 0 and at most 100");
+  if (options.required_relative && !options.window)
+    throw BadInput("--require-relative needs the window of the relative error; missing: --window SECONDS");
+  if (options.window && !(*options.window > 0.0 && std::isfinite(*options.window)))
+    throw BadInput("--window " + detail::text(*options.window) + " is no duration");
+}
+
+bool write_absolute(const PointingOptions& options, const AttitudeRecord& record, const std::string& target,
+                    const std::vector<double>& angles, std::ostream& out) {
+  out << "Absolute error, deg: the angle between the axis " << name_of(options.axis) << " of " << record.body
+      << "\nand " << target << '\n';
+  const Figures figures(angles, record.times);
+  figures.write(out);
+  return !options.required ||
+         fulfils(figures, *options.required, *options.percent, angles.size(), "samples", out);
+}
+
+bool write_relative(const PointingOptions& options, const AttitudeRecord& record, const RelativeErrors& found,
+                    std::ostream& out) {
+  std::vector<Epoch> starts;
+  for (const std::size_t i : found.starts) starts.push_back(record.times[i]);
+  out << "\nRelative error, deg: the most that the target moves from its mean direction in a window of "
+      << exact_number(*options.window) << " s,\n"
+      << found.errors.size() << " windows; " << found.left_out << " more reach over a gap or the end\n";
+  const Figures figures(found.errors, starts);
+  figures.write(out);
+  out << "  The largest change between two samples at most " << exact_number(*options.window)
+      << " s apart is " << decimals(degrees * found.largest_change) << " deg,\n  from "
+      << record.times[found.change_from].utc(3) << " UTC to " << record.times[found.change_until].utc(3)
+      << " UTC.\n";
+  return !options.required_relative ||
+         fulfils(figures, *options.required_relative, *options.percent, found.errors.size(), "windows", out);
+}
+
+}  // namespace
+
+bool pointing(const PointingOptions& options, std::ostream& out) {
+  check_options(options);
+  const AttitudeRecord record = read_attitude(options.attitude);
+  const FlownOrbit orbit = read_orbit(options.orbit, from_until(record.times.front(), record.times.back()));
+  const auto to_target = directions(record, options.target, options.correction.value_or(geometric), orbit);
+  const auto in_body = seen_in_body(record, to_target);
+  const auto angles = absolute_errors(in_body, options.axis);
+  std::optional<RelativeErrors> relative;
+  if (options.window) relative = relative_errors(record, in_body, *options.window);
+  const std::string target = seen(options, static_cast<bool>(orbit));
+
+  if (!options.csv.empty()) write_new(options.csv, table(options, record, target, angles), options.force);
+  write_samples(record, out);
+  bool good = write_absolute(options, record, target, angles, out);
+  if (relative) good = write_relative(options, record, *relative, out) && good;
+  return good;
+}
+
+}  // namespace vectrix::cli

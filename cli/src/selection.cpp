@@ -1,0 +1,33 @@
+#include "selection.hpp"
+
+#include <cctype>
+
+namespace vectrix::cli {
+
+Places selected(const std::vector<Epoch>& times, const Selection& selection, const std::string& file) {
+  const auto first =
+      selection.from ? std::lower_bound(times.begin(), times.end(), *selection.from) : times.begin();
+  const auto last =
+      selection.until ? std::upper_bound(times.begin(), times.end(), *selection.until) : times.end();
+  if (last - first < 2)
+    throw BadInput(file + ": the samples from " + selection.from.value_or(times.front()).utc() +
+                   " UTC until " + selection.until.value_or(times.back()).utc() + " UTC are " +
+                   detail::text(std::max<std::ptrdiff_t>(last - first, 0)) + "; at least two are needed");
+  return {first - times.begin(), last - times.begin()};
+}
+
+std::optional<std::string> inertial(std::string name) {
+  std::transform(name.begin(), name.end(), name.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  if (name == "EME2000" || name == "J2000") return "EME2000";
+  if (name == "GCRF" || name == "ICRF") return "GCRF";
+  return std::nullopt;
+}
+
+std::string inertial_name(const std::string& name) {
+  const auto known = inertial(name);
+  if (!known) throw BadInput("the reference '" + name + "' is none of EME2000, J2000, GCRF, ICRF");
+  return *known;
+}
+
+}  // namespace vectrix::cli

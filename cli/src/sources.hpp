@@ -1,0 +1,28 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+
+#include "attitude_record.hpp"
+#include "flown_orbit.hpp"
+#include "selection.hpp"
+
+namespace vectrix::cli {
+
+/// The file of an attitude, and what is stated of it.
+struct AttitudeSource {
+  std::filesystem::path file;
+  std::optional<TableColumns> columns{};  // of a table; a message says them itself
+  Selection selection{};
+};
+/// Throws BadInput as read_table or read_message does, and if fewer than two samples are within the times.
+AttitudeRecord read_attitude(const AttitudeSource& source);
+
+/// The file of an orbit; both are empty if none is given.
+struct OrbitSource {
+  std::filesystem::path elements{}, message{};
+};
+/// Nothing if none is given. Throws BadInput for two, and as orbit_of_elements or orbit_of_message does.
+FlownOrbit read_orbit(const OrbitSource& source, const TimeSpan& span);
+
+}  // namespace vectrix::cli

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <vectrix/frames/errors.hpp>
+
+#include "new_file.hpp"
+
+namespace vectrix::cli {
+
+/// In small letters, as the names of columns are.
+inline std::string small(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
+
+inline std::string joined(const std::vector<std::string>& words) {
+  std::string all;
+  for (const std::string& word : words) all += (all.empty() ? "" : ",") + word;
+  return all;
+}
+
+/// A comma and a number that reads back as the same, for each.
+template <class Numbers> void add_fields(std::string& line, const Numbers& numbers) {
+  for (const double number : numbers) line += "," + exact_number(number);
+}
+
+/// Whether a table is to be written, or a message. Throws BadInput for another name.
+inline bool is_table_name(const std::filesystem::path& file, const std::string& message) {
+  const std::string kind = file.extension().string();
+  if (kind != ".csv" && kind != message)
+    throw BadInput(file.string() + ": the name ends neither in " + message +
+                   " nor in .csv, which says what to write");
+  return kind == ".csv";
+}
+
+}  // namespace vectrix::cli
