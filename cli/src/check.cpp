@@ -1,10 +1,13 @@
 #include "check.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
-#include <numbers>
+#include <optional>
 #include <ostream>
+#include <sstream>
 #include <string>
+#include <vector>
 
 #include "evidence.hpp"
 #include "figures.hpp"
@@ -17,42 +20,83 @@ std::string axes_name(RateAxes axes, const AttitudeRecord& record) {
   return axes == RateAxes::body ? record.body : record.reference;
 }
 
+// A comparison, and what it found of each reading, the stated one first.
+struct Comparison {
+  std::vector<std::string> names;
+  std::vector<double> disagreements;
+  double largest;             // a larger one is no fit
+  std::string without_fit{};  // what to say then
+};
+
 // The comparisons made so far, and what they say together.
 class Findings {
  public:
   explicit Findings(std::ostream& out) : out_(out) {}
 
-  void add(Verdict found, const std::string& better) {
-    if (found == Verdict::as_stated) {
+  void add(const Comparison& made) {
+    const auto fit = fitting(made.disagreements, made.largest);
+    if (fit.empty()) {
+      out_ << "  No reading fits." << made.without_fit << "\n\n";
+    } else if (fit.front() != 0) {
+      ++refuted_;
+      out_ << "  Another reading fits, three times better than as stated: " << names(made, fit, 0) << ".\n\n";
+    } else if (fit.size() == 1) {
       ++confirmed_;
       out_ << "  The file as stated fits, three times better than any other reading.\n\n";
-    } else if (found == Verdict::another) {
-      ++refuted_;
-      out_ << "  Another reading fits three times better: " << better << ".\n\n";
     } else {
-      out_ << "  This decides nothing.\n\n";
+      out_ << "  The file as stated fits, but this does not tell it from: " << names(made, fit, 1) << ".\n\n";
     }
   }
-  [[nodiscard]] bool conclude() const {
-    if (refuted_ > 0) {
+  void add_refusal(const std::string& better) {
+    ++refuted_;
+    out_ << "  Another reading fits: " << better << ".\n\n";
+  }
+  [[nodiscard]] bool conclude(bool by_rates_alone) const {
+    if (refuted_ > 0 && confirmed_ > 0) {
+      out_ << "The comparisons contradict each other: one confirms the file as stated, one does not.\n";
+    } else if (refuted_ > 0) {
       out_ << "The file as stated does not fit.\n";
     } else if (confirmed_ > 0) {
       out_ << "The file as stated fits.\n";
+      if (by_rates_alone)
+        out_ << "Rates alone do not see a transposed file whose rates are those of the reference relative to "
+                "the body:\n"
+                "an orbit or a target would.\n";
     } else {
-      out_ << "Not decided: nothing here tells the readings apart. Rates (--rates), an orbit (--tle, --oem) "
-              "or a\n"
-              "target (--axis, --target) may.\n";
+      out_ << "Not decided. Rates (--rates), an orbit (--tle, --oem) or a target (--axis, --target) may "
+              "decide.\n";
     }
     return refuted_ == 0 && confirmed_ > 0;
   }
 
  private:
+  static std::string names(const Comparison& made, const std::vector<std::size_t>& fit, std::size_t from) {
+    std::string list;
+    for (std::size_t i = from; i < fit.size(); ++i)
+      list += (i == from ? "" : i + 1 == fit.size() ? " or " : ", ") + made.names[fit[i]];
+    return list;
+  }
+
   std::ostream& out_;
   int confirmed_ = 0, refuted_ = 0;
 };
 
-std::size_t best_of(const std::vector<double>& values) {
-  return static_cast<std::size_t>(std::min_element(values.begin(), values.end()) - values.begin());
+std::string percent_of(double part, double whole) {
+  return shown(100.0 * part / whole) + " %";
+}
+
+// Where the axes of the rates are in the body, if there is one way only.
+std::optional<std::string> other_axes_of(const AttitudeRecord& record, double largest) {
+  const auto tried = rates_in_other_axes(record);
+  std::vector<double> differences;
+  for (const auto& each : tried) differences.push_back(each.difference);
+  if (fitting(differences, largest).size() != 1) return std::nullopt;
+  const auto& best = tried.front();
+  const auto axis = [&](std::size_t i) {
+    return std::string(best.axes[i] < 0 ? "-" : "") + "xyz"[std::abs(best.axes[i]) - 1];
+  };
+  return std::string(best.reading.name()) + ", with x, y, z of the rates along " + axis(0) + ", " + axis(1) +
+         ", " + axis(2) + " of " + record.body + ", " + shown(degrees * best.difference) + " deg/s";
 }
 
 void write_rates(const AttitudeRecord& record, Findings& findings, std::ostream& out) {
@@ -63,37 +107,43 @@ void write_rates(const AttitudeRecord& record, Findings& findings, std::ostream&
       << shown(degrees * evidence.rms_rate) << " deg/s rms\n"
       << label("rates in the axes of") << padded(axes_name(stated, record), 14)
       << padded(axes_name(other, record), 14) << '\n';
+  constexpr double largest_part = 0.1;  // of the rates
+  Comparison made{{}, evidence.stated_axes, largest_part * evidence.rms_rate};
+  made.disagreements.insert(made.disagreements.end(), evidence.other_axes.begin(), evidence.other_axes.end());
   const auto readings = readings_of(record);
   for (std::size_t i = 0; i < readings.size(); ++i)
     out << label(readings[i].name()) << padded(shown(degrees * evidence.stated_axes[i]), 14)
         << padded(shown(degrees * evidence.other_axes[i]), 14) << '\n';
-  std::vector<double> all = evidence.stated_axes;
-  all.insert(all.end(), evidence.other_axes.begin(), evidence.other_axes.end());
-  const std::size_t best = best_of(all);
-  const auto name = std::string(readings[best % readings.size()].name()) + ", rates in the axes of " +
-                    axes_name(best < readings.size() ? stated : other, record);
-  const Verdict found = verdict(all, evidence.rms_rate / 3.0);
-  const auto turned = found == Verdict::undecided ? axes_of_rates(record) : std::nullopt;
-  if (!turned) {
-    findings.add(found, name);
-    return;
+  for (const RateAxes axes : {stated, other})
+    for (const Reading& reading : readings)
+      made.names.push_back(std::string(reading.name()) + ", rates in the axes of " + axes_name(axes, record));
+  if (fitting(made.disagreements, made.largest).empty()) {
+    const double best = *std::min_element(made.disagreements.begin(), made.disagreements.end());
+    if (const auto better = best > 0.0 ? other_axes_of(record, made.largest) : std::nullopt) {
+      findings.add_refusal(*better);
+      return;
+    }
+    made.without_fit = evidence.rms_rate > 0.0
+                           ? " The nearest leaves " + percent_of(best, evidence.rms_rate) + " of the rates."
+                           : " The rates are zero, and the body turns.";
+    const double per_radian = evidence.rms_turn / evidence.rms_rate;
+    for (const double factor : {degrees, 1.0 / degrees})
+      if (std::abs(per_radian / factor - 1.0) < 0.05)
+        made.without_fit += " The turns are " + shown(per_radian) + " times the rates: degrees for radians?";
   }
-  const auto axis = [&](std::size_t i) {
-    const int along = turned->axes[i];
-    return std::string(along < 0 ? "-" : "") + "xyz"[std::abs(along) - 1];
-  };
-  findings.add(Verdict::another, std::string(turned->reading.name()) + ", with x, y, z of the rates along " +
-                                     axis(0) + ", " + axis(1) + ", " + axis(2) + " of " + record.body + ", " +
-                                     shown(degrees * turned->difference) + " deg/s");
+  findings.add(made);
 }
 
 void write_angles(const AttitudeRecord& record, const std::vector<double>& found, const std::string& title,
-                  double useless, Findings& findings, std::ostream& out) {
+                  double largest, Findings& findings, std::ostream& out) {
   out << title << '\n';
+  Comparison made{{}, found, largest};
   const auto readings = readings_of(record);
-  for (std::size_t i = 0; i < readings.size(); ++i)
+  for (std::size_t i = 0; i < readings.size(); ++i) {
     out << label(readings[i].name()) << padded(shown(degrees * found[i]), 14) << '\n';
-  findings.add(verdict(found, useless), std::string(readings[best_of(found)].name()));
+    made.names.emplace_back(readings[i].name());
+  }
+  findings.add(made);
 }
 
 }  // namespace
@@ -107,25 +157,29 @@ bool check(const CheckOptions& options, std::ostream& out) {
   const FlownOrbit orbit = read_orbit(options.orbit, span);
   if (options.target) require_orbit_for(*options.target, orbit);
 
-  write_samples(record, out);
-  Findings findings(out);
-  if (!record.rates.empty()) write_rates(record, findings, out);
-  if (!record.no_rates.empty()) out << record.no_rates << "\n\n";
+  // Written at the end: an input may be refused on the way.
+  std::ostringstream text;
+  write_samples(record, text);
+  Findings findings(text);
+  if (!record.rates.empty()) write_rates(record, findings, text);
+  if (!record.no_rates.empty()) text << record.no_rates << "\n\n";
   if (orbit) {
     // Half the rate of a low orbit: what turns faster does not keep an attitude relative to LVLH.
-    constexpr double useless = 5e-4;
-    write_angles(record, steadiness(record, orbit), "Rate relative to LVLH, deg/s rms", useless, findings,
-                 out);
+    constexpr double largest = 5e-4;
+    write_angles(record, steadiness(record, orbit), "Rate relative to LVLH, deg/s rms", largest, findings,
+                 text);
   }
   if (options.target) {
     const auto& a = *options.axis;
-    constexpr double useless = std::numbers::pi / 4.0;
+    constexpr double largest = 5.0 / degrees;  // what is farther off does not look at the target
     write_angles(record, off_target(record, a, *options.target, orbit),
                  "Median angle between the axis " + name_of(a) + " of " + record.body + " and " +
                      name_of(*options.target) + ", deg",
-                 useless, findings, out);
+                 largest, findings, text);
   }
-  return findings.conclude();
+  const bool fits = findings.conclude(!orbit && !options.target);
+  out << text.str();
+  return fits;
 }
 
 }  // namespace vectrix::cli

@@ -12,7 +12,8 @@ namespace {
 
 using Eigen::Quaterniond, Eigen::Vector3d;
 
-constexpr double decisive = 3.0;  // a disagreement so many times smaller decides
+constexpr double decisive = 3.0;     // a disagreement so many times smaller decides
+constexpr double negligible = 1e-3;  // so small a part of the largest that fits decides nothing
 
 double angle_of(const Quaterniond& q) {
   return 2.0 * std::atan2(q.vec().norm(), std::abs(q.w()));
@@ -77,7 +78,7 @@ Vector3d in_body(const SignedAxes& axes, const Vector3d& w) {
   return turned;
 }
 
-std::vector<SignedAxes> right_handed_axes() {
+std::vector<SignedAxes> all_axes() {
   std::vector<SignedAxes> all;
   std::array<int, 3> order{1, 2, 3};
   do {
@@ -85,8 +86,7 @@ std::vector<SignedAxes> right_handed_axes() {
       SignedAxes axes = order;
       for (std::size_t i = 0; i < 3; ++i)
         if ((signs >> i & 1) != 0) axes[i] = -axes[i];
-      const Vector3d x = in_body(axes, Vector3d::UnitX()), y = in_body(axes, Vector3d::UnitY());
-      if (x.cross(y) == in_body(axes, Vector3d::UnitZ())) all.push_back(axes);
+      all.push_back(axes);
     }
   } while (std::next_permutation(order.begin(), order.end()));
   return all;
@@ -97,7 +97,11 @@ std::vector<SignedAxes> right_handed_axes() {
 RateEvidence compare_rates(const AttitudeRecord& record) {
   const auto steps = steps_of(record);
   const auto rates = record.rates_in_radians();
-  RateEvidence evidence{{}, {}, rms_of(rates)};
+  const std::vector<Vector3d> none(record.size(), Vector3d::Zero());
+  RateEvidence evidence{{},
+                        {},
+                        rms_of(rates),
+                        rate_difference(to_reference(record, all_readings[0]), steps, none, RateAxes::body)};
   for (const Reading& reading : readings_of(record)) {
     const auto q = to_reference(record, reading);
     evidence.stated_axes.push_back(rate_difference(q, steps, rates, record.rate_axes));
@@ -106,24 +110,22 @@ RateEvidence compare_rates(const AttitudeRecord& record) {
   return evidence;
 }
 
-std::optional<RatesInOtherAxes> axes_of_rates(const AttitudeRecord& record) {
+std::vector<RatesInOtherAxes> rates_in_other_axes(const AttitudeRecord& record) {
   const auto steps = steps_of(record);
   const auto given = record.rates_in_radians();
   std::vector<RatesInOtherAxes> tried;
   for (const Reading& reading : all_readings) {
     if (reading.other_order) continue;
     const auto q = to_reference(record, reading);
-    for (const SignedAxes& axes : right_handed_axes()) {
+    for (const SignedAxes& axes : all_axes()) {
       std::vector<Vector3d> rates;
       for (const Vector3d& w : given) rates.push_back(in_body(axes, w));
       tried.push_back({reading, axes, rate_difference(q, steps, rates, RateAxes::body)});
     }
   }
-  std::partial_sort(tried.begin(), tried.begin() + 2, tried.end(),
-                    [](const auto& a, const auto& b) { return a.difference < b.difference; });
-  const double other = std::min(tried[1].difference, rms_of(given));
-  if (decisive * tried[0].difference >= other) return std::nullopt;
-  return tried[0];
+  std::sort(tried.begin(), tried.end(),
+            [](const auto& a, const auto& b) { return a.difference < b.difference; });
+  return tried;
 }
 
 std::vector<double> steadiness(const AttitudeRecord& record, const FlownOrbit& orbit) {
@@ -164,12 +166,13 @@ std::vector<double> off_target(const AttitudeRecord& record, const Vector3d& axi
   return found;
 }
 
-Verdict verdict(const std::vector<double>& disagreements, double useless) {
-  const double stated = disagreements.front();
-  const double others = *std::min_element(disagreements.begin() + 1, disagreements.end());
-  if (!(std::min(stated, others) <= useless)) return Verdict::undecided;
-  if (decisive * stated < others) return Verdict::as_stated;
-  return decisive * others < stated ? Verdict::another : Verdict::undecided;
+std::vector<std::size_t> fitting(const std::vector<double>& disagreements, double largest) {
+  const double best = *std::min_element(disagreements.begin(), disagreements.end());
+  const double limit = std::max(decisive * best, negligible * largest);
+  std::vector<std::size_t> fit;
+  for (std::size_t i = 0; i < disagreements.size(); ++i)
+    if (best <= largest && disagreements[i] <= limit) fit.push_back(i);
+  return fit;
 }
 
 }  // namespace vectrix::cli

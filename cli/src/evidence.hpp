@@ -18,11 +18,12 @@ namespace vectrix::cli {
 struct RateEvidence {
   std::vector<double> stated_axes, other_axes;  // by reading
   double rms_rate;                              // of the file
+  double rms_turn;                              // of the shortest turns, rad/s
 };
 RateEvidence compare_rates(const AttitudeRecord& record);
 
 /// A signed permutation of axes: entry i says along which axis of the body, 1 to 3, and to which side, axis i
-/// of the rates is.
+/// of the rates is. It may be left-handed: a single sign is a common mistake.
 using SignedAxes = std::array<int, 3>;
 /// A reading, and where the axes of the rates are in the body.
 struct RatesInOtherAxes {
@@ -30,11 +31,10 @@ struct RatesInOtherAxes {
   SignedAxes axes;
   double difference;  // rad/s rms
 };
-/// That of the first two readings and all 24 right-handed permutations that makes the rates agree; nothing
-/// unless it alone brings the difference below a third of that of any other, and of the rates themselves. The
-/// other order of numbers would add nothing: it permutes the body's axes, and those of the reference, in one
-/// of the first two readings, and no rate can tell.
-std::optional<RatesInOtherAxes> axes_of_rates(const AttitudeRecord& record);
+/// All signed permutations, with the quaternions as stated and transposed; the best first. The other order of
+/// numbers would add nothing: it permutes the body's axes, and those of the reference, in one of the first
+/// two readings, and no rate can tell.
+std::vector<RatesInOtherAxes> rates_in_other_axes(const AttitudeRecord& record);
 
 /// The rms rate of the body relative to LVLH, rad/s, by reading.
 std::vector<double> steadiness(const AttitudeRecord& record, const FlownOrbit& orbit);
@@ -43,11 +43,8 @@ std::vector<double> steadiness(const AttitudeRecord& record, const FlownOrbit& o
 std::vector<double> off_target(const AttitudeRecord& record, const Eigen::Vector3d& axis, Target target,
                                const FlownOrbit& orbit);
 
-/// What a list of disagreements, one a reading, says: that which is stated comes first.
-enum class Verdict { as_stated, another, undecided };
-/// Another reading must be more than three times better than the stated one; the stated one is confirmed if
-/// it is more than three times better than all others. Nothing is decided if the best disagreement exceeds
-/// `useless`.
-Verdict verdict(const std::vector<double>& disagreements, double useless);
+/// Which readings fit, of a list of disagreements, the stated one first: those that are at most three times
+/// the smallest, or a thousandth of `largest`; none if all exceed that.
+std::vector<std::size_t> fitting(const std::vector<double>& disagreements, double largest);
 
 }  // namespace vectrix::cli

@@ -58,7 +58,7 @@ void write_faults(const AttitudeRecord& record, const SampleFaults& faults, std:
   if (faults.gaps.count + faults.sign_flips.count + faults.half_turns.count + faults.jumps.count +
           faults.norm_errors.count ==
       0)
-    out << "  no gaps, changes of sign, half turns, jumps or doubtful norms\n";
+    out << "  no gaps, changes of sign, half turns, jumps or differing norms\n";
   out << '\n';
 }
 

@@ -4,6 +4,7 @@
 #include <limits>
 #include <sstream>
 
+#include "attitude_motion.hpp"
 #include "check.hpp"
 #include "sample_faults.hpp"
 #include "space/tests/temporary_file.hpp"
@@ -62,13 +63,16 @@ TEST(Check, ConfirmsTheCubesatAndFindsEachMistakeMadeOnPurpose) {
   for (const bool without_orbit : {false, true}) {
     if (without_orbit) options.orbit.elements.clear();
     options.attitude.columns->stated = {Scalar::first, Maps::to_reference};
-    EXPECT_TRUE(says(checked(options), "Another reading fits three times better: transposed.\n"));
+    EXPECT_TRUE(
+        says(checked(options), "Another reading fits, three times better than as stated: transposed.\n"));
     options.attitude.columns->stated = {Scalar::last, Maps::to_body};
-    EXPECT_TRUE(says(checked(options), "Another reading fits three times better: other order of numbers.\n"));
+    EXPECT_TRUE(says(checked(options),
+                     "Another reading fits, three times better than as stated: other order of numbers.\n"));
     options.attitude.columns->stated = {Scalar::last, Maps::to_reference};
     const auto both = checked(options);
     EXPECT_FALSE(both.fits);
-    EXPECT_TRUE(says(both, "Another reading fits three times better: other order and transposed.\n"));
+    EXPECT_TRUE(
+        says(both, "Another reading fits, three times better than as stated: other order and transposed.\n"));
     EXPECT_TRUE(says(both, "The file as stated does not fit.\n"));
   }
 }
@@ -78,7 +82,7 @@ TEST(Check, DecidesNothingForAnAxisThatLooksElsewhere) {
   options.axis = Eigen::Vector3d(1.0, 0.0, 0.0);
   const auto found = checked(options);
   EXPECT_FALSE(found.fits);
-  EXPECT_TRUE(says(found, "Not decided: nothing here tells the readings apart.")) << found.text;
+  EXPECT_TRUE(says(found, "Not decided. Rates (--rates), an orbit")) << found.text;
 }
 
 TEST(Check, FindsTheAxesOfSentinelsGyros) {
@@ -89,6 +93,93 @@ TEST(Check, FindsTheAxesOfSentinelsGyros) {
   transposed.attitude.columns->stated.maps = Maps::to_body;
   EXPECT_TRUE(
       says(checked(transposed), "transposed, with x, y, z of the rates along -y, -x, -z of the body"));
+}
+
+// A body with a motion of its own, as a table whose rates are changed.
+template <class Change>
+Found of_motion(const AttitudeMotion& motion, const Change& change, std::size_t count = 60) {
+  const Convention stated{Scalar::last, Maps::to_reference};
+  AttitudeRecord record = motion.record(count, stated, stated, RateAxes::body, RateAxes::body);
+  std::ostringstream rows;
+  rows.precision(17);
+  rows << "t,x,y,z,w,wx,wy,wz\n";
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto& q = record.numbers[i];
+    const Eigen::Vector3d w = change(Eigen::Vector3d(record.rates[i]));
+    rows << record.times[i].utc(9) << ',' << q[0] << ',' << q[1] << ',' << q[2] << ',' << q[3] << ',' << w.x()
+         << ',' << w.y() << ',' << w.z() << '\n';
+  }
+  TemporaryFile file(rows.str());
+  CheckOptions options;
+  options.attitude.file = file.path();
+  options.attitude.columns = {"t", scale::utc, {"x", "y", "z", "w"}, stated, "GCRF", {"wx", "wy", "wz"}};
+  return checked(options);
+}
+const AttitudeMotion tumble{{0.02, 0.01, -0.03}, {0.05, -0.02, 0.01}};
+const AttitudeMotion spinner{{1e-4, 2e-4, 0.0}, {0.0102, -0.0204, 0.102}};  // about an axis near z
+
+TEST(Check, ConfirmsRatesAndSaysWhatRatesDoNotSee) {
+  const auto found = of_motion(tumble, [](const Eigen::Vector3d& w) { return w; });
+  EXPECT_TRUE(found.fits) << found.text;
+  EXPECT_TRUE(says(found, "Rates alone do not see a transposed file whose rates are those of the reference"))
+      << found.text;
+}
+
+// About one axis that is none of the body's: its rates are the same in both frames, from identity on.
+TEST(Check, DoesNotRefuteASlewAboutOneAxis) {
+  const Eigen::Vector3d axis = Eigen::Vector3d(1.0, 2.0, 3.0).normalized();
+  const auto found = of_motion(
+      {0.004 * axis, 0.006 * axis}, [](const Eigen::Vector3d& w) { return w; }, 5);
+  EXPECT_FALSE(found.fits);
+  EXPECT_TRUE(
+      says(found,
+           "The file as stated fits, but this does not tell it from: as stated, rates in the axes of GCRF."))
+      << found.text;
+  EXPECT_TRUE(says(found, "Not decided.")) << found.text;
+}
+
+// What is left of a wrong sign of a small rate is a fifth of the rates: three times less than any other
+// reading.
+TEST(Check, FindsTheWrongSignOfASmallRate) {
+  const auto found =
+      of_motion(spinner, [](const Eigen::Vector3d& w) { return Eigen::Vector3d(w.x(), -w.y(), w.z()); });
+  EXPECT_FALSE(found.fits);
+  EXPECT_TRUE(
+      says(found, "Another reading fits: as stated, with x, y, z of the rates along x, -y, z of the body"))
+      << found.text;
+}
+
+TEST(Check, SuspectsDegreesForRadians) {
+  const double degrees = 57.29577951308232;
+  const auto found =
+      of_motion(tumble, [&](const Eigen::Vector3d& w) { return Eigen::Vector3d(degrees * w); });
+  EXPECT_FALSE(found.fits);
+  EXPECT_TRUE(says(found, "times the rates: degrees for radians?")) << found.text;
+  const auto zero = of_motion(tumble, [](const Eigen::Vector3d& w) { return Eigen::Vector3d(0.0 * w); });
+  EXPECT_TRUE(says(zero, "No reading fits. The rates are zero, and the body turns.")) << zero.text;
+}
+
+TEST(Check, DecidesNothingForABodyAtRestWithoutRates) {
+  const auto found =
+      of_motion({{1e-300, 0.0, 0.0}, {0.0, 1e-300, 0.0}}, [](const Eigen::Vector3d& w) { return w; });
+  EXPECT_FALSE(found.fits);
+  EXPECT_TRUE(says(found, "Not decided.")) << found.text;
+}
+
+// Attitudes that look at nothing: 10.1, 13.1, 52.2 and 141.1 deg from the Sun.
+TEST(Check, TakesNoAxisThatIsFarFromItsTarget) {
+  TemporaryFile file(
+      "t,w,x,y,z\n2026-03-01T00:00:00,-0.75,0.29,-0.59,-0.07\n2026-03-01T00:00:10,-0.75,0.29,-0.59,-0.07\n"
+      "2026-03-01T00:00:20,-0.75,0.29,-0.59,-0.07\n");
+  CheckOptions options;
+  options.attitude.file = file.path();
+  options.attitude.columns = {"t",    scale::utc, {"w", "x", "y", "z"}, {Scalar::first, Maps::to_reference},
+                              "GCRF", {}};
+  options.axis = Eigen::Vector3d(0.0, 0.0, 1.0);
+  options.target = Target::sun;
+  const auto found = checked(options);
+  EXPECT_FALSE(found.fits);
+  EXPECT_TRUE(says(found, "  No reading fits.\n")) << found.text;
 }
 
 constexpr const char* head =
@@ -116,7 +207,10 @@ TEST(Check, TakesTheConventionOfAMessageFromIt) {
   EXPECT_NE(a2b.find("As stated, R(q) takes coordinates to SC_BODY_1; the scalar is first."),
             std::string::npos);
   // The rate of B relative to A, as AttitudeEphemerisSegment has it: that of the body is its negative.
-  EXPECT_NE(a2b.find("This decides nothing."), std::string::npos) << a2b;  // x is one axis in both frames
+  EXPECT_NE(a2b.find("The file as stated fits, but this does not tell it from: as stated, rates in the axes "
+                     "of EME2000."),
+            std::string::npos)
+      << a2b;  // x is one axis in both frames
   EXPECT_EQ(a2b.find("Another reading"), std::string::npos) << a2b;
   const auto b2a = text(message("B2A", "LAST", "0 0 0 1", "0.6 0 0 0.8"));
   EXPECT_NE(b2a.find("As stated, R(q) takes coordinates to EME2000; the scalar is last."), std::string::npos)
