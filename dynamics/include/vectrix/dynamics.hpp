@@ -37,10 +37,10 @@
 #include <vectrix/dynamics/ode/verner_7.hpp>
 #include <vectrix/dynamics/ode/verner_9.hpp>
 #include <vectrix/dynamics/rigid/euler.hpp>
+#include <vectrix/dynamics/rigid/state.hpp>
 #include <vectrix/dynamics/rigid/torque_free.hpp>
 #include <vectrix/dynamics/scenario/conservation.hpp>
 #include <vectrix/dynamics/scenario/propagate.hpp>
 #include <vectrix/dynamics/scenario/scenario.hpp>
-#include <vectrix/dynamics/scenario/state.hpp>
 #include <vectrix/dynamics/scenario/trajectory.hpp>
 #include <vectrix/space.hpp>

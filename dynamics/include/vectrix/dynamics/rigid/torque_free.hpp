@@ -3,7 +3,7 @@
 #include <cmath>
 #include <vectrix/dynamics/rigid/euler.hpp>
 #include <vectrix/dynamics/rigid/free_rotation.hpp>
-#include <vectrix/dynamics/scenario/state.hpp>
+#include <vectrix/dynamics/rigid/state.hpp>
 #include <vectrix/kinematics/rates/moving_dcm.hpp>
 
 namespace vectrix {

@@ -8,7 +8,7 @@
 #include <vector>
 #include <vectrix/dynamics/force/gravity.hpp>
 #include <vectrix/dynamics/rigid/euler.hpp>
-#include <vectrix/dynamics/scenario/state.hpp>
+#include <vectrix/dynamics/rigid/state.hpp>
 
 namespace vectrix {
 
