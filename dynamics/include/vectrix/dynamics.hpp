@@ -1,6 +1,8 @@
 #pragma once
 
+#include <vectrix/dynamics/craft/attitude_state.hpp>
 #include <vectrix/dynamics/craft/changes.hpp>
+#include <vectrix/dynamics/craft/conservation.hpp>
 #include <vectrix/dynamics/craft/craft_scenario.hpp>
 #include <vectrix/dynamics/craft/forces.hpp>
 #include <vectrix/dynamics/craft/graph.hpp>

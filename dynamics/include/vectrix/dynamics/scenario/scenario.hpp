@@ -4,8 +4,8 @@
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <memory>
 #include <vector>
+#include <vectrix/dynamics/craft/no_list.hpp>
 #include <vectrix/dynamics/force/gravity.hpp>
 #include <vectrix/dynamics/rigid/euler.hpp>
 #include <vectrix/dynamics/rigid/state.hpp>
@@ -21,10 +21,6 @@ template <class Function, class Argument>
 struct ReturnedOf<Function, Argument> : std::invoke_result<Function, const Argument&> {
 };
 template <class Function, class Argument> using Returned = typename ReturnedOf<Function, Argument>::type;
-
-/// The type of a member's empty default list. With `= {}` instead, g++ 12 fails with an internal error, or at
-/// link time, if the member is left out of the braces of an aggregate inside another aggregate.
-template <class T> using no_list = std::allocator<T>;
 
 }  // namespace detail
 

@@ -4,16 +4,12 @@
 #include <span>
 #include <string>
 #include <vector>
+#include <vectrix/dynamics/craft/attitude_state.hpp>
 #include <vectrix/dynamics/scenario/scenario.hpp>
 #include <vectrix/frames/dcm_doors.hpp>
 #include <vectrix/kinematics/rates/rate.hpp>
 
 namespace vectrix {
-
-/// How the attitude is stored during integration: four numbers of a quaternion, scalar first, or nine of a
-/// DCM, by columns. Both follow their kinematic law. Neither is projected back during the run: the trajectory
-/// reports how far they drifted.
-enum class AttitudeState { quaternion, dcm };
 
 namespace detail {
 
