@@ -26,13 +26,21 @@ double norm_of_quaternion(std::span<const double> y) {
   return Eigen::Map<const Eigen::Vector4d>(y.data()).norm();
 }
 
-/// The numbers of a state, which each call overwrites.
+void write_state(const Eigen::Quaterniond& q, std::span<const double> z, std::span<double> y) {
+  y[0] = q.w(), y[1] = q.x(), y[2] = q.y(), y[3] = q.z();
+  std::copy(z.begin() + of_dcm, z.end(), y.begin() + of_quaternion);
+}
+
+/// The numbers of a state, which each call overwrites. One step of the Newton-Schulz iteration, R (3 - R^T
+/// R)/2, squares the distance of a matrix from a rotation. It never fails: an implicit method may try a
+/// matrix that is none.
 class StateNumbers {
  public:
   explicit StateNumbers(std::size_t size) : y_(size) {}
 
   std::span<double> of(std::span<const double> z) {
-    read_state(AttitudeState::dcm, z, y_);
+    const Eigen::Matrix3d R = matrix(z);
+    write_state(unit_quaternion_of(Eigen::Matrix3d(1.5 * R - 0.5 * R * (R.transpose() * R))), z, y_);
     return y_;
   }
 
@@ -55,9 +63,7 @@ void read_state(AttitudeState attitude, std::span<const double> integrated, std:
     return;
   }
   const auto R = nearest_dcm(to<Inertial>, from<Hub>, Eigen::Matrix3d(matrix(integrated))).dcm;
-  const auto q = quaternion(R).scalar_first();
-  std::copy(q.begin(), q.end(), y.begin());
-  std::copy(integrated.begin() + of_dcm, integrated.end(), y.begin() + of_quaternion);
+  write_state(quaternion(R).eigen(), integrated, y);
 }
 
 ode::Problem with_dcm(ode::Problem problem) {

@@ -88,6 +88,21 @@ TEST_P(RigidRun, torque_free_axisymmetric_body) {
   }
 }
 
+// With loose tolerances an implicit method tries matrices far from a rotation, even left-handed ones.
+TEST_P(RigidRun, takes_loose_tolerances) {
+  const Turning craft(tensor(1.0, 2.0, 3.0));
+  const BodyState start = state_at(0.0, Quaterniond::Identity(), {0.7, 0.6, 0.6});
+  CraftPropagation how = until(100.0);
+  how.relative_tolerance = 1e-3;
+  how.absolute_tolerances.angle = 1e-3 * si::radian;
+  how.absolute_tolerances.rate = 1e-3 * (si::radian / si::second);
+  const auto trajectory = propagate(scenario(craft), start_of(craft, start), how);
+  EXPECT_EQ(trajectory.end(), seconds(100.0));
+  constexpr double of_some_hundred_steps = 0.3;
+  const Vector3d w = trajectory(trajectory.end()).angular_velocity.coordinates();
+  EXPECT_NEAR(w.norm() / Vector3d(0.7, 0.6, 0.6).norm(), 1.0, of_some_hundred_steps);
+}
+
 TEST_P(RigidRun, counts_seconds_from_any_time) {
   const AxisymmetricBody body;
   for (const double start : {1.7e9, 2.1e11}) {  // since 1970, Julian
@@ -299,12 +314,6 @@ TEST_P(RigidRun, large_libration_keeps_its_first_integral) {
   const GravityGradientPendulum pendulum;
   constexpr double phi0 = 1.2;
   const auto trajectory = pendulum.run(phi0, until(20000.0));
-  // The motion stays in its plane: exactly, but for the rounding of an implicit method, which solves for all
-  // nine numbers of a DCM at once.
-  const bool implicit = method() == Method::cvode_bdf || method() == Method::radau_iia_7;
-  const double across = implicit && attitude() == AttitudeState::dcm
-                            ? std::numeric_limits<double>::epsilon() * pendulum.n
-                            : 0.0;
   double largest = 0.0, lowest = phi0, fastest = 0.0;
   for (std::size_t i = 0; i < trajectory.node_count(); ++i) {
     const CraftState<Free> state = trajectory.node(i);
@@ -313,7 +322,7 @@ TEST_P(RigidRun, large_libration_keeps_its_first_integral) {
     const double speed = w.z() / pendulum.n - 1.0;
     const double integral = speed * speed + 3.0 * pendulum.k * std::pow(std::sin(phi), 2);
     EXPECT_NEAR(integral, 3.0 * pendulum.k * std::pow(std::sin(phi0), 2), 3.0 * accuracy());  // slope up to 3
-    EXPECT_LE(w.head<2>().cwiseAbs().maxCoeff(), across);
+    EXPECT_EQ(w.head<2>(), Eigen::Vector2d::Zero());
     largest = std::max(largest, std::abs(phi));
     lowest = std::min(lowest, phi);
     fastest = std::max(fastest, std::abs(speed));
