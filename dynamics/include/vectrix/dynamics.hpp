@@ -41,8 +41,4 @@
 #include <vectrix/dynamics/rigid/euler.hpp>
 #include <vectrix/dynamics/rigid/state.hpp>
 #include <vectrix/dynamics/rigid/torque_free.hpp>
-#include <vectrix/dynamics/scenario/conservation.hpp>
-#include <vectrix/dynamics/scenario/propagate.hpp>
-#include <vectrix/dynamics/scenario/scenario.hpp>
-#include <vectrix/dynamics/scenario/trajectory.hpp>
 #include <vectrix/space.hpp>

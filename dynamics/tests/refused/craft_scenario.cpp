@@ -160,6 +160,46 @@ auto change() {
 }
 }  // namespace one_time_without_braces
 
+namespace a_start_of_another_craft {
+// mistake: the scenario of one craft with the state of another
+// expect: propagate
+// expect: a state of the scenario's craft
+auto fly(const Sat& sat, const CraftState<Sat>& start, const CraftState<Probe>& other,
+         const CraftPropagation& how) {
+#ifdef REPAIRED
+  return static_cast<void>(other), propagate(scenario(sat), start, how);
+#else
+  return static_cast<void>(start), propagate(scenario(sat), other, how);
+#endif
+}
+}  // namespace a_start_of_another_craft
+
+namespace a_start_of_another_body {
+// mistake: a craft starts with the motion of another body
+// expect: HubMovesWith<.*MovingDcm<Gcrf, Panel.*MovingDcm<Gcrf, Hub
+struct Panel : moving_frame {};
+auto start(const Sat& sat, const MovingDcm<Gcrf, Hub>& R_i_from_hub,
+           const MovingDcm<Gcrf, Panel>& R_i_from_panel) {
+#ifdef REPAIRED
+  return static_cast<void>(R_i_from_panel), state(sat, 0.0 * si::second, R_i_from_hub);
+#else
+  return static_cast<void>(R_i_from_hub), state(sat, 0.0 * si::second, R_i_from_panel);
+#endif
+}
+}  // namespace a_start_of_another_body
+
+namespace a_load_that_returns_its_torque {
+// mistake: a load returns its torque instead of putting it on a body
+// expect: IsNoLoad<
+auto solar_pressure(const Sat& sat, const Vector<Gcrf, si::torque>& torque_eci) {
+#ifdef REPAIRED
+  return scenario(sat, [=](const Now<Sat>&, Forces<Sat>& forces) { forces.torque(of<Hub>, torque_eci); });
+#else
+  return scenario(sat, [=](const Now<Sat>&) { return torque_eci; });
+#endif
+}
+}  // namespace a_load_that_returns_its_torque
+
 namespace a_run_until_minutes {
 // mistake: a time in minutes where seconds are meant; convert<si::time>() says so
 // expect: (minute|scale<60)
