@@ -72,11 +72,15 @@ std::vector<Kernel> kernels() {
       moving_spin(to<A>, from<B>, 0), moving_spin(to<C>, from<B>, 1), moving_spin(to<C>, from<D>, 2),
       moving_spin(to<E>, from<D>, 3), moving_spin(to<E>, from<F>, 4));
 
-  alignas(64) static const Scenario<A, B> scenario{J_b, {0.0 * si::second, quaternion(R_ab), w_ab_b}};
-  alignas(64) static const detail::StateLayout<A, B> quaternion_layout(AttitudeState::quaternion, false);
-  alignas(64) static const detail::StateLayout<A, B> dcm_layout(AttitudeState::dcm, false);
-  alignas(64) static const Numbers y = quaternion_layout.pack(scenario.initial);
-  alignas(64) static const Numbers dcm_y = dcm_layout.pack(scenario.initial);
+  alignas(64) static const AttitudeState typed_quaternion = AttitudeState::quaternion;
+  alignas(64) static const AttitudeState typed_dcm = AttitudeState::dcm;
+  const auto q_ab = quaternion(R_ab).scalar_first();
+  alignas(64) static const Numbers y{q_ab[0], q_ab[1], q_ab[2], q_ab[3], v1.x(), v1.y(), v1.z()};
+  alignas(64) static const Numbers dcm_y = [] {
+    Numbers made(R1.data(), R1.data() + R1.size());
+    made.insert(made.end(), v1.data(), v1.data() + v1.size());
+    return made;
+  }();
   alignas(64) static const raw::Attitude as_quaternion = raw::Attitude::quaternion;
   alignas(64) static const raw::Attitude as_dcm = raw::Attitude::dcm;
   using Rate = std::array<double, 7>;
@@ -129,7 +133,7 @@ std::vector<Kernel> kernels() {
        form([] { return raw::moving_graph_reexpressed(path, raw_t); })},
       {"free body's ydot, quaternion", form([] {
          Rate ydot;
-         typed::body_rate(quaternion_layout, scenario, y, ydot);
+         typed::body_rate(typed_quaternion, J_b, y, ydot);
          return ydot;
        }),
        form([] {
@@ -139,7 +143,7 @@ std::vector<Kernel> kernels() {
        })},
       {"free body's ydot, DCM", form([] {
          DcmRates ydot;
-         typed::body_rate(dcm_layout, scenario, dcm_y, ydot);
+         typed::body_rate(typed_dcm, J_b, dcm_y, ydot);
          return ydot;
        }),
        form([] {

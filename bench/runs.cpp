@@ -75,31 +75,42 @@ std::optional<Run> cheapest(const Engine& engine, const std::vector<Run>& runs, 
   return best;
 }
 
-Scenario<Inertial, Body> free_body(const Eigen::Vector3d& principal_moments, const Eigen::Vector3d& w) {
+Inertia<Body> inertia(const Eigen::Vector3d& principal_moments) {
   const auto kg_m2 = [](double value) { return Quantity<si::moment_of_inertia>::from_value(value); };
-  return {
-      .inertia = inertia_from_principal_moments(in<Body>, kg_m2(principal_moments.x()),
-                                                kg_m2(principal_moments.y()), kg_m2(principal_moments.z())),
-      .initial = {.time = 0.0 * si::second,
-                  .q_i_from_b = quaternion_scalar_first(to<Inertial>, from<Body>, 1.0, 0.0, 0.0, 0.0),
-                  .w_ib_b = angular_velocity(of<Body>, relative_to<Inertial>,
-                                             vector<si::angular_velocity>(in<Body>, w))}};
+  return inertia_from_principal_moments(in<Body>, kg_m2(principal_moments.x()), kg_m2(principal_moments.y()),
+                                        kg_m2(principal_moments.z()));
+}
+State<Inertial, Body> start(const Eigen::Vector3d& w) {
+  return {0.0 * si::second, quaternion(aligned(to<Inertial>, from<Body>)),
+          angular_velocity(of<Body>, relative_to<Inertial>, vector<si::angular_velocity>(in<Body>, w))};
+}
+auto free_body() {
+  return spacecraft(body(
+      mass_properties(1.0 * si::kilogram, coincident(of<CentreOfMassOf<Body>>, relative_to<Body>, in<Body>),
+                      inertia(moments)),
+      turning_in<Inertial>));
+}
+using FreeBody = decltype(free_body());
+CraftState<FreeBody> start_of(const FreeBody& craft) {
+  const State<Inertial, Body> from = start(start_rate);
+  return state(craft, from.time, MovingDcm{from.R_i_from_b(), from.w_ib_b});
 }
 
 auto vectrix_engine(ode::Method method, AttitudeState attitude) {
   return [=](double tolerance, Attitudes& attitudes) {
-    const Scenario<Inertial, Body> scenario = free_body(moments, start_rate);
-    Propagation<Inertial, Body> how{.end = sample_times.back() * si::second};
-    how.method = method;
-    how.attitude = attitude;
-    how.tolerances.relative = tolerance;
-    how.tolerances.attitude = tolerance;
-    how.tolerances.rate = Quantity<si::angular_velocity>::from_value(tolerance);
-    how.max_steps = 200'000;
+    const FreeBody craft = free_body();
+    CraftPropagation how{
+        .end = sample_times.back() * si::second,
+        .relative_tolerance = tolerance,
+        .absolute_tolerances = {tolerance * si::radian, tolerance * (si::radian / si::second),
+                                1e-6 * si::metre, 1e-9 * (si::metre / si::second), 1e-12},
+        .method = method,
+        .max_steps = 200'000,
+        .attitude = attitude};
     for (const double t : sample_times) how.output_times.push_back(t * si::second);
-    const auto trajectory = propagate(scenario, how);
-    for (const auto& state : trajectory.outputs()) attitudes.push_back(state.R_i_from_b().matrix());
-    return trajectory.statistics().rhs_evaluations;
+    const auto trajectory = propagate(scenario(craft), start_of(craft), how);
+    for (const auto& now : trajectory.outputs()) attitudes.push_back(now.turning().rotation.matrix());
+    return trajectory.solution().statistics().rhs_evaluations;
   };
 }
 
@@ -125,8 +136,8 @@ auto simbody_engine(validation::SimbodyIntegrator integrator) {
 void right_hand_sides() {
   const std::array<double, 7> y{1.0, 0.0, 0.0, 0.0, start_rate.x(), start_rate.y(), start_rate.z()};
   const raw::Inertia raw_J{moments.asDiagonal(), moments.cwiseInverse().asDiagonal()};
-  const Scenario<Inertial, Body> scenario = free_body(moments, start_rate);
-  const detail::StateLayout<Inertial, Body> layout(AttitudeState::quaternion, false);
+  const FreeBody craft = free_body();
+  detail::CraftRates<FreeBody> ours(craft);
   const raw::Attitude attitude = raw::Attitude::quaternion;
   validation::SimbodyRate simbody;
   std::array<double, 7> ydot;
@@ -142,12 +153,12 @@ void right_hand_sides() {
   };
   std::array<std::vector<double>, 3> ns;
   for (int round = 0; round < rounds; ++round) {  // interleaved, so that a slow machine slows all three
-    ns[0].push_back(nanoseconds([&] { typed::body_rate(layout, scenario, y, ydot); }));
+    ns[0].push_back(nanoseconds([&] { ours(0.0, y.data(), ydot.data()); }));
     ns[1].push_back(nanoseconds([&] { raw::body_rate(attitude, raw_J, y, ydot); }));
     ns[2].push_back(nanoseconds([&] { simbody.evaluate({y[0], y[1], y[2], y[3]}, {y[4], y[5], y[6]}); }));
   }
   std::printf("| right-hand side | ns a call | times ours |\n| --- | --- | --- |\n");
-  const std::array names{"`StateLayout::derivative`", "raw Eigen", "Simbody, `realize(Acceleration)`"};
+  const std::array names{"a craft of one body", "raw Eigen", "Simbody, `realize(Acceleration)`"};
   for (auto& list : ns) std::nth_element(list.begin(), list.begin() + rounds / 2, list.end());
   for (std::size_t i = 0; i < 3; ++i)
     std::printf("| %s | %.1f | %.2f |\n", names[i], ns[i][rounds / 2], ns[i][rounds / 2] / ns[0][rounds / 2]);
@@ -244,8 +255,7 @@ void closed_form() {
                                        {"a ball, (1, 1, 1) kg m^2", {1.0, 1.0, 1.0}, start_rate}}};
   std::vector<TorqueFree<Inertial, Body>> bodies;
   for (const Motion& motion : motions) {
-    const auto scenario = free_body(motion.moments, motion.w);
-    bodies.push_back(torque_free(scenario.inertia, scenario.initial));
+    bodies.push_back(torque_free(inertia(motion.moments), start(motion.w)));
   }
   constexpr double modulus = 0.6;
   std::array<std::vector<double>, motions.size() + 1> ns;

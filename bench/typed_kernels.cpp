@@ -1,5 +1,7 @@
 #include "typed_kernels.hpp"
 
+#include <vectrix/dynamics/rigid/euler.hpp>
+
 namespace typed {
 
 Dcm<C, A> dcm_product(const Dcm<C, B>& R_c_from_b, const Dcm<B, A>& R_b_from_a) {

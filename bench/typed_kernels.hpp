@@ -1,6 +1,8 @@
 #pragma once
 
-#include <vectrix/dynamics/scenario/state_layout.hpp>
+#include <span>
+#include <vectrix/dynamics/craft/attitude_state.hpp>
+#include <vectrix/dynamics/mass/inertia.hpp>
 #include <vectrix/frames/graph/frame_graph.hpp>
 #include <vectrix/kinematics.hpp>
 
@@ -83,7 +85,7 @@ Dcm<A, F> constant_graph(const ConstantGraph& graph, const Quantity<si::time>& t
 Dcm<A, F> function_graph(const FunctionGraph& graph, const Quantity<si::time>& t);
 AngularVelocity<A, F, In<F>> moving_graph(const MovingGraph& graph, const Quantity<si::time>& t);
 AngularVelocity<A, F, In<A>> moving_graph_reexpressed(const MovingGraph& graph, const Quantity<si::time>& t);
-void body_rate(const detail::StateLayout<A, B>& layout, const Scenario<A, B>& scenario,
-               std::span<const double> y, std::span<double> ydot);
+void body_rate(const AttitudeState& attitude, const Inertia<B>& J_b, std::span<const double> y,
+               std::span<double> ydot);
 
 }  // namespace typed

@@ -21,17 +21,14 @@ constexpr int seconds = 20;
 const Eigen::Vector3d moments(1.0, 2.0, 3.0);     // kg m^2
 const Eigen::Vector3d start_rate(0.7, 0.6, 0.6);  // rad/s
 
-Scenario<Reference, Body> scenario() {
+const Inertia<Body> J_b = [] {
   const auto moment = [](double value) { return Quantity<si::moment_of_inertia>::from_value(value); };
-  return {.inertia = inertia_from_principal_moments(in<Body>, moment(moments(0)), moment(moments(1)),
-                                                    moment(moments(2))),
-          .initial = {.time = 0.0 * si::second,
-                      .q_i_from_b = quaternion_scalar_first(to<Reference>, from<Body>, 1.0, 0.0, 0.0, 0.0),
-                      .w_ib_b = angular_velocity(of<Body>, relative_to<Reference>,
-                                                 vector<si::angular_velocity>(in<Body>, start_rate))}};
-}
-const Scenario<Reference, Body> body = scenario();
-const TorqueFree<Reference, Body> exact = torque_free(body.inertia, body.initial);
+  return inertia_from_principal_moments(in<Body>, moment(moments(0)), moment(moments(1)), moment(moments(2)));
+}();
+const State<Reference, Body> start{
+    0.0 * si::second, quaternion(aligned(to<Reference>, from<Body>)),
+    angular_velocity(of<Body>, relative_to<Reference>, vector<si::angular_velocity>(in<Body>, start_rate))};
+const TorqueFree<Reference, Body> exact = torque_free(J_b, start);
 
 double angle_off(const Quaternion<Reference, Body>& q, double t) {
   return log(inverse(before(q)) * exact.at(t * si::second).q_i_from_b).angle().value();
@@ -42,7 +39,7 @@ double angle_off(const Quaternion<Reference, Body>& q, double t) {
 template <class Step> std::vector<Point> fixed_steps(int values, int fewest, int most, const Step& step) {
   std::vector<Point> points;
   for (int n = fewest; n <= most; n *= 2) {  // steps per second
-    Rotation R = dcm(body.initial.q_i_from_b);
+    Rotation R = start.R_i_from_b();
     double worst = 0.0;
     for (int i = 0; i < seconds * n; ++i) {
       R = step(R, double(i) / n * si::second, 1.0 / n * si::second);
@@ -55,7 +52,7 @@ template <class Step> std::vector<Point> fixed_steps(int values, int fewest, int
 
 /// The rate follows from the attitude, as the momentum is fixed in space: w_ib^b = J^-1 R_i^b h^i.
 AngularVelocity<Reference, Body, In<Body>> rate_of_attitude(const Time&, const Rotation& R_i_from_b) {
-  static const auto h_i = dcm(body.initial.q_i_from_b) * (body.inertia * body.initial.w_ib_b);
+  static const auto h_i = start.R_i_from_b() * (J_b * start.w_ib_b);
   const auto h_b = inverse(R_i_from_b) * h_i;
   return angular_velocity(
       of<Body>, relative_to<Reference>,
@@ -75,18 +72,26 @@ template <int Order> std::vector<Point> munthe_kaas(int fewest, int most) {
 }
 
 std::vector<Point> propagated(ode::Method method, int digits) {
+  const auto craft =
+      spacecraft(body(mass_properties(1.0 * si::kilogram,
+                                      coincident(of<CentreOfMassOf<Body>>, relative_to<Body>, in<Body>), J_b),
+                      turning_in<Reference>));
+  const auto from_start = state(craft, start.time, MovingDcm{start.R_i_from_b(), start.w_ib_b});
   std::vector<Point> points;
   for (int exponent = 3; exponent <= digits; ++exponent) {
     const double tolerance = std::pow(10.0, -exponent);
-    Propagation<Reference, Body> how{.end = double(seconds) * si::second, .method = method};
-    how.tolerances.relative = how.tolerances.attitude = tolerance;
-    how.tolerances.rate = Quantity<si::angular_velocity>::from_value(tolerance);
+    CraftPropagation how{
+        .end = double(seconds) * si::second,
+        .relative_tolerance = tolerance,
+        .absolute_tolerances = {tolerance * si::radian, tolerance * (si::radian / si::second),
+                                1e-6 * si::metre, 1e-9 * (si::metre / si::second), 1e-12},
+        .method = method};
     for (int t = 1; t <= seconds; ++t) how.output_times.push_back(double(t) * si::second);
-    const auto trajectory = propagate(body, how);
+    const auto trajectory = propagate(scenario(craft), from_start, how);
     double worst = 0.0;
-    for (const auto& state : trajectory.outputs())
-      worst = std::max(worst, angle_off(state.q_i_from_b, state.time.value()));
-    points.push_back({double(trajectory.statistics().rhs_evaluations), worst});
+    for (const auto& now : trajectory.outputs())
+      worst = std::max(worst, angle_off(quaternion(now.turning().rotation), now.time().value()));
+    points.push_back({double(trajectory.solution().statistics().rhs_evaluations), worst});
   }
   return points;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <utility>
 #include <vectrix/dynamics.hpp>
 #include <vectrix/frames/scalar/larger.hpp>
 
@@ -24,21 +25,50 @@ struct Difference {
   void rate(const AngularVelocity<Inertial, Body, In<Body>>& w_ib_b, const Eigen::Vector3d& reference) {
     rate_rad_s = detail::larger(rate_rad_s, (w_ib_b.coordinates() - reference).norm());
   }
-  void position(const PointMotion<Inertial, CentreOfMassOf<Body>, Inertial>& orbit,
-                const Eigen::Vector3d& reference) {
-    position_m = detail::larger(position_m, (orbit.position.coordinates() - reference).norm());
+  void position(const Displacement<Inertial, Body, In<Inertial>>& r_ib_i, const Eigen::Vector3d& reference) {
+    position_m = detail::larger(position_m, (r_ib_i.coordinates() - reference).norm());
   }
 };
 
+/// A craft of one body, its frame at its centre of mass. It is so heavy that its size does not move its
+/// orbit: the references have orbits of points.
+template <class Hub> auto craft_of(const Inertia<Body>& J_b, const Hub& hub) {
+  return spacecraft(
+      body(mass_properties(1e12 * si::kilogram,
+                           coincident(of<CentreOfMassOf<Body>>, relative_to<Body>, in<Body>), J_b),
+           hub));
+}
+using Turning = decltype(craft_of(std::declval<Inertia<Body>>(), turning_in<Inertial>));
+using Satellite = decltype(craft_of(std::declval<Inertia<Body>>(), free_in<Inertial>));
+
+/// The motion of a hub at the start of a run.
+inline MovingDcm<Inertial, Body> moving(const State<Inertial, Body>& start) {
+  return {start.R_i_from_b(), start.w_ib_b};
+}
+inline MovingTransform<Inertial, Body> moving(const State<Inertial, Body>& start,
+                                              const Vector<Inertial, si::length>& r_i,
+                                              const Vector<Inertial, si::velocity>& v_i) {
+  return {moving(start), displacement(of<Body>, relative_to<Inertial>, r_i),
+          velocity(of<Body>, relative_to<Inertial>, observed_from<Inertial>, v_i)};
+}
+
+/// The attraction of a point mass without its gradient.
+inline auto point_field(const Quantity<si::gravitational_parameter>& mu) {
+  return [mu](const Now<Satellite>& now, Forces<Satellite>& forces) {
+    forces.field(
+        point_mass_gravity(mu, now.position(of<Body>, relative_to<Inertial>, in<Inertial>).vector()));
+  };
+}
+
 /// Tolerances of every validated propagation: the tightest that step control in double precision can follow.
-inline Propagation<Inertial, Body> tight(double end_s, std::vector<Quantity<si::time>> output_times) {
+inline CraftPropagation tight(double end_s) {
   return {.end = end_s * si::second,
-          .tolerances = {.relative = 1e-14,
-                         .attitude = 1e-14,
-                         .rate = 1e-17 * (si::radian / si::second),
-                         .position = 1e-8 * si::metre,
-                         .velocity = 1e-11 * (si::metre / si::second)},
-          .output_times = std::move(output_times)};
+          .relative_tolerance = 1e-14,
+          .absolute_tolerances = {.angle = 1e-14 * si::radian,
+                                  .rate = 1e-17 * (si::radian / si::second),
+                                  .length = 1e-8 * si::metre,
+                                  .velocity = 1e-11 * (si::metre / si::second),
+                                  .mode = 1e-14}};
 }
 
 }  // namespace vectrix::validation

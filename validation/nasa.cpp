@@ -18,14 +18,15 @@ CsvTable read(const std::string& file) {
                                "T12", "T13", "T21", "T22", "T23", "T31", "T32", "T33"});
 }
 
-void add(Difference& difference, const State<Inertial, Body>& state, const CsvTable& table, std::size_t row) {
+void add(Difference& difference, const CraftState<Satellite>& state, const CsvTable& table, std::size_t row) {
   const auto number = [&](const char* name) { return table.number(row, name); };
   Eigen::Matrix3d T;  // body from inertial
   T << number("T11"), number("T12"), number("T13"), number("T21"), number("T22"), number("T23"),
       number("T31"), number("T32"), number("T33");
-  difference.attitude(state.R_i_from_b(), T.transpose());
-  difference.rate(state.w_ib_b, {number("wx_radps"), number("wy_radps"), number("wz_radps")});
-  difference.position(*state.orbit, {number("x_m"), number("y_m"), number("z_m")});
+  const MovingTransform<Inertial, Body> now = state.hub_motion();
+  difference.attitude(now.turning.rotation, T.transpose());
+  difference.rate(now.turning.angular_velocity, {number("wx_radps"), number("wy_radps"), number("wz_radps")});
+  difference.position(now.translation, {number("x_m"), number("y_m"), number("z_m")});
 }
 
 void report(Rows& rows, const std::string& scenario, const Difference& difference) {
@@ -45,16 +46,15 @@ Rows nasa_rows(const std::string& data) {
   for (std::size_t row = 0; row < finals.rows(); ++row) {
     const std::string run = finals.text(row, "run").substr(4);  // "RUN_10A" -> "10A"
     const double end = finals.number(row, "t_s");
-    const auto trajectory = propagate(nasa_scenario(run), tight(end, {}));
     Difference difference;
-    add(difference, trajectory.at(trajectory.end()), finals, row);
+    add(difference, fly(nasa_run(run), end)(end * si::second), finals, row);
     report(rows, "run " + run + " at " + std::to_string(static_cast<int>(end)) + " s", difference);
   }
   const CsvTable minutes = read(data + "/nasa_10A_first_300s.csv");
-  const auto trajectory = propagate(nasa_scenario("10A"), tight(300.0, {}));
+  const auto motion = fly(nasa_run("10A"), 300.0);
   Difference difference;
   for (std::size_t row = 0; row < minutes.rows(); ++row) {
-    add(difference, trajectory.at(minutes.number(row, "t_s") * si::second), minutes, row);
+    add(difference, motion(minutes.number(row, "t_s") * si::second), minutes, row);
   }
   report(rows, "run 10A, each minute to 300 s", difference);
   return rows;

@@ -51,24 +51,34 @@ AngularVelocity<Inertial, Body, In<Body>> w_ib_b(const std::string& run) {
   return R_b_from_lvlh(run) * R_lvlh_from_i() * w_il_i + w_lb_b;
 }
 
+std::optional<TorquePulse> pulse_of(const std::string& run) {
+  if (run != "9A") return std::nullopt;
+  return TorquePulse{1000.0 * si::second, 2000.0 * si::second, 10.0 * si::newton_metre * unit_x(in<Body>)};
+}
+
+template <class... Parts> auto motion_under(const NasaRun& run, double end_s, const Parts&... parts) {
+  return [trajectory = propagate(scenario(run.craft, parts...), run.start, tight(end_s))](
+             const Quantity<si::time>& t) { return trajectory.at(t); };
+}
+
 }  // namespace
 
-Scenario<Inertial, Body> nasa_scenario(const std::string& run) {
-  Scenario<Inertial, Body> scenario{
-      .inertia = inertia(run),
-      .initial = {.time = 0.0 * si::second,
-                  .q_i_from_b = quaternion(inverse(R_b_from_lvlh(run) * R_lvlh_from_i())),
-                  .w_ib_b = w_ib_b(run),
-                  .orbit = point_motion(of<CentreOfMassOf<Body>>, relative_to<Inertial>,
-                                        observed_from<Inertial>, r_i(), v_i())},
-      .mu = Quantity<si::gravitational_parameter>::from_value(3.986004415e14),
-      .gravity_gradient = run == "10A"};
-  if (run == "9A") {
-    scenario.pulses.push_back({.start = 1000.0 * si::second,
-                               .stop = 2000.0 * si::second,
-                               .torque_b = 10.0 * si::newton_metre * unit_x(in<Body>)});
-  }
-  return scenario;
+NasaRun nasa_run(const std::string& name) {
+  const Satellite craft = craft_of(inertia(name), free_in<Inertial>);
+  const State<Inertial, Body> start{0.0 * si::second,
+                                    quaternion(inverse(R_b_from_lvlh(name) * R_lvlh_from_i())), w_ib_b(name)};
+  return {.craft = craft,
+          .start = state(craft, start.time, moving(start, r_i(), v_i())),
+          .mu = Quantity<si::gravitational_parameter>::from_value(3.986004415e14),
+          .gravity_gradient = name == "10A",
+          .pulse = pulse_of(name)};
+}
+
+std::function<CraftState<Satellite>(const Quantity<si::time>&)> fly(const NasaRun& run, double end_s) {
+  if (run.gravity_gradient) return motion_under(run, end_s, point_mass(run.craft, run.mu));
+  if (!run.pulse) return motion_under(run, end_s, point_field(run.mu));
+  return motion_under(run, end_s, point_field(run.mu),
+                      pulse(run.craft, of<Body>, run.pulse->torque_b, run.pulse->start, run.pulse->end));
 }
 
 }  // namespace vectrix::validation

@@ -25,43 +25,52 @@ struct Compared {
   double steps;
 };
 
-Compared compare(const Scenario<Inertial, Body>& scenario, const Trajectory<Inertial, Body>& ours,
-                 double accuracy, const std::vector<double>& times) {
+SimbodyBody simbody_body(const NasaRun& run) {
+  SimbodyBody body = simbody_body(run.craft, run.start, run.mu);
+  body.gravity_gradient = run.gravity_gradient;
+  if (run.pulse)
+    body.pulses.push_back(
+        {run.pulse->start.value(), run.pulse->end.value(), detail::array(run.pulse->torque_b.coordinates())});
+  return body;
+}
+
+using Motion = std::function<CraftState<Satellite>(const Quantity<si::time>&)>;
+Compared compare(const NasaRun& run, const Motion& ours, double accuracy, const std::vector<double>& times) {
   const SimbodyRun theirs =
-      simbody_propagate(simbody_body(scenario), accuracy, times, SimbodyIntegrator::runge_kutta_merson);
+      simbody_propagate(simbody_body(run), accuracy, times, SimbodyIntegrator::runge_kutta_merson);
   Difference difference;
   for (const SimbodySample& sample : theirs.samples) {
-    const State<Inertial, Body> state = ours.at(sample.t_s * si::second);
+    const MovingTransform<Inertial, Body> now = ours(sample.t_s * si::second).hub_motion();
     using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
-    difference.attitude(state.R_i_from_b(), Eigen::Map<const RowMajor>(sample.R_i_from_b.data()));
-    difference.rate(state.w_ib_b, Eigen::Map<const Eigen::Vector3d>(sample.w_ib_b.data()));
-    difference.position(*state.orbit, Eigen::Map<const Eigen::Vector3d>(sample.r_i_m.data()));
+    difference.attitude(now.turning.rotation, Eigen::Map<const RowMajor>(sample.R_i_from_b.data()));
+    difference.rate(now.turning.angular_velocity, Eigen::Map<const Eigen::Vector3d>(sample.w_ib_b.data()));
+    difference.position(now.translation, Eigen::Map<const Eigen::Vector3d>(sample.r_i_m.data()));
   }
   return {difference, static_cast<double>(theirs.steps)};
 }
 
 // Adds the comparison at the tightest accuracy to `rows`, and the effect of tightening to `tightened`.
-void report(Rows& rows, Rows& tightened, const std::string& what, const std::string& run,
+void report(Rows& rows, Rows& tightened, const std::string& what, const std::string& name_of_run,
             double Difference::*watched, const std::string& watched_name) {
-  const Scenario<Inertial, Body> scenario = nasa_scenario(run);
-  const auto ours = propagate(scenario, tight(nasa_duration_s, {}));
+  const NasaRun run = nasa_run(name_of_run);
+  const Motion ours = fly(run, nasa_duration_s);
   std::vector<double> times;
   for (double t = 0.0; t <= nasa_duration_s; t += interval_s) times.push_back(t);
 
   std::vector<Compared> runs;
-  for (const double accuracy : accuracies) runs.push_back(compare(scenario, ours, accuracy, times));
+  for (const double accuracy : accuracies) runs.push_back(compare(run, ours, accuracy, times));
 
-  const std::string name = what + " (NASA run " + run + "), every 600 s to 28800 s";
+  const std::string name = what + " (NASA run " + name_of_run + "), every 600 s to 28800 s";
   const double of_run = std::end(accuracies)[-1] * runs.back().steps;
-  const double orbital_rate =
-      norm(scenario.initial.orbit->velocity).value() / norm(scenario.initial.orbit->position).value();
+  const double radius = run.start.hub_motion().translation.coordinates().norm();
+  const double orbital_rate = run.start.hub_motion().velocity.coordinates().norm() / radius;
   const Difference& last = runs.back().difference;
   const std::string reason = "Simbody's accuracy " + power(std::end(accuracies)[-1]) + " times its steps";
   rows.push_back({"Simbody", name, "attitude", of_run, "rad", reason, last.attitude_rad});
   rows.push_back({"Simbody", name, "body rate", of_run * orbital_rate, "rad/s",
                   reason + " and the orbital rate", last.rate_rad_s});
-  rows.push_back({"Simbody", name, "position", of_run * norm(scenario.initial.orbit->position).value(), "m",
-                  reason + " and the radius", last.position_m});
+  rows.push_back(
+      {"Simbody", name, "position", of_run * radius, "m", reason + " and the radius", last.position_m});
   for (std::size_t i = 1; i < runs.size(); ++i) {
     tightened.push_back(
         {"Simbody with tighter accuracy: the difference is Simbody's", name,

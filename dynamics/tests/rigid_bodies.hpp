@@ -4,7 +4,8 @@
 
 #include <cmath>
 #include <string>
-#include <vectrix/dynamics/scenario/propagate.hpp>
+#include <vectrix/dynamics/mass/inertia.hpp>
+#include <vectrix/dynamics/rigid/state.hpp>
 #include <vectrix/frames/scalar/larger.hpp>
 
 /// Frames, short forms of the doors and exact motions, shared by the tests of rigid bodies.
@@ -14,8 +15,6 @@ struct Gcrf : inertial_frame {};
 struct Body : moving_frame {};
 
 using BodyState = State<Gcrf, Body>;
-using BodyScenario = Scenario<Gcrf, Body>;
-using BodyPropagation = Propagation<Gcrf, Body>;
 using BodyRate = AngularVelocity<Gcrf, Body, In<Body>>;
 
 inline Quantity<si::time> seconds(double t) {
@@ -41,12 +40,6 @@ inline Quaternion<Gcrf, Body> attitude(const Eigen::Quaterniond& q) {
   return quaternion_scalar_first(to<Gcrf>, from<Body>, q.w(), q.x(), q.y(), q.z());
 }
 
-/// The orbit of the body's centre of mass.
-inline auto body_orbit(const Eigen::Vector3d& r, const Eigen::Vector3d& v) {
-  return point_motion(of<CentreOfMassOf<Body>>, relative_to<Gcrf>, observed_from<Gcrf>,
-                      vector<si::length>(in<Gcrf>, r), vector<si::velocity>(in<Gcrf>, v));
-}
-
 inline BodyState state_at(double t, const Eigen::Quaterniond& q, const Eigen::Vector3d& w) {
   return {seconds(t), attitude(q), rate_body(w)};
 }
@@ -70,8 +63,6 @@ struct AxisymmetricBody {
   double c = 3.0;
   Eigen::Quaterniond q0 = Eigen::Quaterniond(0.5, -0.1, 0.7, 0.3).normalized();
   Eigen::Vector3d w0 = {0.3, -0.2, 0.5};
-
-  BodyScenario scenario() const { return {tensor(a, a, c), state_at(0.0, q0, w0)}; }
 
   BodyState exact(double t) const {
     using Eigen::AngleAxisd;

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <vectrix/dynamics/craft/attitude_state.hpp>
 #include <vectrix/dynamics/craft/changes.hpp>
+#include <vectrix/dynamics/craft/conservation.hpp>
 #include <vectrix/dynamics/craft/craft_scenario.hpp>
 #include <vectrix/dynamics/craft/forces.hpp>
 #include <vectrix/dynamics/craft/graph.hpp>
@@ -37,10 +39,6 @@
 #include <vectrix/dynamics/ode/verner_7.hpp>
 #include <vectrix/dynamics/ode/verner_9.hpp>
 #include <vectrix/dynamics/rigid/euler.hpp>
+#include <vectrix/dynamics/rigid/state.hpp>
 #include <vectrix/dynamics/rigid/torque_free.hpp>
-#include <vectrix/dynamics/scenario/conservation.hpp>
-#include <vectrix/dynamics/scenario/propagate.hpp>
-#include <vectrix/dynamics/scenario/scenario.hpp>
-#include <vectrix/dynamics/scenario/state.hpp>
-#include <vectrix/dynamics/scenario/trajectory.hpp>
 #include <vectrix/space.hpp>

@@ -165,6 +165,9 @@ void check_internals(const PlainSpacecraft& craft, const std::string& name, doub
 void check_parts(const PlainSpacecraft& craft) {
   check_names(craft);
   check_mass(in_quotes(craft.hub), craft.mass, craft.r_hc_h, craft.J_c_h);
+  if (craft.bodies.empty())
+    through(in_quotes(craft.hub),
+            [&] { return inertia_from_tensor(in<ThisBody>, craft.J_c_h).inverse_matrix(); });
   std::vector<std::string_view> bodies{craft.hub};
   for (const auto& body : craft.bodies) bodies.push_back(body.name);
   for (const auto& body : craft.bodies) {

@@ -159,3 +159,125 @@ auto change() {
 #endif
 }
 }  // namespace one_time_without_braces
+
+namespace a_start_of_another_craft {
+// mistake: the scenario of one craft with the state of another
+// expect: propagate
+// expect: a state of the scenario's craft
+auto fly(const Sat& sat, const CraftState<Sat>& start, const CraftState<Probe>& other,
+         const CraftPropagation& how) {
+#ifdef REPAIRED
+  return static_cast<void>(other), propagate(scenario(sat), start, how);
+#else
+  return static_cast<void>(start), propagate(scenario(sat), other, how);
+#endif
+}
+}  // namespace a_start_of_another_craft
+
+namespace a_start_of_another_body {
+// mistake: a craft starts with the motion of another body
+// expect: HubMovesWith<.*MovingDcm<Gcrf, Panel.*MovingDcm<Gcrf, Hub
+struct Panel : moving_frame {};
+auto start(const Sat& sat, const MovingDcm<Gcrf, Hub>& R_i_from_hub,
+           const MovingDcm<Gcrf, Panel>& R_i_from_panel) {
+#ifdef REPAIRED
+  return static_cast<void>(R_i_from_panel), state(sat, 0.0 * si::second, R_i_from_hub);
+#else
+  return static_cast<void>(R_i_from_hub), state(sat, 0.0 * si::second, R_i_from_panel);
+#endif
+}
+}  // namespace a_start_of_another_body
+
+namespace a_load_that_returns_its_torque {
+// mistake: a load returns its torque instead of putting it on a body
+// expect: IsNoLoad<
+auto solar_pressure(const Sat& sat, const Vector<Gcrf, si::torque>& torque_eci) {
+#ifdef REPAIRED
+  return scenario(sat, [=](const Now<Sat>&, Forces<Sat>& forces) { forces.torque(of<Hub>, torque_eci); });
+#else
+  return scenario(sat, [=](const Now<Sat>&) { return torque_eci; });
+#endif
+}
+}  // namespace a_load_that_returns_its_torque
+
+namespace a_run_until_minutes {
+// mistake: a time in minutes where seconds are meant; convert<si::time>() says so
+// expect: (minute|scale<60)
+// expect: time
+auto quarter_hour(CraftPropagation how) {
+#ifdef REPAIRED
+  how.end = convert<si::time>(15.0 * si::minute);
+#else
+  how.end = 15.0 * si::minute;
+#endif
+  return how;
+}
+}  // namespace a_run_until_minutes
+
+namespace a_hub_in_a_moving_frame {
+// mistake: a craft that turns relative to the rotating Earth
+// expect: InertialFrame
+// expect: Ecef
+struct Ecef : moving_frame {};
+auto make(const MassProperties<Hub, Hub, In<Hub>>& mass) {
+#ifdef REPAIRED
+  return body(mass, turning_in<Gcrf>);
+#else
+  return body(mass, turning_in<Ecef>);
+#endif
+}
+}  // namespace a_hub_in_a_moving_frame
+
+namespace a_trajectory_edited {
+// mistake: a trajectory edited after the run
+// expect: steps
+// expect: (temporary as lvalue|rvalue as lvalue|not assignable)
+auto cheaper(CraftTrajectory<Sat>& flight) {
+#ifdef REPAIRED
+  ode::Statistics statistics = flight.solution().statistics();
+  statistics.steps = 1;
+  return statistics;
+#else
+  flight.solution().statistics().steps = 1;
+  return flight.solution().statistics();
+#endif
+}
+}  // namespace a_trajectory_edited
+
+namespace a_trajectory_from_nothing {
+// mistake: a trajectory that no propagation made
+// expect: CraftTrajectory
+auto fly(const Sat& sat, const CraftState<Sat>& start, const CraftPropagation& how) {
+#ifdef REPAIRED
+  const CraftTrajectory<Sat> flight = propagate(scenario(sat), start, how);
+#else
+  static_cast<void>(sat), static_cast<void>(start), static_cast<void>(how);
+  const CraftTrajectory<Sat> flight;
+#endif
+  return flight;
+}
+}  // namespace a_trajectory_from_nothing
+
+namespace conservation_in_another_scenario {
+// mistake: the conservation report of the trajectory of another craft
+// expect: both of one craft
+auto report(const Sat& sat, const CraftTrajectory<Sat>& flight, const CraftTrajectory<Probe>& other) {
+#ifdef REPAIRED
+  return static_cast<void>(other), conservation(scenario(sat), flight);
+#else
+  return static_cast<void>(flight), conservation(scenario(sat), other);
+#endif
+}
+}  // namespace conservation_in_another_scenario
+
+namespace the_change_of_an_attitude {
+// mistake: the largest change of an attitude, which is no vector
+// expect: a number, quantity or vector
+auto change(const Sat& sat, const CraftTrajectory<Sat>& flight) {
+#ifdef REPAIRED
+  return largest_change(sat, flight, [](const Now<Sat>& now) { return now.angular_momentum(); });
+#else
+  return largest_change(sat, flight, [](const Now<Sat>& now) { return now.rotation(to<Gcrf>, from<Hub>); });
+#endif
+}
+}  // namespace the_change_of_an_attitude

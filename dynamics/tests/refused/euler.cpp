@@ -189,3 +189,15 @@ auto tumble([[maybe_unused]] const Inertia<Wheel>& J_wheel, [[maybe_unused]] con
 #endif
 }
 }  // namespace torque_free_of_other_body
+
+namespace state_relative_to_moving_frame {
+// mistake: a state relative to the rotating Earth
+// expect: InertialFrame
+// expect: Ecef
+struct Ecef : moving_frame {};
+#ifdef REPAIRED
+double start(const State<Gcrf, Body>& state);
+#else
+double start(const State<Ecef, Body>& state);
+#endif
+}  // namespace state_relative_to_moving_frame

@@ -8,24 +8,6 @@ struct Body : moving_frame {};
 struct Thruster : named_point {};
 struct Hinge : named_point {};
 
-namespace custom_torque_in_inertial_axes {
-// mistake: a torque function that answers in inertial axes
-// expect: TorqueFunction
-// expect: from State<I, B> to Vector<B, si::torque>
-// expect: Vector<Eci, (vectrix::)?si::torque
-auto solar_pressure(const Vector<Eci, si::torque>& torque_eci) {
-  CustomTorque<Eci, Body> pressure;
-#ifdef REPAIRED
-  pressure.torque_b = [=](const State<Eci, Body>& state) -> Vector<Body, si::torque> {
-    return inverse(state.R_i_from_b()) * torque_eci;
-  };
-#else
-  pressure.torque_b = [=](const State<Eci, Body>&) -> Vector<Eci, si::torque> { return torque_eci; };
-#endif
-  return pressure;
-}
-}  // namespace custom_torque_in_inertial_axes
-
 namespace gravity_gradient_about_hinge {
 // mistake: the gravity-gradient torque, about the centre of mass, with the inertia about a hinge
 // expect: InertiaAbout = Hinge
@@ -67,20 +49,6 @@ auto torque(const Displacement<Hinge, Body, In<Body>>& r_hb, const Vector<Eci, s
 #endif
 }
 }  // namespace moment_of_inertial_force
-
-namespace pulse_in_inertial_axes {
-// mistake: a pulse constant in the body's axes, given in inertial ones
-// expect: Vector<Eci
-// expect: Vector<Body
-auto thruster(const Vector<Eci, si::torque>& torque_eci, const Dcm<Body, Eci>& R_body_from_eci) {
-#ifdef REPAIRED
-  return PulseTorque<Body>{0.0 * si::second, 1.0 * si::second, R_body_from_eci * torque_eci};
-#else
-  static_cast<void>(R_body_from_eci);
-  return PulseTorque<Body>{0.0 * si::second, 1.0 * si::second, torque_eci};
-#endif
-}
-}  // namespace pulse_in_inertial_axes
 
 namespace shift_in_two_frames {
 // mistake: a wrench shifted by a displacement expressed in other axes

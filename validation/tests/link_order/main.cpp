@@ -2,7 +2,7 @@
 #include <exception>
 #include <iostream>
 #include <vector>
-#include <vectrix/dynamics/scenario/propagate.hpp>
+#include <vectrix/dynamics/craft/propagate.hpp>
 
 #include "simbody_reference.hpp"
 
@@ -37,14 +37,23 @@ Eigen::Matrix3d exact() {
 
 Eigen::Matrix3d by_vectrix(ode::Method method) {
   const auto moment = [](double value) { return value * si::kilogram_square_metre; };
-  const Scenario<Inertial, Body> scenario{
-      .inertia = inertia_from_principal_moments(in<Body>, moment(a), moment(a), moment(c)),
-      .initial = {
-          0.0 * si::second, quaternion_scalar_first(to<Inertial>, from<Body>, 1.0, 0.0, 0.0, 0.0),
-          angular_velocity(of<Body>, relative_to<Inertial>, vector<si::angular_velocity>(in<Body>, w0))}};
+  const auto J_b = inertia_from_principal_moments(in<Body>, moment(a), moment(a), moment(c));
+  const auto craft =
+      spacecraft(body(mass_properties(1.0 * si::kilogram,
+                                      coincident(of<CentreOfMassOf<Body>>, relative_to<Body>, in<Body>), J_b),
+                      turning_in<Inertial>));
+  const auto start = state(craft, 0.0 * si::second,
+                           MovingDcm{aligned(to<Inertial>, from<Body>),
+                                     angular_velocity(of<Body>, relative_to<Inertial>,
+                                                      vector<si::angular_velocity>(in<Body>, w0))});
   const auto trajectory =
-      propagate(scenario, Propagation<Inertial, Body>{.end = end * si::second, .method = method});
-  return trajectory.at(trajectory.end()).R_i_from_b().matrix();
+      propagate(scenario(craft), start,
+                {.end = end * si::second,
+                 .relative_tolerance = 1e-12,
+                 .absolute_tolerances = {1e-12 * si::radian, 1e-15 * (si::radian / si::second),
+                                         1e-6 * si::metre, 1e-9 * (si::metre / si::second), 1e-12},
+                 .method = method});
+  return trajectory(trajectory.end()).rotation.matrix();
 }
 
 Eigen::Matrix3d by_simbody() {

@@ -8,7 +8,10 @@
 #include <tuple>
 #include <type_traits>
 #include <utility>
+#include <vector>
+#include <vectrix/dynamics/craft/attitude_state.hpp>
 #include <vectrix/dynamics/craft/flight.hpp>
+#include <vectrix/dynamics/craft/no_list.hpp>
 #include <vectrix/dynamics/craft/tolerances.hpp>
 #include <vectrix/dynamics/ode/inlined.hpp>
 
@@ -16,7 +19,8 @@ namespace vectrix {
 
 /// How a craft is propagated, until `end`: the error of a step is bounded by relative |y| + absolute, for
 /// each number by its unit; there is no default. See ode::Method for what each method is for. A load that is
-/// a function of time with a short burst needs a `maximum_step` below it, or a held value.
+/// a function of time with a short burst needs a `maximum_step` below it, or a held value. The states at the
+/// `output_times`, which increase strictly, are CraftTrajectory::outputs().
 struct CraftPropagation {
   Quantity<si::time> end;
   double relative_tolerance;
@@ -24,7 +28,32 @@ struct CraftPropagation {
   ode::Method method = ode::Method::verner_9;
   Quantity<si::time> maximum_step = std::numeric_limits<double>::infinity() * si::second;
   std::size_t max_steps = 10'000'000;
+  std::vector<Quantity<si::time>> output_times{detail::no_list<Quantity<si::time>>()};
+  AttitudeState attitude = AttitudeState::quaternion;
+  /// As ode::Problem::dense_output: false leaves CraftTrajectory::at the nodes and outputs.
+  bool dense_output = true;
 };
+
+namespace detail {
+
+template <class C>
+inline constexpr bool is_one_body =
+    C::shape::total.bodies + C::shape::total.rotors + C::shape::total.modes == 0;
+
+/// Throws BadInput if the torque w x J w of a craft of one body underflows, while it turns far enough in the
+/// run for it to matter. Without it the rate would stay constant.
+inline void require_gyroscopic_torque(const PlainSpacecraft& craft, double moments, const double* w,
+                                      double duration) {
+  using Limits = std::numeric_limits<double>;
+  const double rate = std::sqrt(w[0] * w[0] + w[1] * w[1] + w[2] * w[2]);
+  const double size = moments * rate * rate;
+  if (size < Limits::min() / Limits::epsilon() && rate * duration > Limits::epsilon()) [[unlikely]] {
+    throw BadInput("propagate: at the rate " + text(rate) + " rad/s the torque w x J w of " + craft.hub +
+                   " underflows, J w^2 = " + text(size) + " N m");
+  }
+}
+
+}  // namespace detail
 
 /// The motion of the craft of a scenario from a state on. No step crosses a change, so that the order of the
 /// method is kept. Throws BadInput if a number is not what it must be, and CraftFailure, with the trajectory
@@ -44,6 +73,8 @@ typename detail::TrajectoryOf<C, detail::HeldTypes<Parts...>>::type propagate(
   problem.method = how.method;
   problem.max_steps = how.max_steps;
   problem.maximum_step = how.maximum_step.value();
+  for (const Quantity<si::time>& time : how.output_times) problem.output_times.push_back(time.value());
+  problem.dense_output = how.dense_output;
   problem.caller = "propagate " + plain(craft).hub;
   problem.component_names = craft.core()->component_names;
   if (!(problem.end > problem.start && std::isfinite(problem.end))) {
@@ -56,9 +87,16 @@ typename detail::TrajectoryOf<C, detail::HeldTypes<Parts...>>::type propagate(
   problem.at_segment_start = [&](double t, std::span<double> y, std::span<const ode::Event> ended_by) {
     flight.change(t, y, ended_by);
   };
-  auto rhs = [&flight](double, double t, auto y, auto ydot) { flight.rates(t, y.data(), ydot.data()); };
+  auto rhs = [&flight, &numbers = craft.core()->plain, moments = craft.core()->plain.J_c_h.trace(),
+              duration = problem.end - problem.start](double, double t, auto y, auto ydot) {
+    if constexpr (detail::is_one_body<C>)
+      detail::require_gyroscopic_torque(numbers, moments, y.data() + 4, duration);
+    flight.rates(t, y.data(), ydot.data());
+  };
   try {
-    if (!ode::is_inlined(how.method)) problem.rhs = rhs;
+    const bool as_dcm = how.attitude == AttitudeState::dcm;
+    if (as_dcm || !ode::is_inlined(how.method)) problem.rhs = rhs;
+    if (as_dcm) problem = detail::with_dcm(std::move(problem));
     ode::Solution solution = problem.rhs ? ode::solve(problem) : ode::solve<N>(problem, rhs);
     return {detail::trusted, std::move(solution), flight.take_history()};
   } catch (const ode::Failure& failure) {
@@ -66,6 +104,12 @@ typename detail::TrajectoryOf<C, detail::HeldTypes<Parts...>>::type propagate(
         typename Trajectory::failure{failure, {detail::trusted, failure.solution(), flight.take_history()}});
   }
 }
+
+template <CraftType C, class... Parts, CraftType GivenC>
+  requires(!std::is_same_v<C, GivenC>)
+auto propagate(  // propagate(scenario, start, how): a state of the scenario's craft
+    const CraftScenario<C, Parts...>&, const CraftState<GivenC>&, const CraftPropagation&)
+    -> Refused = delete;
 
 /// The accelerations at a time of a trajectory, and what the joints transmit, under the loads of its scenario
 /// with the values held then. Throws BadInput outside [start, end].

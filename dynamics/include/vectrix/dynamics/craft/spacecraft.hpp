@@ -62,7 +62,7 @@ using CraftOf = typename MadeUnless<CraftFault<Hub, Parts...>, Spacecraft>::temp
 /// of the part, as NamedSpacecraft does: for a mass or an inertia that no body has, an axis that is not a
 /// unit vector, a number that is not finite, a rotor with more inertia than its body, modes in which more
 /// mass takes part than their body has, a joint about which its body, without what hangs on it, has no
-/// inertia.
+/// inertia, a hub alone about one of whose axes there is none.
 template <class Hub, class... Parts>
 detail::CraftOf<Hub, Parts...> spacecraft(const Hub& hub, const Parts&... parts) {
   if constexpr (std::is_same_v<detail::CraftFault<Hub, Parts...>, Refused>) {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <vectrix/dynamics/rigid/euler.hpp>
 #include <vectrix/dynamics/rigid/free_rotation.hpp>
-#include <vectrix/dynamics/scenario/state.hpp>
+#include <vectrix/dynamics/rigid/state.hpp>
 #include <vectrix/kinematics/rates/moving_dcm.hpp>
 
 namespace vectrix {
@@ -60,13 +60,12 @@ template <InertialFrame I, Frame B> class TorqueFree {
 };
 
 /// The torque-free motion through a given state, for any inertia tensor. Throws BadInput if a number is not
-/// finite, a principal moment is not positive, or the state has an orbit, which this motion does not include.
+/// finite, or a principal moment is not positive.
 template <class I, class B> TorqueFree<I, B> torque_free(const Inertia<B>& J_b, const State<I, B>& initial) {
   const std::string place = "torque_free(" + frame_name<B>() + " relative to " + frame_name<I>() + "): ";
   if (!std::isfinite(initial.time.value())) {
     throw BadInput(place + "the initial time is " + detail::text(initial.time.value()) + " s");
   }
-  if (initial.orbit) throw BadInput(place + "the state has an orbit, which is not carried along");
   if (!J_b.matrix().allFinite()) throw BadInput(place + "an entry of the inertia tensor is not finite");
   const detail::Column<double> w = initial.w_ib_b.coordinates();
   if (!w.allFinite()) {
