@@ -3,6 +3,7 @@
 #include <cmath>
 #include <fstream>
 
+#include "figures.hpp"
 #include "selection.hpp"
 
 namespace vectrix::cli {
@@ -10,8 +11,8 @@ namespace {
 
 void require_two(const AttitudeRecord& record) {
   if (record.size() < 2)
-    throw BadInput(record.file + ": there is " + detail::text(record.size()) +
-                   " sample; at least two are needed");
+    throw BadInput(record.file + ": there " + (record.size() == 1 ? "is " : "are ") +
+                   counted(record.size(), "sample") + "; at least two are needed");
 }
 
 std::string first_word(const std::filesystem::path& file) {
@@ -88,7 +89,10 @@ AttitudeRecord read_message(const std::filesystem::path& file, std::optional<std
   const auto message = AttitudeEphemerisMessage::read(file);
   const auto& part = segment_of(message, segment, file);
   const auto a = inertial(part.ref_frame_a()), b = inertial(part.ref_frame_b());
-  if (a.has_value() == b.has_value())
+  if (a && b)
+    throw BadInput(file.string() + ": the frames '" + part.ref_frame_a() + "' and '" + part.ref_frame_b() +
+                   "' are both references; one of them must be a body");
+  if (!a && !b)
     throw BadInput(file.string() + ": the frames are '" + part.ref_frame_a() + "' and '" +
                    part.ref_frame_b() +
                    "'; one of them must be EME2000, J2000, GCRF or ICRF, the other a body");

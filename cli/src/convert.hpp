@@ -2,8 +2,10 @@
 
 #include <filesystem>
 #include <iosfwd>
+#include <optional>
 #include <string>
 
+#include "interpolation.hpp"
 #include "message_text.hpp"
 #include "orbit_record.hpp"
 #include "sources.hpp"
@@ -17,6 +19,7 @@ struct ConvertOptions {
   std::string body{};  // the name of its frame in a message; empty for that of the message that was read
   std::string aem_version = "2.0";
   bool force = false;
+  std::optional<Interpolation> interpolation{};  // of an OEM; nothing for that of the message that was read
 };
 
 /// Writes an attitude as an AEM, or as a table with the scalar first, where R(q) takes coordinates to the

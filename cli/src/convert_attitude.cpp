@@ -60,6 +60,8 @@ std::string attitude_message(const PlainAttitude& attitude, const MessageText& t
 
 void convert(const AttitudeSource& source, const ConvertOptions& options, std::ostream& out) {
   const bool is_table = is_table_name(options.out, ".aem");
+  refuse_input(options.out, {source.file});
+  require_one_line("--body", options.body);
   const AttitudeRecord record = read_attitude(source);
   PlainAttitude attitude = plain(record);
   if (inertial(options.body))

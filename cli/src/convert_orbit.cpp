@@ -2,6 +2,7 @@
 #include <ostream>
 
 #include "convert.hpp"
+#include "figures.hpp"
 #include "table_text.hpp"
 
 namespace vectrix::cli {
@@ -50,6 +51,10 @@ std::string orbit_message(const OrbitRecord& record, const ConvertOptions& optio
     text.header.version = "2.0";
     text.metadata.center_name = "EARTH";  // of EME2000 and GCRF
   }
+  if (options.interpolation) {
+    text.metadata.interpolation = options.interpolation->method;
+    text.metadata.interpolation_degree = options.interpolation->degree;
+  }
   detail::OrbitLines lines = record.lines;
   if (!record.message || source.selection.from || source.selection.until)
     set_times(text.metadata, lines.lines.front().time, lines.lines.back().time, record.file);
@@ -62,6 +67,7 @@ std::string orbit_message(const OrbitRecord& record, const ConvertOptions& optio
 
 void convert(const OrbitFile& orbit, const ConvertOptions& options, std::ostream& out) {
   const bool is_table = is_table_name(options.out, ".oem");
+  refuse_input(options.out, {orbit.file});
   OrbitRecord record = read_orbit_file(orbit);
   if (!options.frame.empty()) record = relative_to_frame(std::move(record), inertial_name(options.frame));
   write_new(options.out, is_table ? orbit_table(record) : orbit_message(record, options, orbit),
@@ -70,7 +76,7 @@ void convert(const OrbitFile& orbit, const ConvertOptions& options, std::ostream
       << record.lines.ref_frame << '\n';
   for (const std::string& what : record.computed) out << "  not to the last digit: " << what << '\n';
   if (is_table && !record.lines.covariances.empty())
-    out << "  left out: " << record.lines.covariances.size() << " covariances\n";
+    out << "  left out: " << counted(record.lines.covariances.size(), "covariance") << '\n';
 }
 
 }  // namespace vectrix::cli

@@ -27,6 +27,10 @@ inline std::string padded(std::string text, std::size_t width) {
   text.insert(0, width - std::min(width, text.size()), ' ');
   return text;
 }
+/// "1 window", "2 windows"
+inline std::string counted(std::size_t count, const std::string& what) {
+  return std::to_string(count) + ' ' + what + (count == 1 ? "" : "s");
+}
 /// The beginning of a line of figures.
 inline std::string label(std::string_view name, std::size_t width = 30) {
   std::string text = "  " + std::string(name);

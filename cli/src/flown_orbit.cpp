@@ -4,6 +4,10 @@
 #include <cmath>
 #include <memory>
 
+#include "figures.hpp"
+#include "selection.hpp"
+#include "table_text.hpp"
+
 namespace vectrix::cli {
 namespace {
 
@@ -25,15 +29,84 @@ template <class Orbit> FlownOrbit flown_in_teme(const TimeSpan& span, const Orbi
   return flown(edge(earth), edge(teme(earth)), orbit);
 }
 
-FlownOrbit orbit_of(const OrbitEphemerisSegment& segment, const TimeSpan& span) {
-  const auto longest_gap = convert<si::time>(1.0 * si::hour);
-  const auto& name = segment.ref_frame();
-  if (name == "TEME" || name == "TEMEOFDATE")
-    return flown_in_teme(span, segment.sampled_edge<Teme, Satellite>(longest_gap));
-  if (name == "EME2000" || name == "J2000")
-    return flown(rigid_edge(coincident(eme2000_from_gcrf())),
-                 segment.sampled_edge<Eme2000, Satellite>(longest_gap));
-  return flown(segment.sampled_edge<Gcrf, Satellite>(longest_gap));
+constexpr double longest_gap = 3600.0, longest_age = 7.0 * 86400.0;  // s
+
+// What the library says, without the names of its types, which come first.
+std::string without_types(const std::string& text) {
+  const std::size_t type = text.rfind("::");
+  if (type == std::string::npos) return text;
+  const std::size_t reason = text.find(": ", type + 2);
+  return reason == std::string::npos ? text : text.substr(reason + 2);
+}
+
+template <class Function> auto in_words_of_file(const std::string& file, const Function& function) {
+  try {
+    return function();
+  } catch (const BadInput& error) {
+    const std::string text = error.what();
+    if (text.find("::") == std::string::npos) throw;
+    throw BadInput(file + ": " + without_types(text));
+  }
+}
+
+// What the segment says, or nothing if no edge can be made of it.
+std::optional<Interpolation> said_by(const EphemerisMetadata& metadata) {
+  const std::string method = small(metadata.interpolation);
+  if ((method != "hermite" && method != "lagrange") || !metadata.interpolation_degree) return std::nullopt;
+  return Interpolation{method == "hermite" ? "HERMITE" : "LAGRANGE", *metadata.interpolation_degree};
+}
+
+void require_samples(const std::string& file, const Interpolation& interpolation,
+                     const std::vector<detail::OrbitLine>& lines) {
+  for (std::size_t begin = 0, end = 0; begin < lines.size(); begin = end) {
+    end = begin + 1;
+    while (end < lines.size() && (lines[end].time - lines[end - 1].time).value() <= longest_gap) ++end;
+    if (end - begin < interpolation.samples())
+      throw BadInput(file + ": " + counted(end - begin, "sample") + " from " + lines[begin].time.utc() +
+                     " UTC" + (end - begin == lines.size() ? "" : ", without a step above an hour") + "; " +
+                     interpolation.name() + " needs " + detail::text(interpolation.samples()));
+  }
+}
+
+// The segment, with an interpolation that has its samples.
+OrbitEphemerisSegment interpolated(const std::string& file, const OrbitEphemerisSegment& segment,
+                                   const std::optional<Interpolation>& stated) {
+  EphemerisMetadata metadata = segment.metadata();
+  const auto said = said_by(metadata);
+  if (!said && !stated)
+    throw BadInput(
+        file + ": " +
+        (metadata.interpolation.empty()
+             ? "the file does not say how to interpolate"
+             : "INTERPOLATION is '" + metadata.interpolation + "', of degree " +
+                   (metadata.interpolation_degree ? detail::text(*metadata.interpolation_degree) : "none") +
+                   ", none of hermite and lagrange with a degree") +
+        "; missing: --interpolation hermite|lagrange --degree NUMBER");
+  const Interpolation interpolation = said ? *said : *stated;
+  require_degree(file + ": ", interpolation);
+  const detail::OrbitLines& lines = segment.lines(detail::trusted);
+  require_samples(file, interpolation, lines.lines);
+  metadata.interpolation = interpolation.method;
+  metadata.interpolation_degree = interpolation.degree;
+  return {detail::trusted, metadata, lines};
+}
+
+FlownOrbit orbit_of(const std::string& file, const OrbitEphemerisSegment& segment, const TimeSpan& span) {
+  if (small(segment.metadata().center_name) != "earth")
+    throw BadInput(file + ": CENTER_NAME is '" + segment.metadata().center_name +
+                   "'; the orbit must be about EARTH");
+  const std::string name = small(segment.ref_frame());
+  const bool is_teme = name == "teme" || name == "temeofdate";
+  const auto reference = inertial(name);
+  if (!is_teme && !reference)
+    throw BadInput(file + ": REF_FRAME is '" + segment.ref_frame() + "'; --oem takes EME2000, GCRF or TEME");
+  if (is_teme && segment.ref_frame_epoch())
+    throw BadInput(file + ": REF_FRAME_EPOCH stops " + segment.ref_frame() + "; --oem takes it of date");
+  const auto gap = longest_gap * si::second;
+  if (is_teme) return flown_in_teme(span, segment.sampled_edge<Teme, Satellite>(gap));
+  if (*reference == "EME2000")
+    return flown(rigid_edge(coincident(eme2000_from_gcrf())), segment.sampled_edge<Eme2000, Satellite>(gap));
+  return flown(segment.sampled_edge<Gcrf, Satellite>(gap));
 }
 
 }  // namespace
@@ -44,23 +117,44 @@ FlownOrbit orbit_of_elements(const std::filesystem::path& file, const TimeSpan& 
   const auto nearest = std::min_element(sets.begin(), sets.end(), [&](const auto& a, const auto& b) {
     return std::abs((a.epoch() - middle).value()) < std::abs((b.epoch() - middle).value());
   });
-  return flown_in_teme(span, edge(Sgp4<Satellite>(*nearest, at_most(7.0 * si::day))));
+  const double age = std::max(std::abs((span.start() - nearest->epoch()).value()),
+                              std::abs((span.end() - nearest->epoch()).value()));
+  constexpr double day = 86400.0;
+  if (age > longest_age)
+    throw BadInput(file.string() + ": the nearest element set, of " + nearest->epoch().utc(0) + " UTC, is " +
+                   shown(std::ceil(age / day)) + " days from the attitude; at most " +
+                   shown(longest_age / day) + " are allowed");
+  const auto orbit = in_words_of_file(file.string(), [&] {
+    return flown_in_teme(span, edge(Sgp4<Satellite>(*nearest, at_most(longest_age * si::second))));
+  });
+  return [orbit, name = file.string()](const Epoch& t) {
+    return in_words_of_file(name, [&] { return orbit(t); });
+  };
 }
 
-FlownOrbit orbit_of_message(const std::filesystem::path& file, const TimeSpan& span) {
+FlownOrbit orbit_of_message(const std::filesystem::path& file, const TimeSpan& span,
+                            const std::optional<Interpolation>& stated) {
   const auto message = OrbitEphemerisMessage::read(file);
+  const auto& segments = message.segments();
+  if (stated && std::all_of(segments.begin(), segments.end(),
+                            [](const auto& segment) { return said_by(segment.metadata()).has_value(); }))
+    throw BadInput(file.string() + ": says itself how to interpolate, " +
+                   said_by(segments.front().metadata())->name() +
+                   "; --interpolation is for a message that does not say it");
   struct Part {
     TimeSpan span;
     FlownOrbit orbit;
   };
   std::vector<Part> parts;
-  for (const auto& segment : message.segments()) {
+  for (const auto& segment : segments) {
     const auto& lines = segment.lines(detail::trusted).lines;
-    parts.push_back({from_until(lines.front().time, lines.back().time), orbit_of(segment, span)});
+    const auto usable = interpolated(file.string(), segment, stated);
+    parts.push_back({from_until(lines.front().time, lines.back().time),
+                     in_words_of_file(file.string(), [&] { return orbit_of(file.string(), usable, span); })});
   }
   return [parts, name = file.string()](const Epoch& t) {
     for (const Part& part : parts) {
-      if (part.span.contains(t)) return part.orbit(t);
+      if (part.span.contains(t)) return in_words_of_file(name, [&] { return part.orbit(t); });
     }
     throw BadInput(name + ": the epoch " + t.utc() + " UTC of an attitude is in no segment");
   };

@@ -2,8 +2,11 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 
 #include <vectrix/space.hpp>
+
+#include "interpolation.hpp"
 
 namespace vectrix::cli {
 
@@ -13,11 +16,15 @@ struct Satellite : moving_frame {};
 using FlownOrbit = std::function<PointMotion<earth::Gcrf, Satellite, earth::Gcrf>(const Epoch&)>;
 
 /// Of the element set of a file of two-line elements whose epoch is nearest to the middle of the span, at
-/// most a week old. Throws BadInput as TwoLineElements and Sgp4 do.
+/// most a week from all of it. Throws BadInput as TwoLineElements does, for older elements, and where SGP4
+/// ends.
 FlownOrbit orbit_of_elements(const std::filesystem::path& file, const TimeSpan& span);
 
-/// Of an orbit ephemeris message in EME2000, GCRF or TEME: each epoch by the first segment that has it.
-/// Throws BadInput as the message does, for another frame, and for an epoch in no segment.
-FlownOrbit orbit_of_message(const std::filesystem::path& file, const TimeSpan& span);
+/// Of an orbit ephemeris message in EME2000, GCRF or TEME, about the Earth: each epoch by the first segment
+/// that has it, interpolated as the segment says, or else as `stated`. Throws BadInput as the message does,
+/// for another frame, an epoch in no segment, fewer samples than the interpolation needs, an interpolation
+/// that nobody has stated, and one that is stated while every segment says its own.
+FlownOrbit orbit_of_message(const std::filesystem::path& file, const TimeSpan& span,
+                            const std::optional<Interpolation>& stated = std::nullopt);
 
 }  // namespace vectrix::cli

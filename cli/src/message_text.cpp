@@ -4,8 +4,16 @@
 
 namespace vectrix::cli {
 
+void require_one_line(const char* option, const std::string& text) {
+  if (std::any_of(text.begin(), text.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }))
+    throw BadInput(std::string(option) + " holds a line break or another control character");
+}
+
 MessageText message_text(const GivenText& given, const std::optional<MessageText>& read,
                          const TimeScale& scale, const std::string& file, const std::string& also_missing) {
+  require_one_line("--object-name", given.object_name);
+  require_one_line("--object-id", given.object_id);
+  require_one_line("--originator", given.originator);
   MessageText text = read.value_or(MessageText{});
   if (!read) {
     std::string missing;

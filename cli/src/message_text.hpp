@@ -20,8 +20,11 @@ struct GivenText {
   std::string object_name{}, object_id{}, originator{}, creation_date{};
 };
 
+/// Throws BadInput for a text that holds a line break or another control character.
+void require_one_line(const char* option, const std::string& text);
+
 /// The text of a message to be written. If none was read, all must be given, and `also_missing` names other
-/// options that are missing: BadInput.
+/// options that are missing: BadInput, as for texts of several lines.
 MessageText message_text(const GivenText& given, const std::optional<MessageText>& read,
                          const TimeScale& scale, const std::string& file, const std::string& also_missing);
 

@@ -2,10 +2,19 @@
 
 #include <charconv>
 #include <fstream>
+#include <system_error>
 
 #include <vectrix/frames/errors.hpp>
 
 namespace vectrix::cli {
+
+void refuse_input(const std::filesystem::path& file, std::initializer_list<std::filesystem::path> inputs) {
+  for (const auto& input : inputs) {
+    std::error_code none;  // of a file that does not exist
+    if (std::filesystem::equivalent(file, input, none))
+      throw BadInput(file.string() + ": is the same file as " + input.string() + ", which is read");
+  }
+}
 
 void write_new(const std::filesystem::path& file, const std::string& text, bool force) {
   if (!force && std::filesystem::exists(file))

@@ -137,7 +137,8 @@ bool write_relative(const PointingOptions& options, const AttitudeRecord& record
   for (const std::size_t i : found.starts) starts.push_back(record.times[i]);
   out << "\nRelative error, deg: the most that the target moves from its mean direction in a window of "
       << exact_number(*options.window) << " s,\n"
-      << found.errors.size() << " windows; " << found.left_out << " more reach over a gap or the end\n";
+      << counted(found.errors.size(), "window") << "; " << found.left_out
+      << (found.left_out == 1 ? " more reaches" : " more reach") << " over a gap or the end\n";
   const Figures figures(found.errors, starts);
   figures.write(out);
   out << "  The largest change between two samples at most " << exact_number(*options.window)
@@ -152,6 +153,7 @@ bool write_relative(const PointingOptions& options, const AttitudeRecord& record
 
 bool pointing(const PointingOptions& options, std::ostream& out) {
   check_options(options);
+  refuse_input(options.csv, {options.attitude.file, options.orbit.elements, options.orbit.message});
   const AttitudeRecord record = read_attitude(options.attitude);
   const FlownOrbit orbit = read_orbit(options.orbit, from_until(record.times.front(), record.times.back()));
   const auto to_target = directions(record, options.target, options.correction.value_or(geometric), orbit);

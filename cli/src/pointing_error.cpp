@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "direction_tree.hpp"
 #include "quantile.hpp"
 #include "sample_faults.hpp"
 #include "target.hpp"
@@ -12,12 +13,14 @@ namespace {
 using Eigen::Vector3d;
 
 // From the mean direction of the samples from first to last.
-double largest_from_mean(const std::vector<Vector3d>& u, std::size_t first, std::size_t last) {
-  Vector3d sum = Vector3d::Zero();
-  for (std::size_t i = first; i <= last; ++i) sum += u[i];
-  double largest = 0.0;
-  for (std::size_t i = first; i <= last; ++i) largest = std::max(largest, angle_between(u[i], sum));
-  return largest;
+double largest_from_mean(const AttitudeRecord& record, const std::vector<Vector3d>& u,
+                         const DirectionTree& tree, std::size_t first, std::size_t last) {
+  const Vector3d sum = tree.sum(first, last);
+  constexpr double of_rounding = 1e-9;  // of the number of unit vectors: what is left of their sum is noise
+  if (!(sum.norm() > of_rounding * static_cast<double>(last - first + 1)))
+    throw BadInput("in the window from " + record.times[first].utc() +
+                   " UTC the directions of the target cancel; they have no mean direction");
+  return angle_between(u[tree.farthest(sum.normalized(), first, last, -1.0).value()], sum);
 }
 
 }  // namespace
@@ -46,6 +49,8 @@ RelativeErrors relative_errors(const AttitudeRecord& record, const std::vector<V
   RelativeErrors found;
   // first to last is the window; it is whole up to the next gap, or the end.
   std::size_t last = 0, whole = 0;
+  const DirectionTree tree(in_body);
+  double largest_distance = 0.0;
   for (std::size_t first = 0; first < record.size(); ++first) {
     const Epoch& start = record.times[first];
     const auto later = [&](std::size_t i) { return (record.times[i] - start).value(); };
@@ -54,12 +59,11 @@ RelativeErrors relative_errors(const AttitudeRecord& record, const std::vector<V
       ++whole;
     last = std::max(last, first);
     while (last < whole && later(last + 1) <= seconds + rounding) ++last;
-    for (std::size_t i = first + 1; i <= last; ++i) {
-      const double change = angle_between(in_body[first], in_body[i]);
-      if (change <= found.largest_change) continue;
-      found.largest_change = change;
+    if (const auto i = tree.farthest(in_body[first], first, last, largest_distance)) {
+      largest_distance = (in_body[*i] - in_body[first]).norm();
+      found.largest_change = angle_between(in_body[first], in_body[*i]);
       found.change_from = first;
-      found.change_until = i;
+      found.change_until = *i;
     }
     const bool is_whole = last < whole || later(last) >= seconds - rounding;
     if (!is_whole || last == first) {
@@ -67,7 +71,7 @@ RelativeErrors relative_errors(const AttitudeRecord& record, const std::vector<V
       continue;
     }
     found.starts.push_back(first);
-    found.errors.push_back(largest_from_mean(in_body, first, last));
+    found.errors.push_back(largest_from_mean(record, in_body, tree, first, last));
   }
   if (found.errors.empty())
     throw BadInput("--window " + detail::text(seconds) + " s: no stretch without gaps of " + record.file +

@@ -39,19 +39,23 @@ void write_faults(const AttitudeRecord& record, const SampleFaults& faults, std:
   const auto at = [&](std::size_t sample) {
     return "sample " + detail::text(sample + 1) + ", " + record.times[sample].utc(3) + " UTC";
   };
-  const auto line = [&](const SampleFaults::Extreme& found, const std::string& what,
+  const auto line = [&](const SampleFaults::Extreme& found, const std::string& one, const std::string& many,
                         const std::string& largest) {
     if (found.count > 0)
-      out << "  " << found.count << ' ' << what << (largest.empty() ? ", first" : "; most " + largest)
-          << " at " << at(found.sample) << '\n';
+      out << "  " << found.count << ' ' << (found.count == 1 ? one : many)
+          << (largest.empty() ? ", first" : "; most " + largest) << " at " << at(found.sample) << '\n';
   };
-  line(faults.gaps, "gaps, steps longer than three times the usual one",
-       shown(faults.gaps.largest) + " s, which ends");
-  line(faults.sign_flips, "changes from q to -q: the attitude is one, its numbers are not", "");
-  line(faults.half_turns, "steps near half a turn: rates must say which way it turned",
+  line(faults.gaps, "gap, a step longer than three times the usual one",
+       "gaps, steps longer than three times the usual one", shown(faults.gaps.largest) + " s, which ends");
+  line(faults.sign_flips, "change from q to -q: the attitude is one, its numbers are not",
+       "changes from q to -q: the attitude is one, its numbers are not", "");
+  line(faults.half_turns, "step near half a turn: rates must say which way it turned",
+       "steps near half a turn: rates must say which way it turned",
        shown(degrees * faults.half_turns.largest) + " deg");
-  line(faults.jumps, "jumps, ten times faster than usual", shown(degrees * faults.jumps.largest) + " deg");
-  line(faults.norm_errors, "quaternions whose norm is off the median norm by more than 1e-6",
+  line(faults.jumps, "jump, ten times faster than usual", "jumps, ten times faster than usual",
+       shown(degrees * faults.jumps.largest) + " deg");
+  line(faults.norm_errors, "quaternion whose norm is off the median norm by more than 1e-6",
+       "quaternions whose norm is off the median norm by more than 1e-6",
        shown(faults.norm_errors.largest) + " of it");
   if (std::abs(faults.scale - 1.0) > 1e-6)
     out << "  the norm of the quaternions is " << shown(faults.scale) << ", not 1\n";

@@ -17,7 +17,7 @@ FlownOrbit read_orbit(const OrbitSource& source, const TimeSpan& span) {
     throw BadInput("two orbits are given, --tle " + source.elements.string() + " and --oem " +
                    source.message.string());
   if (!source.elements.empty()) return orbit_of_elements(source.elements, span);
-  if (!source.message.empty()) return orbit_of_message(source.message, span);
+  if (!source.message.empty()) return orbit_of_message(source.message, span, source.interpolation);
   return nullptr;
 }
 

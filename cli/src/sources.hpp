@@ -5,6 +5,7 @@
 
 #include "attitude_record.hpp"
 #include "flown_orbit.hpp"
+#include "interpolation.hpp"
 #include "selection.hpp"
 
 namespace vectrix::cli {
@@ -21,6 +22,7 @@ AttitudeRecord read_attitude(const AttitudeSource& source);
 /// The file of an orbit; both are empty if none is given.
 struct OrbitSource {
   std::filesystem::path elements{}, message{};
+  std::optional<Interpolation> interpolation{};  // of a message that does not say it
 };
 /// Nothing if none is given. Throws BadInput for two, and as orbit_of_elements or orbit_of_message does.
 FlownOrbit read_orbit(const OrbitSource& source, const TimeSpan& span);

@@ -72,7 +72,12 @@ std::vector<Vector3d> directions(const AttitudeRecord& record, Target target, Sk
   for (const Epoch& t : record.times) motions.push_back(orbit ? orbit(t) : centre_of_the_earth());
   std::vector<Vector3d> all = lines_to(target, record.times, motions, correction);
   const Eigen::Matrix3d R_reference_from_gcrf = gcrf_from(record.reference).transpose();
-  for (Vector3d& line : all) line = R_reference_from_gcrf * line.normalized();
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (!(all[i].norm() > 0.0) || !std::isfinite(all[i].norm()))
+      throw BadInput("at " + record.times[i].utc() + " UTC there is no direction of " + name_of(target) +
+                     ", its length is " + detail::text(all[i].norm()));
+    all[i] = R_reference_from_gcrf * all[i].normalized();
+  }
   return all;
 }
 

@@ -19,7 +19,7 @@ using SkyCorrection = std::variant<Geometric, LightTime, Apparent>;
 
 /// The unit vector to the target at every sample, along the axes of the reference. The Sun is seen from the
 /// centre of the Earth, at rest there, if there is no orbit; the other targets need one. The correction is
-/// that of the Sun and the Moon. Throws BadInput as the orbit does.
+/// that of the Sun and the Moon. Throws BadInput as the orbit does, and for a line of no length.
 std::vector<Eigen::Vector3d> directions(const AttitudeRecord& record, Target target, SkyCorrection correction,
                                         const FlownOrbit& orbit);
 /// Throws BadInput if the target needs the orbit that is not there.

@@ -48,7 +48,8 @@ CsvTable CsvTable::read(const std::filesystem::path& file,
   if (table.header_line_ == 0)
     throw CsvError("table " + file.string() + ": is empty, not even a header line");
   if (!content->whole) {
-    table.fail(line_number, split(content->lines.back()).size() - 1, detail::truncated);
+    table.fail(line_number, split(content->lines.back()).size() - 1,
+               "the last line has no line end; if the file is complete, add one");
   }
   return table;
 }

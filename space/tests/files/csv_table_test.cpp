@@ -115,11 +115,13 @@ TEST(CsvTable, RefusesWhatIsNotAFiniteNumber) {
 }
 
 TEST(CsvTable, RefusesATruncatedFile) {
-  EXPECT_EQ(refusal("t,x\n1,2\n3,4"),
-            "table FILE, line 3, column 2 ('x'): the file stops within this line; it was truncated");
+  EXPECT_EQ(
+      refusal("t,x\n1,2\n3,4"),
+      "table FILE, line 3, column 2 ('x'): the last line has no line end; if the file is complete, add one");
   EXPECT_EQ(refusal("t,x\n1,2\n3"), "table FILE, line 3, column 2 ('x'): 1 fields instead of 2");
-  EXPECT_EQ(refusal("t,x"),
-            "table FILE, line 1, column 2 ('x'): the file stops within this line; it was truncated");
+  EXPECT_EQ(
+      refusal("t,x"),
+      "table FILE, line 1, column 2 ('x'): the last line has no line end; if the file is complete, add one");
 }
 
 TEST(CsvTable, RefusesQuotationMarks) {

@@ -24,8 +24,8 @@ class VECTRIX_EXPORT CsvError : public BadInput {
 /// A text table: one header line of column names, then one line of fields per row, separated by commas. Lines
 /// that begin with '#' before the header are comments. Blanks around a field are ignored, a line may end with
 /// CR LF, and a byte order mark may precede the first line. Quotation marks are not supported. Every line
-/// must have a line end, the last too: a file that ends within a line was truncated. Rows are counted from 0,
-/// lines and columns in messages from 1.
+/// must have a line end, the last too: a file that ends within a line may have been cut. Rows are counted
+/// from 0, lines and columns in messages from 1.
 class VECTRIX_EXPORT CsvTable {
  public:
   /// Throws CsvError if the file cannot be read, is empty, ends within a line, lacks a required column, has

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace vectrix::cli {
+
+/// Directions in their order, for sums and farthest ones of any stretch of them: a binary tree, whose nodes
+/// have the sum and the box of theirs. A sum takes of the order of log n steps. The farthest direction leads
+/// into those boxes only that may hold a farther one than was found: the same result as by looking at each,
+/// in few steps unless nearly all are equally far.
+class DirectionTree {
+ public:
+  explicit DirectionTree(const std::vector<Eigen::Vector3d>& directions);
+
+  /// Of first to last, both included.
+  [[nodiscard]] Eigen::Vector3d sum(std::size_t first, std::size_t last) const;
+  /// The one of first to last whose distance from `from` is the largest, or nothing if none is above `above`.
+  [[nodiscard]] std::optional<std::size_t> farthest(const Eigen::Vector3d& from, std::size_t first,
+                                                    std::size_t last, double above) const;
+
+ private:
+  struct Node {
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    Eigen::Vector3d least, most;
+  };
+  // Directions begin to end, which the node is of.
+  struct Place {
+    std::size_t node, begin, end;
+  };
+  static constexpr std::size_t leaf_size = 16;
+
+  [[nodiscard]] static Place left(const Place& place);
+  [[nodiscard]] static Place right(const Place& place);
+  void build(const Place& place);
+  void add(const Place& place, std::size_t begin, std::size_t end, Eigen::Vector3d& sum) const;
+  struct Search;
+  void search(const Place& place, Search& search) const;
+
+  const std::vector<Eigen::Vector3d>& directions_;
+  std::size_t size_;  // leaf_size times a power of two
+  std::vector<Node> nodes_;
+};
+
+}  // namespace vectrix::cli

@@ -1,0 +1,223 @@
+#include "words.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <initializer_list>
+#include <map>
+#include <sstream>
+#include <system_error>
+
+namespace vectrix::cli {
+namespace {
+
+const std::map<std::string, TimeScale> scales{
+    {"utc", scale::utc}, {"tai", scale::tai}, {"tt", scale::tt}, {"tdb", scale::tdb}, {"gps", scale::gps}};
+
+struct Word {
+  const char* option;
+  const std::string& text;
+};
+using Words = std::vector<Word>;
+
+// The first that is given must not be.
+void refuse(const Words& words, const std::string& before, const std::string& why) {
+  for (const Word& word : words)
+    if (!word.text.empty()) throw BadInput(before + word.option + why);
+}
+
+class Needed {
+ public:
+  void operator()(const std::string& text, const char* option) {
+    if (text.empty()) missing_ += std::string(missing_.empty() ? "" : ", ") + option;
+  }
+  void check(const std::filesystem::path& file) const {
+    if (!missing_.empty())
+      throw BadInput(file.string() + ": a table does not say what its columns mean; missing: " + missing_);
+  }
+
+ private:
+  std::string missing_;
+};
+
+Words only_of_attitudes(const AttitudeWords& words) {
+  return {
+      {"--quaternion", words.quaternion}, {"--scalar", words.scalar},       {"--maps", words.maps},
+      {"--rates", words.rates},           {"--rate-unit", words.rate_unit}, {"--rate-axes", words.rate_axes}};
+}
+Words only_of_orbits(const OrbitWords& words) {
+  return {{"--position", words.position}, {"--velocity", words.velocity}, {"--unit", words.unit}};
+}
+
+void refuse_columns_of_message(const AttitudeWords& words) {
+  const std::string is = words.file.string() + ": is a message and says itself what its data are; ";
+  refuse({{"--time", words.time}, {"--scale", words.scale}, {"--reference", words.reference}}, is,
+         " is of a table");
+  refuse(only_of_attitudes(words), is, " is of a table");
+}
+void refuse_segment_of_table(const AttitudeWords& words) {
+  refuse({{"--segment", words.segment}}, words.file.string() + ": is a table; ", " is of a message");
+}
+
+template <class Number> Number whole_number(const char* option, const std::string& text) {
+  Number number{};
+  const char* const end = text.data() + text.size();
+  if (const auto read = std::from_chars(text.data(), end, number);
+      read.ec != std::errc() || read.ptr != end || number < 1)
+    throw BadInput(std::string(option) + ' ' + text + " is no whole number from 1 on");
+  return number;
+}
+
+Selection selection_of(const AttitudeWords& words) {
+  Selection selection;
+  if (!words.segment.empty()) selection.segment = whole_number<std::size_t>("--segment", words.segment);
+  if (!words.from.empty()) selection.from = Epoch::from(words.from);
+  if (!words.until.empty()) selection.until = Epoch::from(words.until);
+  return selection;
+}
+
+void require_different(const std::filesystem::path& file, const std::string& time,
+                       std::initializer_list<std::vector<std::string>> groups) {
+  std::vector<std::string> all{time};
+  for (const auto& group : groups) all.insert(all.end(), group.begin(), group.end());
+  std::sort(all.begin(), all.end());
+  if (const auto twice = std::adjacent_find(all.begin(), all.end()); twice != all.end())
+    throw BadInput(file.string() + ": the column '" + *twice + "' is named twice by the options");
+}
+
+TableColumns columns_of(const AttitudeWords& words) {
+  refuse_segment_of_table(words);
+  Needed need;
+  need(words.time, "--time COLUMN");
+  need(words.scale, "--scale utc|tai|tt|tdb|gps");
+  need(words.quaternion, "--quaternion COLUMN,COLUMN,COLUMN,COLUMN");
+  need(words.scalar, "--scalar first|last");
+  need(words.maps, "--maps body|reference");
+  need(words.reference, "--reference EME2000|GCRF");
+  if (!words.rates.empty()) {
+    need(words.rate_unit, "--rate-unit rad/s|deg/s");
+    need(words.rate_axes, "--rate-axes body|reference");
+  }
+  need.check(words.file);
+  if (words.rates.empty())
+    refuse({{"--rate-unit", words.rate_unit}, {"--rate-axes", words.rate_axes}}, words.file.string() + ": ",
+           " is of rates; missing: --rates COLUMN,COLUMN,COLUMN");
+  TableColumns columns;
+  columns.time = words.time;
+  columns.scale = scales.at(words.scale);
+  columns.reference = words.reference;
+  columns.quaternion = fields("--quaternion", words.quaternion, 4);
+  if (!words.rates.empty()) columns.rates = fields("--rates", words.rates, 3);
+  require_different(words.file, columns.time, {columns.quaternion, columns.rates});
+  columns.stated = {words.scalar == "first" ? Convention::Scalar::first : Convention::Scalar::last,
+                    words.maps == "body" ? Convention::Maps::to_body : Convention::Maps::to_reference};
+  columns.rates_in_degrees = words.rate_unit == "deg/s";
+  columns.rate_axes = words.rate_axes == "reference" ? RateAxes::reference : RateAxes::body;
+  return columns;
+}
+
+OrbitColumns columns_of(const AttitudeWords& words, const OrbitWords& orbit) {
+  refuse_segment_of_table(words);
+  Needed need;
+  need(words.time, "--time COLUMN");
+  need(words.scale, "--scale utc|tai|tt|tdb|gps");
+  need(orbit.position, "--position COLUMN,COLUMN,COLUMN");
+  need(orbit.velocity, "--velocity COLUMN,COLUMN,COLUMN");
+  need(orbit.unit, "--unit m|km");
+  need(words.reference, "--reference EME2000|GCRF");
+  need.check(words.file);
+  const auto position = fields("--position", orbit.position, 3),
+             velocity = fields("--velocity", orbit.velocity, 3);
+  require_different(words.file, words.time, {position, velocity});
+  return {words.time, scales.at(words.scale), position, velocity, orbit.unit == "km", words.reference};
+}
+
+}  // namespace
+
+std::vector<std::string> fields(const char* option, const std::string& text, std::size_t count) {
+  std::vector<std::string> all;
+  std::istringstream in(text + ",");
+  for (std::string field; std::getline(in, field, ',');) all.push_back(field);
+  if (all.size() != count)
+    throw BadInput(std::string(option) + ' ' + text + " has " + detail::text(all.size()) +
+                   " fields between commas, not " + detail::text(count));
+  return all;
+}
+
+AttitudeSource attitude_source(const AttitudeWords& words) {
+  AttitudeSource source{words.file};
+  source.selection = selection_of(words);
+  if (is_message(words.file)) {
+    refuse_columns_of_message(words);
+  } else {
+    source.columns = columns_of(words);
+  }
+  return source;
+}
+
+OrbitFile orbit_file(const AttitudeWords& words, const OrbitWords& orbit) {
+  OrbitFile file{words.file};
+  file.selection = selection_of(words);
+  if (is_message(words.file)) {
+    refuse_columns_of_message(words);
+  } else {
+    refuse(only_of_attitudes(words), "",
+           " is of an attitude, --position and --velocity are of an orbit; one is converted at a time");
+    file.columns = columns_of(words, orbit);
+  }
+  return file;
+}
+
+bool is_orbit(const AttitudeWords& words, const OrbitWords& orbit) {
+  if (is_message(words.file)) {
+    refuse(only_of_orbits(orbit), words.file.string() + ": is a message and says itself what its data are; ",
+           " is of a table");
+    return is_orbit_message(words.file);
+  }
+  if (!orbit.position.empty() || !orbit.velocity.empty()) return true;
+  refuse({{"--unit", orbit.unit}}, words.file.string() + ": ",
+         " is of an orbit; missing: --position and --velocity");
+  return false;
+}
+
+void set_message_words(ConvertOptions& options, const MessageWords& words, bool of_orbit) {
+  const InterpolationWords& interpolation = words.interpolation;
+  if (options.out.extension() == ".csv")
+    refuse({{"--object-name", words.object_name},
+            {"--object-id", words.object_id},
+            {"--originator", words.originator},
+            {"--aem-version", words.aem_version},
+            {"--interpolation", interpolation.method},
+            {"--degree", interpolation.degree}},
+           options.out.string() + ": is to be a table; ", " is of a message");
+  if (of_orbit) {
+    refuse({{"--body", words.body}, {"--aem-version", words.aem_version}}, "",
+           " is of an attitude, and an orbit is converted");
+  } else {
+    refuse({{"--interpolation", interpolation.method}, {"--degree", interpolation.degree}}, "",
+           " is of an orbit, and an attitude is converted");
+  }
+  options.text.object_name = words.object_name;
+  options.text.object_id = words.object_id;
+  options.text.originator = words.originator;
+  options.body = words.body;
+  if (!words.aem_version.empty()) options.aem_version = words.aem_version;
+  options.interpolation = interpolation_of(interpolation);
+}
+
+std::optional<Interpolation> interpolation_of(const InterpolationWords& words) {
+  if (words.method.empty() != words.degree.empty())
+    throw BadInput("--interpolation and --degree go together: --interpolation hermite --degree 7");
+  if (words.method.empty()) return std::nullopt;
+  const Interpolation given{words.method == "hermite" ? "HERMITE" : "LAGRANGE",
+                            whole_number<int>("--degree", words.degree)};
+  require_degree("", given);
+  return given;
+}
+
+void set_interpolation(OrbitSource& orbit, const InterpolationWords& words) {
+  orbit.interpolation = interpolation_of(words);
+  if (orbit.interpolation && orbit.message.empty())
+    throw BadInput("--interpolation is of an orbit message; missing: --oem FILE");
+}
+
+}  // namespace vectrix::cli

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "convert.hpp"
+#include "interpolation.hpp"
+#include "sources.hpp"
+
+namespace vectrix::cli {
+
+/// What the options say of an attitude, or of both an attitude and an orbit, before the file tells whether it
+/// is a table. Empty: not given.
+struct AttitudeWords {
+  std::filesystem::path file;
+  std::string segment, from, until;
+  std::string time, scale, reference;  // of a table
+  std::string quaternion, scalar, maps, rates, rate_unit, rate_axes;
+};
+/// What the options say of a table of an orbit.
+struct OrbitWords {
+  std::string position, velocity, unit;
+};
+struct InterpolationWords {
+  std::string method, degree;
+};
+/// What the options say of a message that is to be written.
+struct MessageWords {
+  std::string object_name, object_id, originator, body, aem_version;
+  InterpolationWords interpolation;
+};
+
+/// What stands between commas. Throws BadInput for another number of fields.
+std::vector<std::string> fields(const char* option, const std::string& text, std::size_t count);
+
+/// No convention is taken that nobody has stated, and no option is given in vain. Throws BadInput that names
+/// the options which a table misses, or one that does not apply to this file.
+AttitudeSource attitude_source(const AttitudeWords& words);
+OrbitFile orbit_file(const AttitudeWords& words, const OrbitWords& orbit);
+
+/// What is to be converted: of a table, --position and --velocity say that it is an orbit.
+bool is_orbit(const AttitudeWords& words, const OrbitWords& orbit);
+/// Throws BadInput for an option that what is to be written has not.
+void set_message_words(ConvertOptions& options, const MessageWords& words, bool of_orbit);
+
+/// Nothing if it is not given. Throws BadInput for half of it, and a degree that the method does not have.
+std::optional<Interpolation> interpolation_of(const InterpolationWords& words);
+/// Throws BadInput for an interpolation without --oem.
+void set_interpolation(OrbitSource& orbit, const InterpolationWords& words);
+
+}  // namespace vectrix::cli
