@@ -36,22 +36,25 @@ struct CraftPropagation {
 
 namespace detail {
 
-template <class C>
-inline constexpr bool is_one_body =
-    C::shape::total.bodies + C::shape::total.rotors + C::shape::total.modes == 0;
-
 /// Throws BadInput if the torque w x J w of a craft of one body underflows, while it turns far enough in the
 /// run for it to matter. Without it the rate would stay constant.
-inline void require_gyroscopic_torque(const PlainSpacecraft& craft, double moments, const double* w,
-                                      double duration) {
-  using Limits = std::numeric_limits<double>;
-  const double rate = std::sqrt(w[0] * w[0] + w[1] * w[1] + w[2] * w[2]);
-  const double size = moments * rate * rate;
-  if (size < Limits::min() / Limits::epsilon() && rate * duration > Limits::epsilon()) [[unlikely]] {
-    throw BadInput("propagate: at the rate " + text(rate) + " rad/s the torque w x J w of " + craft.hub +
-                   " underflows, J w^2 = " + text(size) + " N m");
+template <CraftType C> struct GyroscopicTorque {
+  const PlainSpacecraft& craft;
+  double moments, duration;
+
+  void require(const double* w) const {
+    constexpr PartCounts parts = C::shape::total;
+    if constexpr (parts.bodies + parts.rotors + parts.modes == 0) {
+      using Limits = std::numeric_limits<double>;
+      const double rate = std::sqrt(w[0] * w[0] + w[1] * w[1] + w[2] * w[2]);
+      const double size = moments * rate * rate;
+      if (size < Limits::min() / Limits::epsilon() && rate * duration > Limits::epsilon()) [[unlikely]] {
+        throw BadInput("propagate: at the rate " + text(rate) + " rad/s the torque w x J w of " + craft.hub +
+                       " underflows, J w^2 = " + text(size) + " N m");
+      }
+    }
   }
-}
+};
 
 }  // namespace detail
 
@@ -87,10 +90,10 @@ typename detail::TrajectoryOf<C, detail::HeldTypes<Parts...>>::type propagate(
   problem.at_segment_start = [&](double t, std::span<double> y, std::span<const ode::Event> ended_by) {
     flight.change(t, y, ended_by);
   };
-  auto rhs = [&flight, &numbers = craft.core()->plain, moments = craft.core()->plain.J_c_h.trace(),
-              duration = problem.end - problem.start](double, double t, auto y, auto ydot) {
-    if constexpr (detail::is_one_body<C>)
-      detail::require_gyroscopic_torque(numbers, moments, y.data() + 4, duration);
+  const PlainSpacecraft& numbers = craft.core()->plain;
+  const detail::GyroscopicTorque<C> gyroscopic{numbers, numbers.J_c_h.trace(), problem.end - problem.start};
+  auto rhs = [&flight, gyroscopic](double, double t, auto y, auto ydot) {
+    gyroscopic.require(y.data() + 4);
     flight.rates(t, y.data(), ydot.data());
   };
   try {
