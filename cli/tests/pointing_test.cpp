@@ -13,6 +13,7 @@
 #include "pointing_error.hpp"
 #include "quantile.hpp"
 #include "space/tests/temporary_file.hpp"
+#include "temporary_folder.hpp"
 
 namespace vectrix::cli::pointing_test {
 namespace {
@@ -152,6 +153,47 @@ TEST(RelativeError, LeavesOutWindowsThatReachOverAGap) {
             std::string::npos);
 }
 
+// A target opposite to itself half a turn later has no mean direction.
+TEST(RelativeError, IsRefusedWhereTheDirectionsCancel) {
+  const AttitudeMotion still{{0.0, 0.0, 0.001}, {0.0, 0.0, 0.001}};
+  const auto record = still.record(4, stated, stated, RateAxes::body, RateAxes::body);
+  const std::vector<Vector3d> seen{Vector3d::UnitX(), -Vector3d::UnitX(), Vector3d::UnitX(),
+                                   Vector3d(-1.0, 1e-13, 0.0)};
+  EXPECT_EQ(
+      complaint([&] { (void)relative_errors(record, seen, 1.0); }),
+      "in the window from 2026-11-29T00:00:00.000000 UTC the directions of the target cancel; they have "
+      "no mean direction");
+}
+
+// The windows by looking at each direction of each.
+RC_GTEST_PROP(RelativeError, IsThatOfEachWindow, ()) {
+  const auto window = *rc::gen::inRange<std::size_t>(1, 150);
+  const double size = *rc::gen::element(1e-7, 1e-3, 1.0);
+  const AttitudeMotion still{{0.0, 0.0, 0.001}, {0.0, 0.0, 0.001}};
+  const auto record = still.record(300, stated, stated, RateAxes::body, RateAxes::body);
+  const auto any = [&] { return size * 1e-6 * *rc::gen::inRange(-1'000'000, 1'000'000); };
+  std::vector<Vector3d> seen;
+  for (std::size_t i = 0; i < record.size(); ++i) seen.push_back(Vector3d(any(), any(), 2.0).normalized());
+  const auto found = relative_errors(record, seen, static_cast<double>(window));
+  RC_ASSERT(found.errors.size() == record.size() - window);
+  constexpr double rounding = 1e-14;  // rad: of a sum in another order
+  double change = 0.0;
+  for (std::size_t first = 0; first < record.size(); ++first) {
+    Vector3d sum = Vector3d::Zero();
+    const std::size_t end = std::min(first + window + 1, record.size());
+    for (std::size_t i = first; i < end; ++i) {
+      sum += seen[i];
+      change = std::max(change, angle_between(seen[first], seen[i]));
+    }
+    if (first >= found.errors.size()) continue;
+    double largest = 0.0;
+    for (std::size_t i = first; i < end; ++i) largest = std::max(largest, angle_between(seen[i], sum));
+    RC_ASSERT(std::abs(found.errors[first] - largest) <= rounding);
+  }
+  RC_ASSERT(std::abs(found.largest_change - change) <= rounding);
+  RC_ASSERT(std::abs(angle_between(seen[found.change_from], seen[found.change_until]) - change) <= rounding);
+}
+
 // A circle in the plane of x and y, and a body at rest in GCRF.
 class Circle : public ::testing::Test {
  protected:
@@ -184,6 +226,26 @@ TEST_F(Circle, HasItsVelocityAheadAndTheEarthBelow) {
                 bias[0], (eme2000_from_gcrf() * vector<si::dimensionless>(in<Gcrf>, ahead[0])).coordinates()),
             1e-15);
   EXPECT_GT(angle_between(bias[0], ahead[0]), 1e-8);
+}
+
+TEST_F(Circle, HasNoDirectionOfNoLength) {
+  const auto stopped = [](const Epoch& t) {
+    auto motion = orbit(t);
+    if (t < Epoch::from_utc("2026-11-29T00:00:05")) return motion;
+    return point_motion(of<Satellite>, relative_to<Gcrf>, observed_from<Gcrf>,
+                        vector<si::length>(in<Gcrf>, Vector3d::Zero()),
+                        vector<si::velocity>(in<Gcrf>, Vector3d::Zero()));
+  };
+  const auto refusal = [&](Target target) {
+    return complaint([&] { (void)directions(record, target, geometric, stopped); });
+  };
+  EXPECT_EQ(
+      refusal(Target::earth),
+      "at 2026-11-29T00:00:05.000000 UTC there is no direction of the centre of the Earth, its length is "
+      "0");
+  EXPECT_EQ(refusal(Target::velocity),
+            "at 2026-11-29T00:00:05.000000 UTC there is no direction of the velocity relative to GCRF, its "
+            "length is 0");
 }
 
 TEST_F(Circle, SeesSunAndMoonByTheWordsOfTheLibrary) {
@@ -251,6 +313,26 @@ TEST(Pointing, WritesTheAnglesOfTheSamplesThatAreAskedFor) {
   EXPECT_EQ(
       line,
       "# Angle between the axis (0, 0, -1) of the body and the Sun, geometric, seen from the satellite.");
+}
+
+TEST(Pointing, DoesNotWriteOverWhatItReads) {
+  TemporaryFolder folder;
+  PointingOptions options = cubesat();
+  const auto copy = folder.file("attitude.csv"), link = folder.file("link.csv");
+  std::filesystem::copy_file(options.attitude.file, copy);
+  std::filesystem::create_symlink(copy, link);
+  options.attitude.file = copy;
+  options.csv = link;
+  options.force = true;
+  EXPECT_EQ(complaint([&] { (void)fulfilled(options); }, link),
+            "FILE: is the same file as " + copy.string() + ", which is read");
+  const auto tle = folder.file("set.tle");
+  std::filesystem::copy_file(options.orbit.elements, tle);
+  options.orbit.elements = options.csv = tle;
+  EXPECT_EQ(complaint([&] { (void)fulfilled(options); }, tle),
+            "FILE: is the same file as " + tle.string() + ", which is read");
+  EXPECT_EQ(std::filesystem::file_size(copy),
+            std::filesystem::file_size(data / "CTIM_20230420_attitude.csv"));
 }
 
 TEST(Pointing, FulfilsWhatIsRequiredOfSoManySamples) {
