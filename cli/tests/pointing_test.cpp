@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "attitude_motion.hpp"
+#include "plain_words.hpp"
 #include "pointing_error.hpp"
 #include "quantile.hpp"
 #include "space/tests/temporary_file.hpp"
@@ -246,6 +247,23 @@ TEST_F(Circle, HasNoDirectionOfNoLength) {
   EXPECT_EQ(refusal(Target::velocity),
             "at 2026-11-29T00:00:05.000000 UTC there is no direction of the velocity relative to GCRF, its "
             "length is 0");
+}
+
+TEST_F(Circle, SeesTheSunInItsYearsOnly) {
+  for (Epoch& t : record.times) t = t + 1e5 * si::day;
+  const auto said = complaint([&] { (void)directions(record, Target::sun, geometric, nullptr); });
+  EXPECT_EQ(said.substr(0, 19), "the Sun: the epoch ") << said;
+  EXPECT_NE(said.find(" is outside the years of the series, 1900 to 2099"), std::string::npos) << said;
+}
+
+TEST(PlainWords, HaveNoNamesOfTypes) {
+  EXPECT_EQ(without_types("lvlh(from<cli::steadiness(const Record&)::Lvlh>, cli::Satellite relative to "
+                          "earth::Gcrf): |r| is 0 m"),
+            "|r| is 0 m");
+  EXPECT_EQ(without_types("Sgp4(cli::Satellite): catalogue number 5, the epoch: late"),
+            "catalogue number 5, the epoch: late");
+  EXPECT_EQ(without_types("Ephemeris<Sun>: the epoch"), "the epoch");
+  EXPECT_EQ(without_types("a.csv: 3 < 4: no"), "a.csv: 3 < 4: no");
 }
 
 TEST_F(Circle, SeesSunAndMoonByTheWordsOfTheLibrary) {
