@@ -250,7 +250,7 @@ TEST_F(Circle, HasNoDirectionOfNoLength) {
 }
 
 TEST_F(Circle, SeesTheSunInItsYearsOnly) {
-  for (Epoch& t : record.times) t = t + 1e5 * si::day;
+  for (Epoch& t : record.times) t = t + 1e5 * 86400.0 * si::second;
   const auto said = complaint([&] { (void)directions(record, Target::sun, geometric, nullptr); });
   EXPECT_EQ(said.substr(0, 19), "the Sun: the epoch ") << said;
   EXPECT_NE(said.find(" is outside the years of the series, 1900 to 2099"), std::string::npos) << said;
