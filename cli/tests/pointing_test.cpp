@@ -10,7 +10,6 @@
 #include <sstream>
 
 #include "attitude_motion.hpp"
-#include "plain_words.hpp"
 #include "pointing_error.hpp"
 #include "quantile.hpp"
 #include "space/tests/temporary_file.hpp"
@@ -120,81 +119,6 @@ TEST(Quantile, IsNotPushedFurtherByTheRoundingOfThePercents) {
   EXPECT_EQ(place_of_quantile(0.001, 7), 0U);
 }
 
-// The target drifts along a great circle: the mean of evenly spaced directions is in their middle.
-RC_GTEST_PROP(RelativeError, OfASteadyDriftIsHalfOfIt, ()) {
-  const auto window = *rc::gen::inRange<int>(1, 40);
-  const double rate = 1e-3 * *rc::gen::inRange(1, 50);
-  const AttitudeMotion drift{{0.0, 0.0, rate}, {0.0, 0.0, 1e-9}};
-  const auto record = drift.record(50, stated, stated, RateAxes::body, RateAxes::body);
-  const auto seen = seen_in_body(record, std::vector<Vector3d>(record.size(), Vector3d::UnitX()));
-  const auto found = relative_errors(record, seen, window);
-  constexpr double rounding = 1e-7;  // rad: of the other axis' 1e-9 rad/s, and of a mean of unit vectors
-  RC_ASSERT(found.errors.size() == static_cast<std::size_t>(50 - window));
-  RC_ASSERT(found.left_out == static_cast<std::size_t>(window));
-  for (const double error : found.errors) RC_ASSERT(std::abs(error - 0.5 * rate * window) <= rounding);
-  RC_ASSERT(std::abs(found.largest_change - rate * window) <= rounding);
-  RC_ASSERT(found.change_until == found.change_from + static_cast<std::size_t>(window));
-}
-
-TEST(RelativeError, LeavesOutWindowsThatReachOverAGap) {
-  const AttitudeMotion still{{0.0, 0.0, 0.001}, {0.0, 0.0, 0.001}};
-  auto record = still.record(20, stated, stated, RateAxes::body, RateAxes::body);
-  for (std::size_t i = 10; i < 20; ++i) record.times[i] = record.times[i] + 100.0 * si::second;
-  const auto seen = seen_in_body(record, std::vector<Vector3d>(record.size(), Vector3d::UnitX()));
-  const auto found = relative_errors(record, seen, 4.0);
-  // From each stretch of 10 samples, those that begin at its first 6.
-  EXPECT_EQ(found.starts, (std::vector<std::size_t>{0, 1, 2, 3, 4, 5, 10, 11, 12, 13, 14, 15}));
-  EXPECT_EQ(found.left_out, 8U);
-  EXPECT_NEAR(found.largest_change, 4.0 * 0.002, 1e-9);  // not over the gap
-  EXPECT_NE(complaint([&] { (void)relative_errors(record, seen, 10.0); }).find("no stretch without gaps"),
-            std::string::npos);
-  EXPECT_NE(complaint([&] {
-              (void)relative_errors(record, seen, 0.9);
-            }).find("--window 0.9 s is shorter than the steps"),
-            std::string::npos);
-}
-
-// A target opposite to itself half a turn later has no mean direction.
-TEST(RelativeError, IsRefusedWhereTheDirectionsCancel) {
-  const AttitudeMotion still{{0.0, 0.0, 0.001}, {0.0, 0.0, 0.001}};
-  const auto record = still.record(4, stated, stated, RateAxes::body, RateAxes::body);
-  const std::vector<Vector3d> seen{Vector3d::UnitX(), -Vector3d::UnitX(), Vector3d::UnitX(),
-                                   Vector3d(-1.0, 1e-13, 0.0)};
-  EXPECT_EQ(
-      complaint([&] { (void)relative_errors(record, seen, 1.0); }),
-      "in the window from 2026-11-29T00:00:00.000000 UTC the directions of the target cancel; they have "
-      "no mean direction");
-}
-
-// The windows by looking at each direction of each.
-RC_GTEST_PROP(RelativeError, IsThatOfEachWindow, ()) {
-  const auto window = *rc::gen::inRange<std::size_t>(1, 150);
-  const double size = *rc::gen::element(1e-7, 1e-3, 1.0);
-  const AttitudeMotion still{{0.0, 0.0, 0.001}, {0.0, 0.0, 0.001}};
-  const auto record = still.record(300, stated, stated, RateAxes::body, RateAxes::body);
-  const auto any = [&] { return size * 1e-6 * *rc::gen::inRange(-1'000'000, 1'000'000); };
-  std::vector<Vector3d> seen;
-  for (std::size_t i = 0; i < record.size(); ++i) seen.push_back(Vector3d(any(), any(), 2.0).normalized());
-  const auto found = relative_errors(record, seen, static_cast<double>(window));
-  RC_ASSERT(found.errors.size() == record.size() - window);
-  constexpr double rounding = 1e-14;  // rad: of a sum in another order
-  double change = 0.0;
-  for (std::size_t first = 0; first < record.size(); ++first) {
-    Vector3d sum = Vector3d::Zero();
-    const std::size_t end = std::min(first + window + 1, record.size());
-    for (std::size_t i = first; i < end; ++i) {
-      sum += seen[i];
-      change = std::max(change, angle_between(seen[first], seen[i]));
-    }
-    if (first >= found.errors.size()) continue;
-    double largest = 0.0;
-    for (std::size_t i = first; i < end; ++i) largest = std::max(largest, angle_between(seen[i], sum));
-    RC_ASSERT(std::abs(found.errors[first] - largest) <= rounding);
-  }
-  RC_ASSERT(std::abs(found.largest_change - change) <= rounding);
-  RC_ASSERT(std::abs(angle_between(seen[found.change_from], seen[found.change_until]) - change) <= rounding);
-}
-
 // A circle in the plane of x and y, and a body at rest in GCRF.
 class Circle : public ::testing::Test {
  protected:
@@ -254,16 +178,6 @@ TEST_F(Circle, SeesTheSunInItsYearsOnly) {
   const auto said = complaint([&] { (void)directions(record, Target::sun, geometric, nullptr); });
   EXPECT_EQ(said.substr(0, 19), "the Sun: the epoch ") << said;
   EXPECT_NE(said.find(" is outside the years of the series, 1900 to 2099"), std::string::npos) << said;
-}
-
-TEST(PlainWords, HaveNoNamesOfTypes) {
-  EXPECT_EQ(without_types("lvlh(from<cli::steadiness(const Record&)::Lvlh>, cli::Satellite relative to "
-                          "earth::Gcrf): |r| is 0 m"),
-            "|r| is 0 m");
-  EXPECT_EQ(without_types("Sgp4(cli::Satellite): catalogue number 5, the epoch: late"),
-            "catalogue number 5, the epoch: late");
-  EXPECT_EQ(without_types("Ephemeris<Sun>: the epoch"), "the epoch");
-  EXPECT_EQ(without_types("a.csv: 3 < 4: no"), "a.csv: 3 < 4: no");
 }
 
 TEST_F(Circle, SeesSunAndMoonByTheWordsOfTheLibrary) {
@@ -366,6 +280,19 @@ TEST(Pointing, FulfilsWhatIsRequiredOfSoManySamples) {
   EXPECT_TRUE(fulfilled(options));
   options.required_relative = 0.001;
   EXPECT_FALSE(fulfilled(options));
+}
+
+TEST(Pointing, CountsOneWindow) {
+  PointingOptions options = cubesat();
+  options.window = 2990.0;  // from the first to the last sample
+  std::ostringstream out;
+  (void)pointing(options, out);
+  EXPECT_NE(out.str().find("\n1 window; 283 more reach over a gap or the end\n"), std::string::npos)
+      << out.str();
+  options.window = 2980.0;
+  out.str("");
+  (void)pointing(options, out);
+  EXPECT_NE(out.str().find("\n2 windows; 282 more reach"), std::string::npos) << out.str();
 }
 
 TEST(Pointing, RefusesWhatIsNotStated) {
