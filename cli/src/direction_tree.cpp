@@ -20,8 +20,10 @@ struct DirectionTree::Search {
 };
 
 DirectionTree::DirectionTree(const std::vector<Vector3d>& directions)
-    : directions_(directions), size_(leaf_size) {
-  while (size_ < directions.size()) size_ *= 2;
+    : count_(directions.size()), size_(leaf_size), coordinates_(static_cast<Eigen::Index>(count_), 3) {
+  for (std::size_t i = 0; i < count_; ++i)
+    coordinates_.row(static_cast<Eigen::Index>(i)) = directions[i].transpose();
+  while (size_ < count_) size_ *= 2;
   nodes_.resize(2 * size_ / leaf_size);
   build({1, 0, size_});
 }
@@ -33,17 +35,22 @@ DirectionTree::Place DirectionTree::right(const Place& place) {
   return {2 * place.node + 1, (place.begin + place.end) / 2, place.end};
 }
 
+auto DirectionTree::rows(const Place& place, std::size_t begin, std::size_t end) const {
+  const std::size_t from = std::max(begin, place.begin), until = std::min(end, place.end);
+  return coordinates_.middleRows(static_cast<Eigen::Index>(from), static_cast<Eigen::Index>(until - from));
+}
+
 void DirectionTree::build(const Place& place) {
   Node& node = nodes_[place.node];
   constexpr double infinity = std::numeric_limits<double>::infinity();
   node.least = Vector3d::Constant(infinity);
   node.most = Vector3d::Constant(-infinity);
   if (place.end - place.begin == leaf_size) {
-    for (std::size_t i = place.begin; i < std::min(place.end, directions_.size()); ++i) {
-      node.sum += directions_[i];
-      node.least = node.least.cwiseMin(directions_[i]);
-      node.most = node.most.cwiseMax(directions_[i]);
-    }
+    if (place.begin >= count_) return;
+    const auto part = rows(place, 0, count_);
+    node.sum = part.colwise().sum();
+    node.least = part.colwise().minCoeff();
+    node.most = part.colwise().maxCoeff();
     return;
   }
   for (const Place& half : {left(place), right(place)}) {
@@ -60,8 +67,7 @@ void DirectionTree::add(const Place& place, std::size_t begin, std::size_t end, 
   if (begin <= place.begin && place.end <= end) {
     sum += nodes_[place.node].sum;
   } else if (place.end - place.begin == leaf_size) {
-    for (std::size_t i = std::max(begin, place.begin); i < std::min(end, place.end); ++i)
-      sum += directions_[i];
+    sum += rows(place, begin, end).colwise().sum().matrix().transpose();
   } else {
     add(left(place), begin, end, sum);
     add(right(place), begin, end, sum);
@@ -78,12 +84,13 @@ void DirectionTree::search(const Place& place, Search& search) const {
   if (search.begin >= place.end || search.end <= place.begin) return;
   if (!(search.bound(nodes_[place.node]) > search.largest)) return;
   if (place.end - place.begin == leaf_size) {
-    for (std::size_t i = std::max(search.begin, place.begin); i < std::min(search.end, place.end); ++i) {
-      const double square = (directions_[i] - search.from).squaredNorm();
-      if (!(square > search.largest)) continue;
-      search.largest = square;
-      search.found = i;
-    }
+    const auto part = rows(place, search.begin, search.end);
+    const auto squares = (part.col(0) - search.from.x()).square() + (part.col(1) - search.from.y()).square() +
+                         (part.col(2) - search.from.z()).square();
+    if (!(squares.maxCoeff() > search.largest)) return;
+    Eigen::Index at = 0;
+    search.largest = squares.maxCoeff(&at);
+    search.found = std::max(search.begin, place.begin) + static_cast<std::size_t>(at);
     return;
   }
   // The half that may hold the farther one comes first.

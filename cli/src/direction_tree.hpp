@@ -8,9 +8,9 @@
 namespace vectrix::cli {
 
 /// Directions in their order, for sums and farthest ones of any stretch of them: a binary tree, whose nodes
-/// have the sum and the box of theirs. A sum takes of the order of log n steps. The farthest direction leads
-/// into those boxes only that may hold a farther one than was found: the same result as by looking at each,
-/// in few steps unless nearly all are equally far.
+/// have the sum and the box of theirs. A sum takes of the order of log n steps. The search for the farthest
+/// one enters only boxes that may hold a farther one than was found: the result is that of looking at each,
+/// in of the order of log n steps if few are nearly as far, but of n if nearly all are, as in a spin.
 class DirectionTree {
  public:
   explicit DirectionTree(const std::vector<Eigen::Vector3d>& directions);
@@ -30,18 +30,21 @@ class DirectionTree {
   struct Place {
     std::size_t node, begin, end;
   };
-  static constexpr std::size_t leaf_size = 16;
+  static constexpr std::size_t leaf_size = 64;
 
   [[nodiscard]] static Place left(const Place& place);
   [[nodiscard]] static Place right(const Place& place);
+  // Of a leaf, those of begin to end that exist.
+  [[nodiscard]] auto rows(const Place& place, std::size_t begin, std::size_t end) const;
   void build(const Place& place);
   void add(const Place& place, std::size_t begin, std::size_t end, Eigen::Vector3d& sum) const;
   struct Search;
   void search(const Place& place, Search& search) const;
 
-  const std::vector<Eigen::Vector3d>& directions_;
+  std::size_t count_;
   std::size_t size_;  // leaf_size times a power of two
   std::vector<Node> nodes_;
+  Eigen::Array<double, Eigen::Dynamic, 3> coordinates_;  // column by column: two at a time are looked at
 };
 
 }  // namespace vectrix::cli

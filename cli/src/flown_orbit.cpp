@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "figures.hpp"
+#include "plain_words.hpp"
 #include "selection.hpp"
 #include "table_text.hpp"
 
@@ -30,24 +31,6 @@ template <class Orbit> FlownOrbit flown_in_teme(const TimeSpan& span, const Orbi
 }
 
 constexpr double longest_gap = 3600.0, longest_age = 7.0 * 86400.0;  // s
-
-// What the library says, without the names of its types, which come first.
-std::string without_types(const std::string& text) {
-  const std::size_t type = text.rfind("::");
-  if (type == std::string::npos) return text;
-  const std::size_t reason = text.find(": ", type + 2);
-  return reason == std::string::npos ? text : text.substr(reason + 2);
-}
-
-template <class Function> auto in_words_of_file(const std::string& file, const Function& function) {
-  try {
-    return function();
-  } catch (const BadInput& error) {
-    const std::string text = error.what();
-    if (text.find("::") == std::string::npos) throw;
-    throw BadInput(file + ": " + without_types(text));
-  }
-}
 
 // What the segment says, or nothing if no edge can be made of it.
 std::optional<Interpolation> said_by(const EphemerisMetadata& metadata) {
@@ -124,11 +107,11 @@ FlownOrbit orbit_of_elements(const std::filesystem::path& file, const TimeSpan& 
     throw BadInput(file.string() + ": the nearest element set, of " + nearest->epoch().utc(0) + " UTC, is " +
                    shown(std::ceil(age / day)) + " days from the attitude; at most " +
                    shown(longest_age / day) + " are allowed");
-  const auto orbit = in_words_of_file(file.string(), [&] {
+  const auto orbit = in_plain_words(file.string(), [&] {
     return flown_in_teme(span, edge(Sgp4<Satellite>(*nearest, at_most(longest_age * si::second))));
   });
   return [orbit, name = file.string()](const Epoch& t) {
-    return in_words_of_file(name, [&] { return orbit(t); });
+    return in_plain_words(name, [&] { return orbit(t); });
   };
 }
 
@@ -150,11 +133,11 @@ FlownOrbit orbit_of_message(const std::filesystem::path& file, const TimeSpan& s
     const auto& lines = segment.lines(detail::trusted).lines;
     const auto usable = interpolated(file.string(), segment, stated);
     parts.push_back({from_until(lines.front().time, lines.back().time),
-                     in_words_of_file(file.string(), [&] { return orbit_of(file.string(), usable, span); })});
+                     in_plain_words(file.string(), [&] { return orbit_of(file.string(), usable, span); })});
   }
   return [parts, name = file.string()](const Epoch& t) {
     for (const Part& part : parts) {
-      if (part.span.contains(t)) return in_words_of_file(name, [&] { return part.orbit(t); });
+      if (part.span.contains(t)) return in_plain_words(name, [&] { return part.orbit(t); });
     }
     throw BadInput(name + ": the epoch " + t.utc() + " UTC of an attitude is in no segment");
   };

@@ -8,6 +8,7 @@
 
 #include "check.hpp"
 #include "convert.hpp"
+#include "plain_words.hpp"
 #include "pointing.hpp"
 #include "words.hpp"
 
@@ -223,12 +224,19 @@ std::string now() {
   return text;
 }
 
+// Of the messages that name types: of an orbit, or else of the attitude.
+std::string place_of(const AttitudeWords& attitude, const OrbitSource& orbit) {
+  if (!orbit.message.empty()) return orbit.message.string();
+  return orbit.elements.empty() ? attitude.file.string() : orbit.elements.string();
+}
+
 bool run_check(CheckWords& words) {
   set_interpolation(words.options.orbit, words.interpolation);
   words.options.attitude = attitude_source(words.attitude);
   if (!words.target.axis.empty()) words.options.axis = axis_of(words.target);
   if (!words.target.target.empty()) words.options.target = targets.at(words.target.target);
-  return check(words.options, std::cout);
+  return in_plain_words(place_of(words.attitude, words.options.orbit),
+                        [&] { return check(words.options, std::cout); });
 }
 
 bool run_pointing(PointingWords& words) {
@@ -237,7 +245,8 @@ bool run_pointing(PointingWords& words) {
   words.options.axis = axis_of(words.target);
   words.options.target = targets.at(words.target.target);
   if (!words.correction.empty()) words.options.correction = corrections.at(words.correction);
-  return pointing(words.options, std::cout);
+  return in_plain_words(place_of(words.attitude, words.options.orbit),
+                        [&] { return pointing(words.options, std::cout); });
 }
 
 bool run_convert(ConvertWords& words) {

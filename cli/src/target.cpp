@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "figures.hpp"
+#include "plain_words.hpp"
 
 namespace vectrix::cli {
 namespace {
@@ -19,8 +20,9 @@ Motion centre_of_the_earth() {
 
 template <class Body>
 std::vector<Vector3d> lines_of_sight(const std::vector<Epoch>& times, const std::vector<Motion>& motions,
-                                     const SkyCorrection& correction) {
-  const Ephemeris<Body> body(from_until(times.front(), times.back()));
+                                     const SkyCorrection& correction, const std::string& place) {
+  const auto body =
+      in_plain_words(place, [&] { return Ephemeris<Body>(from_until(times.front(), times.back())); });
   std::vector<Vector3d> lines;
   for (std::size_t i = 0; i < times.size(); ++i)
     lines.push_back(std::visit(
@@ -32,8 +34,8 @@ std::vector<Vector3d> lines_of_sight(const std::vector<Epoch>& times, const std:
 // In GCRF, of any length.
 std::vector<Vector3d> lines_to(Target target, const std::vector<Epoch>& times,
                                const std::vector<Motion>& motions, const SkyCorrection& correction) {
-  if (target == Target::sun) return lines_of_sight<sky::Sun>(times, motions, correction);
-  if (target == Target::moon) return lines_of_sight<sky::Moon>(times, motions, correction);
+  if (target == Target::sun) return lines_of_sight<sky::Sun>(times, motions, correction, name_of(target));
+  if (target == Target::moon) return lines_of_sight<sky::Moon>(times, motions, correction, name_of(target));
   std::vector<Vector3d> lines;
   for (const Motion& motion : motions)
     lines.emplace_back(target == Target::earth ? Vector3d(-motion.position.coordinates())

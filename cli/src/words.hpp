@@ -14,21 +14,21 @@ namespace vectrix::cli {
 /// is a table. Empty: not given.
 struct AttitudeWords {
   std::filesystem::path file;
-  std::string segment, from, until;
-  std::string time, scale, reference;  // of a table
-  std::string quaternion, scalar, maps, rates, rate_unit, rate_axes;
+  std::string segment{}, from{}, until{};
+  std::string time{}, scale{}, reference{};  // of a table
+  std::string quaternion{}, scalar{}, maps{}, rates{}, rate_unit{}, rate_axes{};
 };
 /// What the options say of a table of an orbit.
 struct OrbitWords {
-  std::string position, velocity, unit;
+  std::string position{}, velocity{}, unit{};
 };
 struct InterpolationWords {
-  std::string method, degree;
+  std::string method{}, degree{};
 };
 /// What the options say of a message that is to be written.
 struct MessageWords {
-  std::string object_name, object_id, originator, body, aem_version;
-  InterpolationWords interpolation;
+  std::string object_name{}, object_id{}, originator{}, body{}, aem_version{};
+  InterpolationWords interpolation{};
 };
 
 /// What stands between commas. Throws BadInput for another number of fields.

@@ -149,6 +149,27 @@ TEST(ConvertOrbit, KeepsAnyFrameAndSaysWhatATableLeavesOut) {
   EXPECT_EQ(after.metadata().start_time, Epoch::from_utc("2026-11-29T00:01:00"));
 }
 
+TEST(ConvertOrbit, StatesTheInterpolationThatIsGiven) {
+  TemporaryFolder folder;
+  ConvertOptions options = named;
+  options.out = folder.file("out.oem");
+  options.interpolation = Interpolation{"LAGRANGE", 2};
+  std::ostringstream said;
+  convert(OrbitFile{folder.written("in.oem", message("GCRF"))}, options, said);
+  const auto after = OrbitEphemerisMessage::read(options.out).segments()[0];
+  EXPECT_EQ(after.metadata().interpolation, "LAGRANGE");
+  EXPECT_EQ(after.metadata().interpolation_degree, 2);
+}
+
+TEST(ConvertOrbit, CountsOneCovariance) {
+  TemporaryFolder folder;
+  OrbitFile in{folder.written("in.oem", message("TEME", covariances))};
+  in.selection.from = Epoch::from("2026-11-29T00:00:30 UTC");
+  const auto out = folder.file("out.csv");
+  EXPECT_EQ(convert_to(in, out),
+            out.string() + ": 2 samples of an orbit in TEME\n  left out: 1 covariance\n");
+}
+
 TEST(ConvertOrbit, RefusesWhatItCannotSay) {
   TemporaryFolder folder;
   const auto refusal = [&](const OrbitFile& source, const std::string& out, const std::string& frame = "") {
@@ -160,6 +181,8 @@ TEST(ConvertOrbit, RefusesWhatItCannotSay) {
   EXPECT_NE(
       refusal({in}, "out.aem").find("the name ends neither in .oem nor in .csv, which says what to write"),
       std::string::npos);
+  EXPECT_EQ(refusal({in}, "in.oem"), "FILE: is the same file as " + in.string() + ", which is read");
+  EXPECT_EQ(content(in), message("ITRF2000"));
   auto stopped = message("TOD");
   stopped.insert(stopped.find("TIME_SYSTEM"), "REF_FRAME_EPOCH = 2026-01-01T00:00:00\n");
   EXPECT_EQ(refusal({folder.written("tod.oem", stopped)}, "out.csv"),

@@ -235,6 +235,14 @@ TEST(Convert, RefusesWhatWouldLoseOrOverwriteSomething) {
   options.text.creation_date = "2026-11-29T00:00:00";
   EXPECT_EQ(refusal(options.out), "FILE: exists; --force overwrites it");
   EXPECT_EQ(content(options.out), "precious");
+  options.force = true;
+  std::filesystem::create_hard_link(in, folder.file("other.aem"));
+  for (const auto& same : {in, folder.file("other.aem"), folder.file(".") / "in.aem"}) {
+    options.out = same;
+    EXPECT_EQ(refusal(same), "FILE: is the same file as " + in.string() + ", which is read");
+  }
+  EXPECT_EQ(content(in), head + segment("A2B", first_scalar, three_lines));
+  options.force = false;
   options.out = folder.file("out.txt");
   EXPECT_EQ(refusal(options.out),
             "FILE: the name ends neither in .aem nor in .csv, which says what to write");
@@ -243,11 +251,22 @@ TEST(Convert, RefusesWhatWouldLoseOrOverwriteSomething) {
   EXPECT_EQ(refusal(in), "the reference 'ITRF' is none of EME2000, J2000, GCRF, ICRF");
   options.frame = "";
   options.body = "A\nB";
-  EXPECT_NE(refusal(in).find("what would be written cannot be read"), std::string::npos);
+  EXPECT_EQ(refusal(in), "--body holds a line break or another control character");
+  options.body = "";
+  for (auto* const words : {&options.text.object_name, &options.text.object_id, &options.text.originator}) {
+    *words = "A\nCOMMENT B";
+    EXPECT_NE(refusal(in).find(" holds a line break or another control character"), std::string::npos);
+    words->clear();
+  }
   options.body = "GCRF";
   EXPECT_EQ(refusal(in), "--body GCRF is the name of a reference, not of a body");
   options.body = "";
   const std::string part = segment("A2B", first_scalar, three_lines);
+  auto no_body = head + part;
+  no_body.replace(no_body.find("SC_BODY_1"), 9, "ICRF");
+  source.file = folder.written("no_body.aem", no_body);
+  EXPECT_EQ(refusal(source.file),
+            "FILE: the frames 'ICRF' and 'J2000' are both references; one of them must be a body");
   source.file = folder.written("two.aem", head + part + part);
   EXPECT_EQ(refusal(source.file), "FILE: there are 2 segments; missing: --segment NUMBER");
   source.file = folder.written(

@@ -13,6 +13,7 @@
 #include "pointing_error.hpp"
 #include "quantile.hpp"
 #include "space/tests/temporary_file.hpp"
+#include "temporary_folder.hpp"
 
 namespace vectrix::cli::pointing_test {
 namespace {
@@ -118,40 +119,6 @@ TEST(Quantile, IsNotPushedFurtherByTheRoundingOfThePercents) {
   EXPECT_EQ(place_of_quantile(0.001, 7), 0U);
 }
 
-// The target drifts along a great circle: the mean of evenly spaced directions is in their middle.
-RC_GTEST_PROP(RelativeError, OfASteadyDriftIsHalfOfIt, ()) {
-  const auto window = *rc::gen::inRange<int>(1, 40);
-  const double rate = 1e-3 * *rc::gen::inRange(1, 50);
-  const AttitudeMotion drift{{0.0, 0.0, rate}, {0.0, 0.0, 1e-9}};
-  const auto record = drift.record(50, stated, stated, RateAxes::body, RateAxes::body);
-  const auto seen = seen_in_body(record, std::vector<Vector3d>(record.size(), Vector3d::UnitX()));
-  const auto found = relative_errors(record, seen, window);
-  constexpr double rounding = 1e-7;  // rad: of the other axis' 1e-9 rad/s, and of a mean of unit vectors
-  RC_ASSERT(found.errors.size() == static_cast<std::size_t>(50 - window));
-  RC_ASSERT(found.left_out == static_cast<std::size_t>(window));
-  for (const double error : found.errors) RC_ASSERT(std::abs(error - 0.5 * rate * window) <= rounding);
-  RC_ASSERT(std::abs(found.largest_change - rate * window) <= rounding);
-  RC_ASSERT(found.change_until == found.change_from + static_cast<std::size_t>(window));
-}
-
-TEST(RelativeError, LeavesOutWindowsThatReachOverAGap) {
-  const AttitudeMotion still{{0.0, 0.0, 0.001}, {0.0, 0.0, 0.001}};
-  auto record = still.record(20, stated, stated, RateAxes::body, RateAxes::body);
-  for (std::size_t i = 10; i < 20; ++i) record.times[i] = record.times[i] + 100.0 * si::second;
-  const auto seen = seen_in_body(record, std::vector<Vector3d>(record.size(), Vector3d::UnitX()));
-  const auto found = relative_errors(record, seen, 4.0);
-  // From each stretch of 10 samples, those that begin at its first 6.
-  EXPECT_EQ(found.starts, (std::vector<std::size_t>{0, 1, 2, 3, 4, 5, 10, 11, 12, 13, 14, 15}));
-  EXPECT_EQ(found.left_out, 8U);
-  EXPECT_NEAR(found.largest_change, 4.0 * 0.002, 1e-9);  // not over the gap
-  EXPECT_NE(complaint([&] { (void)relative_errors(record, seen, 10.0); }).find("no stretch without gaps"),
-            std::string::npos);
-  EXPECT_NE(complaint([&] {
-              (void)relative_errors(record, seen, 0.9);
-            }).find("--window 0.9 s is shorter than the steps"),
-            std::string::npos);
-}
-
 // A circle in the plane of x and y, and a body at rest in GCRF.
 class Circle : public ::testing::Test {
  protected:
@@ -184,6 +151,33 @@ TEST_F(Circle, HasItsVelocityAheadAndTheEarthBelow) {
                 bias[0], (eme2000_from_gcrf() * vector<si::dimensionless>(in<Gcrf>, ahead[0])).coordinates()),
             1e-15);
   EXPECT_GT(angle_between(bias[0], ahead[0]), 1e-8);
+}
+
+TEST_F(Circle, HasNoDirectionOfNoLength) {
+  const auto stopped = [](const Epoch& t) {
+    auto motion = orbit(t);
+    if (t < Epoch::from_utc("2026-11-29T00:00:05")) return motion;
+    return point_motion(of<Satellite>, relative_to<Gcrf>, observed_from<Gcrf>,
+                        vector<si::length>(in<Gcrf>, Vector3d::Zero()),
+                        vector<si::velocity>(in<Gcrf>, Vector3d::Zero()));
+  };
+  const auto refusal = [&](Target target) {
+    return complaint([&] { (void)directions(record, target, geometric, stopped); });
+  };
+  EXPECT_EQ(
+      refusal(Target::earth),
+      "at 2026-11-29T00:00:05.000000 UTC there is no direction of the centre of the Earth, its length is "
+      "0");
+  EXPECT_EQ(refusal(Target::velocity),
+            "at 2026-11-29T00:00:05.000000 UTC there is no direction of the velocity relative to GCRF, its "
+            "length is 0");
+}
+
+TEST_F(Circle, SeesTheSunInItsYearsOnly) {
+  for (Epoch& t : record.times) t = t + 1e5 * 86400.0 * si::second;
+  const auto said = complaint([&] { (void)directions(record, Target::sun, geometric, nullptr); });
+  EXPECT_EQ(said.substr(0, 19), "the Sun: the epoch ") << said;
+  EXPECT_NE(said.find(" is outside the years of the series, 1900 to 2099"), std::string::npos) << said;
 }
 
 TEST_F(Circle, SeesSunAndMoonByTheWordsOfTheLibrary) {
@@ -253,6 +247,26 @@ TEST(Pointing, WritesTheAnglesOfTheSamplesThatAreAskedFor) {
       "# Angle between the axis (0, 0, -1) of the body and the Sun, geometric, seen from the satellite.");
 }
 
+TEST(Pointing, DoesNotWriteOverWhatItReads) {
+  TemporaryFolder folder;
+  PointingOptions options = cubesat();
+  const auto copy = folder.file("attitude.csv"), link = folder.file("link.csv");
+  std::filesystem::copy_file(options.attitude.file, copy);
+  std::filesystem::create_symlink(copy, link);
+  options.attitude.file = copy;
+  options.csv = link;
+  options.force = true;
+  EXPECT_EQ(complaint([&] { (void)fulfilled(options); }, link),
+            "FILE: is the same file as " + copy.string() + ", which is read");
+  const auto tle = folder.file("set.tle");
+  std::filesystem::copy_file(options.orbit.elements, tle);
+  options.orbit.elements = options.csv = tle;
+  EXPECT_EQ(complaint([&] { (void)fulfilled(options); }, tle),
+            "FILE: is the same file as " + tle.string() + ", which is read");
+  EXPECT_EQ(std::filesystem::file_size(copy),
+            std::filesystem::file_size(data / "CTIM_20230420_attitude.csv"));
+}
+
 TEST(Pointing, FulfilsWhatIsRequiredOfSoManySamples) {
   PointingOptions options = cubesat();
   options.percent = 95.0;
@@ -266,6 +280,19 @@ TEST(Pointing, FulfilsWhatIsRequiredOfSoManySamples) {
   EXPECT_TRUE(fulfilled(options));
   options.required_relative = 0.001;
   EXPECT_FALSE(fulfilled(options));
+}
+
+TEST(Pointing, CountsOneWindow) {
+  PointingOptions options = cubesat();
+  options.window = 2990.0;  // from the first to the last sample
+  std::ostringstream out;
+  (void)pointing(options, out);
+  EXPECT_NE(out.str().find("\n1 window; 283 more reach over a gap or the end\n"), std::string::npos)
+      << out.str();
+  options.window = 2980.0;
+  out.str("");
+  (void)pointing(options, out);
+  EXPECT_NE(out.str().find("\n2 windows; 282 more reach"), std::string::npos) << out.str();
 }
 
 TEST(Pointing, RefusesWhatIsNotStated) {
