@@ -88,12 +88,14 @@ const std::string& CsvTable::text(std::size_t row, std::string_view column) cons
 
 double CsvTable::number(std::size_t row, std::string_view column, int shift) const {
   const std::string& written = text(row, column);
-  const auto value = shift == 0 ? detail::parse_number(written) : detail::parse_shifted(written, shift);
-  if (value && std::isfinite(*value)) return *value;
+  if (const auto value = detail::parse_shifted(written, shift)) return *value;
+  const auto unshifted = detail::parse_number(written);
+  if (!unshifted) refuse(row, column, "'" + written + "' is not a number");
   const std::string times = shift == 0 ? "" : " times 10^" + detail::text(shift);
   refuse(row, column,
-         "'" + written + "'" +
-             (detail::parse_number(written) ? times + " is not a finite number" : " is not a number"));
+         "'" + written + "'" + times +
+             (std::isfinite(*unshifted) ? ": " + std::string{detail::number_fault(written)}
+                                        : " is not a finite number"));
 }
 
 void CsvTable::refuse(std::size_t row, std::string_view column, const std::string& reason) const {

@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdint>
+#include <cstdlib>
 
 #include "text_file.hpp"
 
@@ -21,8 +22,7 @@ struct Parts {
 std::optional<Parts> parts_of(std::string_view text) {
   const auto e = text.find_first_of("eE");
   if (e == std::string_view::npos) return Parts{text, 0};
-  std::string_view written = text.substr(e + 1);
-  if (written.starts_with('+') && !written.starts_with("+-")) written.remove_prefix(1);
+  const std::string_view written = without_plus(text.substr(e + 1));
   int exponent = 0;
   const auto [end, error] = std::from_chars(written.data(), written.data() + written.size(), exponent);
   constexpr int most = 10000;
@@ -61,7 +61,9 @@ std::optional<double> parse_short(std::string_view text, int shift) {
   const bool is_read = after_digits(first_decimal, end, digits) == end;
   const auto decimals = static_cast<int>(end - first_decimal);
   if (!is_read || point - text.data() + decimals == 0 || digits > most) return std::nullopt;
-  const int exponent = shift - decimals;
+  constexpr std::int64_t highest = powers.size() - 1;
+  const std::int64_t exponent = std::int64_t{shift} - decimals;
+  if (std::abs(exponent) > highest) return std::nullopt;
   const double whole = is_negative ? -static_cast<double>(digits) : static_cast<double>(digits);
   return exponent < 0 ? whole / powers[static_cast<std::size_t>(-exponent)]
                       : whole * powers[static_cast<std::size_t>(exponent)];
@@ -80,12 +82,12 @@ std::optional<double> parse_shifted(std::string_view text, int shift) {
   std::array<char, most_characters + 16> buffer{};
   char* end = std::copy(parts->digits.begin(), parts->digits.end(), buffer.data());
   *end++ = 'e';
-  end = std::to_chars(end, buffer.data() + buffer.size(), parts->exponent + shift).ptr;
+  end = std::to_chars(end, buffer.data() + buffer.size(), std::int64_t{parts->exponent} + shift).ptr;
   return finite(parse_number({buffer.data(), static_cast<std::size_t>(end - buffer.data())}));
 }
 
 const char* number_fault(std::string_view text) {
-  if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
+  text = without_plus(text);
   double value = 0.0;
   const char* const end = text.data() + text.size();
   const auto [stop, error] = std::from_chars(text.data(), end, value);

@@ -72,8 +72,12 @@ std::string excerpt(std::string_view text) {
   return text.size() <= longest ? std::string{text} : std::string{text.substr(0, longest)} + "...";
 }
 
+std::string_view without_plus(std::string_view number) {
+  return number.starts_with('+') && !number.starts_with("+-") ? number.substr(1) : number;
+}
+
 std::optional<double> parse_number(std::string_view text) {
-  if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
+  text = without_plus(text);
   double value = 0.0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;

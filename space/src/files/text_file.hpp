@@ -42,6 +42,8 @@ std::string_view trimmed(std::string_view text);
 /// The text for a message: its beginning, if it is long.
 std::string excerpt(std::string_view text);
 
+/// The number without a plus sign before it, which std::from_chars does not take.
+std::string_view without_plus(std::string_view number);
 /// The number if the whole text is one, including infinities and NaN; nothing for any other text.
 std::optional<double> parse_number(std::string_view text);
 

@@ -1,5 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <limits>
+#include <string>
+
 #include <vectrix/space/files/csv_table.hpp>
 #include <vectrix/space/time/epoch.hpp>
 
@@ -45,7 +48,28 @@ TEST(CsvTable, ShiftsTheDecimalPointOfATextWithoutRoundingTwice) {
   EXPECT_NE(table.number(0, "a") * 1000.0, 6778066.9);
   EXPECT_EQ(table.number(0, "b", 3), -1.1);
   EXPECT_EQ(complaint([&] { (void)table.number(0, "c", 3); }, file.path()),
-            "table FILE, line 2, column 3 ('c'): '1e308' times 10^3 is not a finite number");
+            "table FILE, line 2, column 3 ('c'): '1e308' times 10^3: in SI units too large or too small for "
+            "a double, 5e-324 to 1.8e308");
+}
+
+TEST(CsvTable, ShiftsByAnyPowerOfTen) {
+  const TemporaryFile file("a,b\n1.5,0\n");
+  const auto table = CsvTable::read(file.path(), {});
+  for (const int shift : {22, 23, 24, 30, 300, -21, -22, -23, -30, -300})
+    EXPECT_EQ(table.number(0, "a", shift), std::stod("1.5e" + std::to_string(shift))) << shift;
+  constexpr int most = std::numeric_limits<int>::max();
+  for (const int shift : {400, most, -400, -most}) {
+    EXPECT_EQ(table.number(0, "b", shift), 0.0);
+    EXPECT_EQ(complaint([&] { return table.number(0, "a", shift); }, file.path()),
+              "table FILE, line 2, column 1 ('a'): '1.5' times 10^" + std::to_string(shift) +
+                  ": in SI units too large or too small for a double, 5e-324 to 1.8e308");
+  }
+  const std::string zeros(100, '0');
+  const TemporaryFile long_file("a\n1." + zeros + "\n");
+  EXPECT_EQ(
+      complaint([&] { return CsvTable::read(long_file.path(), {}).number(0, "a", 3); }, long_file.path()),
+      "table FILE, line 2, column 1 ('a'): '1." + zeros +
+          "' times 10^3: a number of more than 100 characters");
 }
 
 TEST(CsvTable, ReadsLinesThatEndWithCarriageReturn) {
