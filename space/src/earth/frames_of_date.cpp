@@ -35,12 +35,6 @@ MovingDcm<Date, earth::Gcrf> turning(const char* action, const Epoch& epoch, Ser
           angular_velocity(of<Gcrf>, relative_to<Date>, vector<si::angular_velocity>(in<Gcrf>, w))};
 }
 
-double sidereal_time(const JulianDate<scale::Ut1>& ut1, const JulianDate<scale::Tt>& tt, double later) {
-  detail::Rows true_of_date;
-  eraPnm06a(tt.day, tt.fraction + later, true_of_date);
-  return eraGst06(ut1.day, ut1.fraction, tt.day, tt.fraction + later, true_of_date);
-}
-
 }  // namespace
 
 MovingDcm<earth::MeanOfDate, earth::Gcrf> mean_of_date_from_gcrf(const Epoch& epoch) {
@@ -58,11 +52,13 @@ MovingDcm<earth::Itrf, earth::TrueOfDate> itrf_from_true_of_date(
   detail::require_observed(epoch, parameters);
   const JulianDate tt = epoch.tt_date();
   const JulianDate ut1 = detail::ut1_date(epoch, parameters.ut1_minus_tai);
-  // Without the turn of the day: that of the equinox, by TT.
-  const double of_equinox = eraAnpm(sidereal_time(ut1, tt, h) - sidereal_time(ut1, tt, -h)) / seconds;
-  const double rate = detail::earth_rotation_rate * (1.0 + parameters.ut1_gain.value()) + of_equinox;
+  // GST is the angle of rotation less the equation of the origins, which the equinox has by TT.
+  const auto of_origins = [&](double later) { return eraEo06a(tt.day, tt.fraction + later); };
+  const double sidereal_time = eraAnp(eraEra00(ut1.day, ut1.fraction) - of_origins(0.0));
+  const double rate = detail::earth_rotation_rate * (1.0 + parameters.ut1_gain.value()) -
+                      (of_origins(h) - of_origins(-h)) / seconds;
   const MovingDcm tirf_from_true_of_date{
-      turned_z(to<Tirf>, from<TrueOfDate>, sidereal_time(ut1, tt, 0.0) * si::radian),
+      turned_z(to<Tirf>, from<TrueOfDate>, sidereal_time * si::radian),
       angular_velocity(of<TrueOfDate>, relative_to<Tirf>,
                        vector<si::angular_velocity>(in<TrueOfDate>, Eigen::Vector3d(0.0, 0.0, -rate)))};
   return inverse(tirf_from_itrf(epoch, parameters)) * tirf_from_true_of_date;

@@ -25,7 +25,8 @@ VECTRIX_EXPORT MovingDcm<earth::TrueOfDate, earth::Gcrf> true_of_date_from_gcrf(
 
 /// Apparent sidereal time GST, eraGst06, and polar motion W = R_itrf^tirf:
 ///     R_true^itrf = W(x, y, s')^T R3(GST),    R3 as in earth_rotation()
-/// With dX = dY = 0 the product with true_of_date_from_gcrf(t) is the inverse of earth_rotation() to 1e-11.
+/// With dX = dY = 0 the product with true_of_date_from_gcrf(t) is the inverse of earth_rotation() to 1.2e-11
+/// rad, from 1973 to 2027.
 VECTRIX_EXPORT MovingDcm<earth::Itrf, earth::TrueOfDate> itrf_from_true_of_date(
     const Epoch& epoch, const EarthOrientationParameters& parameters);
 
