@@ -29,6 +29,9 @@ struct Convention {
 
 /// The frames in whose axes a rate of the body relative to the reference may be given.
 enum class RateAxes { body, reference };
+inline RateAxes other(RateAxes axes) {
+  return axes == RateAxes::body ? RateAxes::reference : RateAxes::body;
+}
 
 /// The attitude of a body as a file has it, with the convention that the file, or who reads it, states. The
 /// frames of these numbers are what is in question, so they have none here.
@@ -53,6 +56,10 @@ struct AttitudeRecord {
   [[nodiscard]] std::vector<Eigen::Vector3d> rates_in_radians() const;
 };
 
+/// The angle of the shortest turn, rad, from a quaternion of norm 1.
+inline double angle_of(const Eigen::Quaterniond& turn) {
+  return 2.0 * std::atan2(turn.vec().norm(), std::abs(turn.w()));
+}
 /// The norm of a quaternion.
 inline double norm_of(const std::array<double, 4>& q) {
   return std::hypot(std::hypot(q[0], q[1]), std::hypot(q[2], q[3]));

@@ -102,11 +102,10 @@ std::optional<std::string> other_axes_of(const AttitudeRecord& record, double la
 void write_rates(const AttitudeRecord& record, Findings& findings, std::ostream& out) {
   const auto evidence = compare_rates(record);
   const RateAxes stated = record.rate_axes;
-  const RateAxes other = stated == RateAxes::body ? RateAxes::reference : RateAxes::body;
   out << "Rates less the turns of the attitude, deg/s rms; the rates are "
       << shown(degrees * evidence.rms_rate) << " deg/s rms\n"
       << label("rates in the axes of") << padded(axes_name(stated, record), 14)
-      << padded(axes_name(other, record), 14) << '\n';
+      << padded(axes_name(other(stated), record), 14) << '\n';
   constexpr double largest_part = 0.1;  // of the rates
   Comparison made{{}, evidence.stated_axes, largest_part * evidence.rms_rate};
   made.disagreements.insert(made.disagreements.end(), evidence.other_axes.begin(), evidence.other_axes.end());
@@ -114,7 +113,7 @@ void write_rates(const AttitudeRecord& record, Findings& findings, std::ostream&
   for (std::size_t i = 0; i < readings.size(); ++i)
     out << label(readings[i].name()) << padded(shown(degrees * evidence.stated_axes[i]), 14)
         << padded(shown(degrees * evidence.other_axes[i]), 14) << '\n';
-  for (const RateAxes axes : {stated, other})
+  for (const RateAxes axes : {stated, other(stated)})
     for (const Reading& reading : readings)
       made.names.push_back(std::string(reading.name()) + ", rates in the axes of " + axes_name(axes, record));
   if (fitting(made.disagreements, made.largest).empty()) {

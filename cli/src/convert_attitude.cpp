@@ -2,6 +2,7 @@
 #include <vector>
 
 #include "convert.hpp"
+#include "new_file.hpp"
 #include "plain_attitude.hpp"
 #include "table_text.hpp"
 

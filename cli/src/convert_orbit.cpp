@@ -3,6 +3,7 @@
 
 #include "convert.hpp"
 #include "figures.hpp"
+#include "new_file.hpp"
 #include "table_text.hpp"
 
 namespace vectrix::cli {

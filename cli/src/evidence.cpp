@@ -15,13 +15,12 @@ using Eigen::Quaterniond, Eigen::Vector3d;
 constexpr double decisive = 3.0;     // a disagreement so many times smaller decides
 constexpr double negligible = 1e-3;  // so small a part of the largest that fits decides nothing
 
-double angle_of(const Quaterniond& q) {
-  return 2.0 * std::atan2(q.vec().norm(), std::abs(q.w()));
-}
+struct Before : moving_frame {};
+struct After : moving_frame {};
 Quaterniond turned(const Vector3d& rotation_vector) {
-  const double angle = rotation_vector.norm();
-  if (angle == 0.0) return Quaterniond::Identity();
-  return Quaterniond(Eigen::AngleAxisd(angle, rotation_vector / angle));
+  return exp_quaternion(vectrix::rotation_vector(of<After>, relative_to<Before>,
+                                                 vector<si::angle>(in<Before>, rotation_vector)))
+      .eigen();
 }
 
 std::vector<Quaterniond> to_reference(const AttitudeRecord& record, const Reading& reading) {
@@ -37,9 +36,7 @@ struct Step {
   double duration;
 };
 std::vector<Step> steps_of(const AttitudeRecord& record) {
-  std::vector<double> durations;
-  for (std::size_t i = 0; i + 1 < record.size(); ++i)
-    durations.push_back((record.times[i + 1] - record.times[i]).value());
+  const auto durations = durations_of(record);
   const double longest = longest_step(median(durations));
   std::vector<Step> steps;
   for (std::size_t i = 0; i < durations.size(); ++i)
@@ -47,22 +44,33 @@ std::vector<Step> steps_of(const AttitudeRecord& record) {
   return steps;
 }
 
-// rad/s rms. The rates are of the body relative to the reference, in the axes of one of them.
-double rate_difference(const std::vector<Quaterniond>& q, const std::vector<Step>& steps,
-                       const std::vector<Vector3d>& rates, RateAxes axes) {
+// The turn of each step, by the attitude at its ends, in the axes of one of the frames.
+std::vector<Quaterniond> turns_of(const std::vector<Quaterniond>& q, const std::vector<Step>& steps,
+                                  RateAxes axes) {
+  std::vector<Quaterniond> turns;
+  for (const auto& [i, duration] : steps)
+    turns.push_back(axes == RateAxes::body ? q[i].conjugate() * q[i + 1] : q[i + 1] * q[i].conjugate());
+  return turns;
+}
+// By the mean of the rates at its ends.
+std::vector<Quaterniond> turns_by(const std::vector<Vector3d>& rates, const std::vector<Step>& steps) {
+  std::vector<Quaterniond> turns;
+  for (const auto& [i, duration] : steps) turns.push_back(turned(0.5 * duration * (rates[i] + rates[i + 1])));
+  return turns;
+}
+
+// rad/s rms, of the turn of every step.
+template <class Turn> double rms_rate(const std::vector<Step>& steps, const Turn& turn) {
   double sum = 0.0;
-  for (const auto& [i, duration] : steps) {
-    const Quaterniond by_rate = turned(0.5 * duration * (rates[i] + rates[i + 1]));
-    const Quaterniond turn =
-        axes == RateAxes::body ? q[i].conjugate() * q[i + 1] : q[i + 1] * q[i].conjugate();
-    const double difference = angle_of(turn.conjugate() * by_rate) / duration;
-    sum += difference * difference;
+  for (std::size_t k = 0; k < steps.size(); ++k) {
+    const double rate = angle_of(turn(k)) / steps[k].duration;
+    sum += rate * rate;
   }
   return std::sqrt(sum / static_cast<double>(steps.size()));
 }
-
-RateAxes other(RateAxes axes) {
-  return axes == RateAxes::body ? RateAxes::reference : RateAxes::body;
+double rms_difference(const std::vector<Step>& steps, const std::vector<Quaterniond>& some,
+                      const std::vector<Quaterniond>& others) {
+  return rms_rate(steps, [&](std::size_t k) { return some[k].conjugate() * others[k]; });
 }
 
 double rms_of(const std::vector<Vector3d>& rates) {
@@ -97,30 +105,36 @@ std::vector<SignedAxes> all_axes() {
 RateEvidence compare_rates(const AttitudeRecord& record) {
   const auto steps = steps_of(record);
   const auto rates = record.rates_in_radians();
-  const std::vector<Vector3d> none(record.size(), Vector3d::Zero());
-  RateEvidence evidence{{},
-                        {},
-                        rms_of(rates),
-                        rate_difference(to_reference(record, all_readings[0]), steps, none, RateAxes::body)};
+  RateEvidence evidence{{}, {}, rms_of(rates), 0.0};
+  if (!std::isfinite(evidence.rms_rate))
+    throw BadInput(record.file + ": the rates are too large, " + detail::text(evidence.rms_rate) +
+                   " rad/s rms");
+  const auto by_rates = turns_by(rates, steps);
   for (const Reading& reading : readings_of(record)) {
     const auto q = to_reference(record, reading);
-    evidence.stated_axes.push_back(rate_difference(q, steps, rates, record.rate_axes));
-    evidence.other_axes.push_back(rate_difference(q, steps, rates, other(record.rate_axes)));
+    const auto stated = turns_of(q, steps, record.rate_axes),
+               others = turns_of(q, steps, other(record.rate_axes));
+    if (evidence.stated_axes.empty())
+      evidence.rms_turn = rms_rate(steps, [&](std::size_t k) { return stated[k]; });
+    evidence.stated_axes.push_back(rms_difference(steps, stated, by_rates));
+    evidence.other_axes.push_back(rms_difference(steps, others, by_rates));
   }
   return evidence;
 }
 
 std::vector<RatesInOtherAxes> rates_in_other_axes(const AttitudeRecord& record) {
   const auto steps = steps_of(record);
-  const auto given = record.rates_in_radians();
+  const auto by_rates = turns_by(record.rates_in_radians(), steps);
   std::vector<RatesInOtherAxes> tried;
   for (const Reading& reading : all_readings) {
     if (reading.other_order) continue;
-    const auto q = to_reference(record, reading);
+    const auto turns = turns_of(to_reference(record, reading), steps, RateAxes::body);
     for (const SignedAxes& axes : all_axes()) {
-      std::vector<Vector3d> rates;
-      for (const Vector3d& w : given) rates.push_back(in_body(axes, w));
-      tried.push_back({reading, axes, rate_difference(q, steps, rates, RateAxes::body)});
+      const double difference = rms_rate(steps, [&](std::size_t k) {
+        const Vector3d v = in_body(axes, by_rates[k].vec());
+        return turns[k].conjugate() * Quaterniond(by_rates[k].w(), v.x(), v.y(), v.z());
+      });
+      tried.push_back({reading, axes, difference});
     }
   }
   std::sort(tried.begin(), tried.end(),
@@ -140,14 +154,10 @@ std::vector<double> steadiness(const AttitudeRecord& record, const FlownOrbit& o
   const auto steps = steps_of(record);
   std::vector<double> found;
   for (const Reading& reading : readings_of(record)) {
-    const auto q = to_reference(record, reading);
-    double sum = 0.0;
-    for (const auto& [i, duration] : steps) {
-      const Quaterniond before = lvlh_from_reference[i] * q[i], after = lvlh_from_reference[i + 1] * q[i + 1];
-      const double rate = angle_of(before.conjugate() * after) / duration;
-      sum += rate * rate;
-    }
-    found.push_back(std::sqrt(sum / static_cast<double>(steps.size())));
+    auto q = to_reference(record, reading);
+    for (std::size_t i = 0; i < q.size(); ++i) q[i] = lvlh_from_reference[i] * q[i];
+    const auto turns = turns_of(q, steps, RateAxes::body);
+    found.push_back(rms_rate(steps, [&](std::size_t k) { return turns[k]; }));
   }
   return found;
 }

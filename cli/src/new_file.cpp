@@ -1,6 +1,5 @@
 #include "new_file.hpp"
 
-#include <charconv>
 #include <fstream>
 #include <system_error>
 
@@ -24,12 +23,6 @@ void write_new(const std::filesystem::path& file, const std::string& text, bool 
   out << text;
   out.close();
   if (!out) throw BadInput(file.string() + ": was not written to its end");
-}
-
-std::string exact_number(double number) {
-  char text[32];
-  const auto end = std::to_chars(std::begin(text), std::end(text), number).ptr;
-  return {std::begin(text), end};
 }
 
 }  // namespace vectrix::cli

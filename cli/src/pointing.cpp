@@ -76,7 +76,7 @@ bool fulfils(const Figures& figures, double required, double percent, std::size_
   const double found = figures.quantile(percent);
   const bool good = found <= required;
   const std::size_t within = figures.count_within(required);
-  out << "  Required: at most " << exact_number(required) << " deg in " << exact_number(percent)
+  out << "  Required: at most " << detail::text(required) << " deg in " << detail::text(percent)
       << " % of the " << what << ". It is " << decimals(found) << " deg, margin "
       << decimals(required - found) << " deg; " << within << " of " << count << " are within.\n  "
       << (good ? "Fulfilled.\n" : "Not fulfilled.\n");
@@ -85,13 +85,13 @@ bool fulfils(const Figures& figures, double required, double percent, std::size_
 
 std::string table(const PointingOptions& options, const AttitudeRecord& record, const std::string& target,
                   const std::vector<double>& angles) {
-  std::string text = "# Angle between the axis (" + exact_number(options.axis.x()) + ", " +
-                     exact_number(options.axis.y()) + ", " + exact_number(options.axis.z()) + ") of " +
+  std::string text = "# Angle between the axis (" + detail::text(options.axis.x()) + ", " +
+                     detail::text(options.axis.y()) + ", " + detail::text(options.axis.z()) + ") of " +
                      record.body + " and " + target + ".\n# Attitude of " + record.body + " relative to " +
                      record.reference + " from " + record.file +
                      ". Times in UTC, angles in degrees.\ntime_utc,angle_deg\n";
   for (std::size_t i = 0; i < angles.size(); ++i)
-    text += exact_text(record.times[i], scale::utc) + "," + exact_number(degrees * angles[i]) + "\n";
+    text += exact_text(record.times[i], scale::utc) + "," + detail::text(degrees * angles[i]) + "\n";
   return text;
 }
 
@@ -136,12 +136,12 @@ bool write_relative(const PointingOptions& options, const AttitudeRecord& record
   std::vector<Epoch> starts;
   for (const std::size_t i : found.starts) starts.push_back(record.times[i]);
   out << "\nRelative error, deg: the most that the target moves from its mean direction in a window of "
-      << exact_number(*options.window) << " s,\n"
+      << detail::text(*options.window) << " s,\n"
       << counted(found.errors.size(), "window") << "; " << found.left_out
       << (found.left_out == 1 ? " more reaches" : " more reach") << " over a gap or the end\n";
   const Figures figures(found.errors, starts);
   figures.write(out);
-  out << "  The largest change between two samples at most " << exact_number(*options.window)
+  out << "  The largest change between two samples at most " << detail::text(*options.window)
       << " s apart is " << decimals(degrees * found.largest_change) << " deg,\n  from "
       << record.times[found.change_from].utc(3) << " UTC to " << record.times[found.change_until].utc(3)
       << " UTC.\n";

@@ -41,7 +41,7 @@ std::vector<double> absolute_errors(const std::vector<Vector3d>& in_body, const 
 RelativeErrors relative_errors(const AttitudeRecord& record, const std::vector<Vector3d>& in_body,
                                double seconds) {
   constexpr double rounding = 1e-9;  // s: epochs are kept to 1e-11 s, and a sum of steps is a window
-  const double usual = faults_of(record).median_step;
+  const double usual = median(durations_of(record));
   if (!(seconds >= usual - rounding))
     throw BadInput("--window " + detail::text(seconds) + " s is shorter than the steps of " + record.file +
                    ", " + detail::text(usual) + " s");

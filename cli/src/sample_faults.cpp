@@ -68,14 +68,21 @@ void write_faults(const AttitudeRecord& record, const SampleFaults& faults, std:
 
 }  // namespace
 
+std::vector<double> durations_of(const AttitudeRecord& record) {
+  std::vector<double> durations;
+  for (std::size_t i = 0; i + 1 < record.size(); ++i)
+    durations.push_back((record.times[i + 1] - record.times[i]).value());
+  return durations;
+}
+
 SampleFaults faults_of(const AttitudeRecord& record) {
-  std::vector<double> durations, turns, norms;
+  const auto durations = durations_of(record);
+  std::vector<double> turns, norms;
   SampleFaults found{};
   for (std::size_t i = 0; i + 1 < record.size(); ++i) {
     const Eigen::Quaterniond turn =
         record.to_reference(i, record.stated).conjugate() * record.to_reference(i + 1, record.stated);
-    durations.push_back((record.times[i + 1] - record.times[i]).value());
-    turns.push_back(2.0 * std::atan2(turn.vec().norm(), std::abs(turn.w())));
+    turns.push_back(angle_of(turn));
     if (turn.w() < 0.0) add(found.sign_flips, 0.0, i + 1);
   }
   for (const auto& q : record.numbers) norms.push_back(norm_of(q));
@@ -84,7 +91,7 @@ SampleFaults faults_of(const AttitudeRecord& record) {
   std::vector<double> speeds;
   for (std::size_t i = 0; i < turns.size(); ++i) speeds.push_back(turns[i] / durations[i]);
   const double usual = median(speeds);
-  constexpr double least_jump = 0.5 * std::numbers::pi / 180.0;
+  constexpr double least_jump = 0.5 / degrees;
   for (std::size_t i = 0; i < turns.size(); ++i) {
     if (durations[i] > longest_step(found.median_step)) add(found.gaps, durations[i], i + 1);
     if (turns[i] > 0.9 * std::numbers::pi) add(found.half_turns, turns[i], i + 1);

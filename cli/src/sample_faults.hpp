@@ -1,11 +1,14 @@
 #pragma once
 
 #include <iosfwd>
+#include <vector>
 
 #include "attitude_record.hpp"
 
 namespace vectrix::cli {
 
+/// The steps from each sample to the next, s.
+std::vector<double> durations_of(const AttitudeRecord& record);
 /// A longer step is a gap.
 inline double longest_step(double median_step) {
   return 3.0 * median_step;

@@ -8,8 +8,6 @@
 
 #include <vectrix/frames/errors.hpp>
 
-#include "new_file.hpp"
-
 namespace vectrix::cli {
 
 /// In small letters, as the names of columns are.
@@ -27,7 +25,7 @@ inline std::string joined(const std::vector<std::string>& words) {
 
 /// A comma and a number that reads back as the same, for each.
 template <class Numbers> void add_fields(std::string& line, const Numbers& numbers) {
-  for (const double number : numbers) line += "," + exact_number(number);
+  for (const double number : numbers) line += "," + detail::text(number);
 }
 
 /// Whether a table is to be written, or a message. Throws BadInput for another name.

@@ -94,7 +94,10 @@ std::string name_of(const Vector3d& axis) {
 }
 
 double angle_between(const Vector3d& a, const Vector3d& b) {
-  return std::atan2(a.cross(b).norm(), a.dot(b));
+  struct Axes : moving_frame {};
+  return vectrix::angle_between(vector<si::dimensionless>(in<Axes>, a),
+                                vector<si::dimensionless>(in<Axes>, b))
+      .value();
 }
 
 Eigen::Matrix3d gcrf_from(const std::string& reference) {

@@ -6,7 +6,6 @@
 #include <sstream>
 
 #include "convert.hpp"
-#include "new_file.hpp"
 #include "space/tests/temporary_file.hpp"
 #include "temporary_folder.hpp"
 

@@ -7,7 +7,6 @@
 #include <iterator>
 #include <sstream>
 
-#include "new_file.hpp"
 #include "plain_attitude.hpp"
 #include "space/tests/temporary_file.hpp"
 #include "target.hpp"
@@ -83,8 +82,8 @@ RC_GTEST_PROP(Convert, LosesNoDigit, ()) {
     Eigen::Vector4d q(0.5 + 0.4 * any_number(1.0), any_number(1.0), any_number(1.0), any_number(1.0));
     q /= q.norm() * (1.0 + any_number(0.009));
     text += exact_text(t, columns.scale);
-    for (const double number : q) text += "," + exact_number(number);
-    for (int k = 0; has_rates && k < 3; ++k) text += "," + exact_number(any_number(5.0));
+    for (const double number : q) text += "," + detail::text(number);
+    for (int k = 0; has_rates && k < 3; ++k) text += "," + detail::text(any_number(5.0));
     text += "\n";
   }
   const AttitudeSource source{folder.written("in.csv", text), columns};
