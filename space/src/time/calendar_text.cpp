@@ -14,9 +14,6 @@
 namespace vectrix::detail {
 namespace {
 
-struct Calendar {
-  int year = 0, month = 0, day = 0;
-};
 // True if the text matches the pattern: a digit for each 'd', else the same character.
 bool matches(std::string_view text, std::string_view pattern) {
   if (text.size() != pattern.size()) return false;
@@ -40,15 +37,6 @@ double first_day_of(int year) {
   return zero + modified;
 }
 
-Calendar calendar_of(double julian_day) {
-  Calendar found;
-  double fraction = 0.0;
-  if (eraJd2cal(julian_day, 0.0, &found.year, &found.month, &found.day, &fraction) < 0) {
-    throw BadInput("Epoch: the Julian date " + text(julian_day) + " is outside the calendar");
-  }
-  return found;
-}
-
 std::string day_text(double julian_day, DayStyle style) {
   const Calendar on = calendar_of(julian_day);
   std::array<char, 64> buffer{};
@@ -62,6 +50,15 @@ std::string day_text(double julian_day, DayStyle style) {
 }
 
 }  // namespace
+
+Calendar calendar_of(double julian_day) {
+  Calendar found;
+  double fraction = 0.0;
+  if (eraJd2cal(julian_day, 0.0, &found.year, &found.month, &found.day, &fraction) < 0) {
+    throw BadInput("Epoch: the Julian date " + text(julian_day) + " is outside the calendar");
+  }
+  return found;
+}
 
 /// The parts of a text.
 struct EpochReader::Written {

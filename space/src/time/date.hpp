@@ -11,6 +11,12 @@ namespace vectrix::detail {
 /// day has the length 1.
 using Date = JulianDate<TimeScale>;
 
+struct Calendar {
+  int year = 0, month = 0, day = 0;
+};
+/// Throws BadInput for a Julian day that ERFA has no date for.
+Calendar calendar_of(double julian_day);
+
 /// Splits the sum of the parts into a day that ends in .5 and a fraction in [0, 1).
 Date normalised(double day, double fraction);
 
