@@ -8,7 +8,7 @@
 namespace vectrix::attitude_ephemeris_message_test {
 namespace {
 
-using ephemeris_test::expect_canonical, ephemeris_test::tai;
+using canonical_test::expect_canonical, canonical_test::tai;
 
 const std::string newest = R"(CCSDS_AEM_VERS = 2.0
 COMMENT of the header

@@ -7,7 +7,7 @@
 
 #include <vectrix/space/files/ephemeris_metadata.hpp>
 
-namespace vectrix::ephemeris_test {
+namespace vectrix::canonical_test {
 
 inline Epoch tai(const char* text) {
   return Epoch::from(scale::tai, text);
@@ -34,4 +34,4 @@ inline void expect_canonical(const MessageHeader& header, const EphemerisMetadat
   EXPECT_EQ(metadata.stop_time, tai("1996-12-18T12:01:00.331"));
 }
 
-}  // namespace vectrix::ephemeris_test
+}  // namespace vectrix::canonical_test
