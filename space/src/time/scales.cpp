@@ -46,7 +46,9 @@ double tdb_minus_tt(const Date& date) {
 }  // namespace
 
 void require_known_utc(const Date& utc, const std::string& what) {
+  constexpr double last_day = 1e9 - 1.5;  // the one after it is the last that eraJd2cal takes
   if (utc.modified_day() < first_utc_day) throw BadInput(what + ": UTC is not known before 1960");
+  if (utc.day > last_day) throw BadInput(what + ": it is outside the calendar");
 }
 
 // Each part is split by itself: both splits are exact, so that only the sum of two fractions is rounded.
