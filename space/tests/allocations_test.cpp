@@ -84,6 +84,10 @@ TEST(Allocations, InstantsNeedNone) {
   EXPECT_EQ(allocations_of([&] { return orientation.at(now); }), 0U);
   EXPECT_EQ(allocations_of([&] { return earth.at(now); }), 0U);
   EXPECT_EQ(allocations_of([&] { return teme_from_itrf(now, earth); }), 0U);
+  // An edge of a graph has a copy, which shares the rows.
+  EXPECT_EQ(allocations_of([&] { return edge(orientation); }), 0U);
+  EXPECT_EQ(allocations_of([&] { return edge(teme(orientation)); }), 0U);
+  EXPECT_EQ(allocations_of([&] { return edge(teme(earth)); }), 0U);
   EXPECT_EQ(allocations_of([&] { return now.julian_date(scale::utc); }), 0U);
   EXPECT_EQ(allocations_of([&] { return geocentric(of<sky::Moon>, now); }), 0U);
   EXPECT_EQ(allocations_of([&] { return moon.direction(now, motion<Gcrf>, apparent); }), 0U);

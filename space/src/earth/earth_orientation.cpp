@@ -1,24 +1,19 @@
-#include <erfa.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <memory>
 #include <utility>
 
-#include <vectrix/frames/dcm_doors.hpp>
+#include <vectrix/frames/errors.hpp>
 #include <vectrix/space/earth/earth_orientation.hpp>
 #include <vectrix/space/earth/intermediate_frames.hpp>
 
 #include "../time/date.hpp"
-#include "../time/near_j2000.hpp"
-#include "erfa_rotation.hpp"
 #include "finals2000a.hpp"
 #include "ocean_tides.hpp"
 #include "row_spline.hpp"
 
 namespace vectrix {
-
-using detail::Rows, detail::matrix_of, detail::ut1_date;
 
 MovingDcm<earth::Gcrf, earth::Itrf> earth_rotation(const Epoch& epoch,
                                                    const EarthOrientationParameters& parameters) {
@@ -26,9 +21,9 @@ MovingDcm<earth::Gcrf, earth::Itrf> earth_rotation(const Epoch& epoch,
          tirf_from_itrf(epoch, parameters);
 }
 
-EarthOrientation::EarthOrientation(std::vector<Epoch> epochs, std::vector<EarthOrientationParameters> rows)
-    : epochs_(std::move(epochs)), rows_(std::move(rows)) {
-  detail::set_rates(epochs_, rows_);
+EarthOrientation::EarthOrientation(std::vector<Epoch> epochs, std::vector<EarthOrientationParameters> rows) {
+  detail::set_rates(epochs, rows);
+  data_ = std::make_shared<const Data>(Data{std::move(epochs), std::move(rows)});
 }
 
 EarthOrientation EarthOrientation::read(const std::filesystem::path& finals2000A) {
@@ -68,10 +63,11 @@ void EarthOrientation::require(const Epoch& epoch) const {
 }
 
 Eigen::Matrix<double, 5, 3> EarthOrientation::curves(const Epoch& epoch) const {
-  const auto after = std::upper_bound(epochs_.begin() + 1, epochs_.end() - 1, epoch) - epochs_.begin();
+  const auto& [epochs, rows] = *data_;
+  const auto after = std::upper_bound(epochs.begin() + 1, epochs.end() - 1, epoch) - epochs.begin();
   const auto right = static_cast<std::size_t>(after);
   const std::size_t left = right - 1;
-  return detail::cubic(rows_[left], rows_[right], epochs_[right] - epochs_[left], epoch - epochs_[left]);
+  return detail::cubic(rows[left], rows[right], epochs[right] - epochs[left], epoch - epochs[left]);
 }
 
 EarthOrientationParameters EarthOrientation::parameters(const Epoch& epoch) const {

@@ -22,7 +22,8 @@ detail::RowMajor of_date(Series series, const JulianDate<scale::Tt>& tt, double 
   return detail::matrix_of(rows);
 }
 
-// R_g^d from a series and w_dg^g by dR_g^d/dt = R_g^d [w_dg^g]x.
+// R_g^d from a series and w_dg^g by dR_g^d/dt = R_g^d [w_dg^g]x. The quotient is skew to some 1e-8 of it, so
+// that vee() would refuse it.
 template <Frame Date>
 MovingDcm<Date, earth::Gcrf> turning(const char* action, const Epoch& epoch, Series series) {
   using earth::Gcrf;

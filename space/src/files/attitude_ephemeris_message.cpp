@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <string_view>
+#include <utility>
 
 #include <vectrix/frames/errors.hpp>
 
@@ -91,13 +92,10 @@ class SegmentReader {
   /// The reader is at META_START, and then at the next one or at the end, which gives false.
   bool read() {
     const std::size_t start = reader_.line();
-    std::vector<std::string> comments = std::move(between_);
-    between_.clear();
-    std::vector<OtherKeyword> others;
-    const KvnEntries entries = detail::read_metadata(reader_, kind, version_, comments, others);
-    EphemerisMetadata metadata = detail::metadata_of(entries, detail::attitude_interpolation);
-    metadata.comments = std::move(comments);
-    metadata.others = std::move(others);
+    EphemerisMetadata metadata;
+    metadata.comments = std::exchange(between_, {});
+    const KvnEntries entries =
+        detail::read_metadata(reader_, kind, version_, detail::attitude_interpolation, metadata);
     if (!segments_.empty()) detail::require_same_system(entries, metadata, segments_.front().metadata());
     detail::AttitudeLines lines = read_type(entries, version_);
     lines.place = reader_.place() + ", the segment from line " + detail::text(start) + " on";

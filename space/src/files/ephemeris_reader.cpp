@@ -72,14 +72,11 @@ MessageHeader read_header(KvnReader& reader, const MessageKind& kind) {
 }
 
 KvnEntries read_metadata(KvnReader& reader, const MessageKind& kind, const std::string& version,
-                         std::vector<std::string>& comments, std::vector<OtherKeyword>& others) {
+                         std::string_view interpolation_keyword, EphemerisMetadata& metadata) {
   KvnEntries entries(reader.place(), "the segment from line " + text(reader.line()) + " on");
-  read_entries(reader, kind, MessagePart::metadata, version, entries, comments, others);
-  return entries;
-}
-
-EphemerisMetadata metadata_of(const KvnEntries& entries, std::string_view interpolation_keyword) {
-  EphemerisMetadata metadata{entries.line("OBJECT_NAME").value, entries.line("OBJECT_ID").value};
+  read_entries(reader, kind, MessagePart::metadata, version, entries, metadata.comments, metadata.others);
+  metadata.object_name = entries.line("OBJECT_NAME").value;
+  metadata.object_id = entries.line("OBJECT_ID").value;
   if (const KvnLine* center = entries.find("CENTER_NAME")) metadata.center_name = center->value;
   const KvnLine& system = entries.filled("TIME_SYSTEM");
   const TimeScale* scale = scale_named(upper_case(system.value));
@@ -101,7 +98,7 @@ EphemerisMetadata metadata_of(const KvnEntries& entries, std::string_view interp
       entries.fail(*degree, "no degree of an interpolation, which is at most " + text(most_degree));
     metadata.interpolation_degree = static_cast<int>(value);
   }
-  return metadata;
+  return entries;
 }
 
 void require_same_system(const KvnEntries& entries, const EphemerisMetadata& metadata,

@@ -20,11 +20,10 @@ namespace vectrix::detail {
 
 /// From the first line to META_START, at which the reader is then.
 MessageHeader read_header(KvnReader& reader, const MessageKind& kind);
-/// From META_START to META_STOP, at which the reader is then. The comments and the keywords that are not of
-/// the standard go to the ends of the two lists.
+/// From META_START to META_STOP, at which the reader is then. `metadata` gets what both kinds of message
+/// have, with the comments behind those that it has.
 KvnEntries read_metadata(KvnReader& reader, const MessageKind& kind, const std::string& version,
-                         std::vector<std::string>& comments, std::vector<OtherKeyword>& others);
-EphemerisMetadata metadata_of(const KvnEntries& entries, std::string_view interpolation_keyword);
+                         std::string_view interpolation_keyword, EphemerisMetadata& metadata);
 /// Refuses another time system than that of the first segment.
 void require_same_system(const KvnEntries& entries, const EphemerisMetadata& metadata,
                          const EphemerisMetadata& first);

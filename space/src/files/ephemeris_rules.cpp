@@ -54,16 +54,19 @@ std::string text_of(const std::string& place, const Epoch& time, const TimeScale
 
 std::string other_fault(const MessageKind& kind, std::string_view keyword) {
   if (keyword.starts_with("USER_DEFINED_")) return "";
-  std::string_view nearest = kind.version_keyword;
-  std::size_t fewest = edits(keyword, nearest);
+  constexpr std::size_t most_of_a_slip = 2;
+  std::string_view nearest;
+  std::size_t fewest = most_of_a_slip + 1;
   const auto compare = [&](std::string_view known) {
+    const auto [shorter, longer] = std::minmax({keyword.size(), known.size()});
+    if (longer - shorter >= fewest) return;
     const std::size_t count = edits(keyword, known);
     if (count < fewest) nearest = known;
     fewest = std::min(fewest, count);
   };
+  compare(kind.version_keyword);
   for (const EphemerisKeyword& known : kind.keywords) compare(known.name);
   for (const std::string_view word : words) compare(word);
-  constexpr std::size_t most_of_a_slip = 2;
   if (fewest == 0) return "the keyword has its place in another part of the message";
   if (fewest <= most_of_a_slip)
     return "the keyword is not of the standard, but nearly " + std::string{nearest};

@@ -33,13 +33,10 @@ class SegmentReader {
   bool read() {
     detail::OrbitLines lines;
     lines.place = reader_.place() + ", the segment from line " + detail::text(reader_.line()) + " on";
-    std::vector<std::string> comments;
-    std::vector<OtherKeyword> others;
-    const detail::KvnEntries entries = detail::read_metadata(reader_, kind, version_, comments, others);
-    EphemerisMetadata metadata = detail::metadata_of(entries, detail::orbit_interpolation);
+    EphemerisMetadata metadata;
+    const detail::KvnEntries entries =
+        detail::read_metadata(reader_, kind, version_, detail::orbit_interpolation, metadata);
     static_cast<void>(entries.filled("CENTER_NAME"));
-    metadata.comments = std::move(comments);
-    metadata.others = std::move(others);
     lines.ref_frame = entries.filled("REF_FRAME").value;
     if (const auto* epoch = entries.find("REF_FRAME_EPOCH"))
       lines.ref_frame_epoch = entries.epoch(*epoch, metadata.time_system);
@@ -96,6 +93,7 @@ class SegmentReader {
 
   /// From COVARIANCE_START to COVARIANCE_STOP.
   void read_covariances(const TimeScale& scale, detail::OrbitLines& lines) {
+    detail::EpochReader epochs(scale);
     std::size_t row = 6;  // of the last one; 6 if it is whole
     const auto require_whole = [&] {
       if (row < 6) reader_.fail("the covariance before has " + detail::text(row) + " of 6 rows");
@@ -111,7 +109,9 @@ class SegmentReader {
         read_row(lines.covariances.back(), row++);
       } else if (const detail::KvnLine line = reader_.keyword(); line.keyword == "EPOCH") {
         require_whole();
-        const Epoch epoch = entry_epoch(line, scale);
+        const Epoch epoch = detail::epoch_of(epochs, line.value, [&](const std::string& reason) {
+          detail::refuse(reader_.place(), line, reason);
+        });
         if (!lines.covariances.empty() && !(lines.covariances.back().epoch < epoch))
           detail::refuse(reader_.place(), line,
                          "not later than the covariance before, at " +
@@ -127,9 +127,6 @@ class SegmentReader {
         detail::refuse(reader_.place(), line, "the keyword is not of a covariance");
       }
     }
-  }
-  [[nodiscard]] Epoch entry_epoch(const detail::KvnLine& line, const TimeScale& scale) const {
-    return detail::KvnEntries(reader_.place(), "").epoch(line, scale);
   }
   void read_row(OrbitCovariance& covariance, std::size_t row) const {
     std::array<std::string_view, KvnReader::most_words> words{};

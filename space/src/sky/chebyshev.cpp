@@ -103,7 +103,6 @@ Sum sum_at(const std::array<double, 4>* row, int count, double u) {
 
 ChebyshevPieces::ChebyshevPieces(Series series, int piece_days, int coefficients, const Epoch& first,
                                  const Epoch& last)
-
     : piece_days_(piece_days),
       pieces_per_day_(1.0 / piece_days),
       rows_of_piece_(coefficients + coefficients % 2) {

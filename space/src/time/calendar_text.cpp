@@ -14,9 +14,6 @@
 namespace vectrix::detail {
 namespace {
 
-struct Calendar {
-  int year = 0, month = 0, day = 0;
-};
 // True if the text matches the pattern: a digit for each 'd', else the same character.
 bool matches(std::string_view text, std::string_view pattern) {
   if (text.size() != pattern.size()) return false;
@@ -40,15 +37,6 @@ double first_day_of(int year) {
   return zero + modified;
 }
 
-Calendar calendar_of(double julian_day) {
-  Calendar found;
-  double fraction = 0.0;
-  if (eraJd2cal(julian_day, 0.0, &found.year, &found.month, &found.day, &fraction) < 0) {
-    throw BadInput("Epoch: the Julian date " + text(julian_day) + " is outside the calendar");
-  }
-  return found;
-}
-
 std::string day_text(double julian_day, DayStyle style) {
   const Calendar on = calendar_of(julian_day);
   std::array<char, 64> buffer{};
@@ -62,6 +50,15 @@ std::string day_text(double julian_day, DayStyle style) {
 }
 
 }  // namespace
+
+Calendar calendar_of(double julian_day) {
+  Calendar found;
+  double fraction = 0.0;
+  if (eraJd2cal(julian_day, 0.0, &found.year, &found.month, &found.day, &fraction) < 0) {
+    throw BadInput("Epoch: the Julian date " + text(julian_day) + " is outside the calendar");
+  }
+  return found;
+}
 
 /// The parts of a text.
 struct EpochReader::Written {
@@ -154,16 +151,19 @@ Epoch EpochReader::read(std::string_view text) {
   return Epoch{JulianDate<scale::Tai>{tai.day, tai.fraction}};
 }
 
-// The last minute has what the day has more or less. What rounds up to the end of the day is the next one.
+// The last minute has what the day has more or less. What rounds up to the end of the day is the next one,
+// but at the end of the year 9999, behind which there is no text that is read.
 std::string calendar_text(const Date& date, double day_length, DayStyle style, int decimals) {
   if (decimals < 0 || decimals > 9) {
     throw BadInput("Epoch: asked for " + text(decimals) + " decimals; there can be 0 to 9");
   }
   const double unit = std::pow(10.0, decimals);
   const auto rounded = std::llround(date.fraction * day_length * unit);
-  constexpr double rounding = 0.03;  // of the last digit, of which a day has 10^14
-  const bool is_next = static_cast<double>(rounded) > day_length * unit - rounding;
-  const auto ticks = is_next ? 0 : rounded;
+  constexpr double rounding = 0.03;       // of the last digit, of which a day has 10^14
+  constexpr double last_day = 5373483.5;  // 9999 December 31
+  const bool is_end = static_cast<double>(rounded) > day_length * unit - rounding;
+  const bool is_next = is_end && date.day != last_day;
+  const auto ticks = is_next ? 0 : is_end ? rounded - 1 : rounded;
   const auto per_second = std::llround(unit);
   const auto second = ticks / per_second;
   const auto hour = std::min(second / 3600, 23LL);

@@ -11,6 +11,12 @@ namespace vectrix::detail {
 /// day has the length 1.
 using Date = JulianDate<TimeScale>;
 
+struct Calendar {
+  int year = 0, month = 0, day = 0;
+};
+/// Throws BadInput for a Julian day that ERFA has no date for.
+Calendar calendar_of(double julian_day);
+
 /// Splits the sum of the parts into a day that ends in .5 and a fraction in [0, 1).
 Date normalised(double day, double fraction);
 
@@ -21,7 +27,7 @@ Date date_of(const TimeScale& scale, const Date& tai);
 bool before_utc(const Date& tai);
 /// TAI - UTC, s, at a date of UTC.
 double tai_minus_utc(const Date& utc);
-/// Throws BadInput, which begins with `what`, before 1960.
+/// Throws BadInput, which begins with `what`, before 1960 and outside the calendar.
 void require_known_utc(const Date& utc, const std::string& what);
 /// A day of UTC, from midnight on: TAI - UTC at its beginning, how much it grows until its end (before 1972),
 /// and the step there, a leap second; in s.

@@ -20,11 +20,6 @@ Date shifted(const Date& date, double seconds) {
   return normalised(date.day, date.fraction + seconds / ERFA_DAYSEC);
 }
 
-// what() begins the message.
-template <class What> void require_utc(int status, const What& what) {
-  if (status < 0) throw BadInput(what() + " is not a date that ERFA can take to or from UTC");
-}
-
 std::string tai_text(const Date& tai) {
   return "Epoch " + calendar_text(tai, ERFA_DAYSEC, DayStyle::month_and_day, 6) + " TAI";
 }
@@ -38,7 +33,8 @@ Date utc_of(const Date& tai) {
   if (before_utc(tai)) throw BadInput(tai_text(tai) + ": UTC is not known before 1960");
   double day = 0.0;
   double fraction = 0.0;
-  require_utc(eraTaiutc(tai.day, tai.fraction, &day, &fraction), [&] { return tai_text(tai); });
+  if (eraTaiutc(tai.day, tai.fraction, &day, &fraction) < 0)
+    throw BadInput(tai_text(tai) + ": ERFA has no UTC of this date");
   return normalised(day, fraction);
 }
 
@@ -50,7 +46,9 @@ double tdb_minus_tt(const Date& date) {
 }  // namespace
 
 void require_known_utc(const Date& utc, const std::string& what) {
+  constexpr double last_day = 1e9 - 1.5;  // the one after it is the last that eraJd2cal takes
   if (utc.modified_day() < first_utc_day) throw BadInput(what + ": UTC is not known before 1960");
+  if (utc.day > last_day) throw BadInput(what + ": it is outside the calendar");
 }
 
 // Each part is split by itself: both splits are exact, so that only the sum of two fractions is rounded.
@@ -118,15 +116,9 @@ bool before_utc(const Date& tai) {
 }
 
 double tai_minus_utc(const Date& utc) {
-  int year = 0;
-  int month = 0;
-  int day = 0;
-  double fraction = 0.0;
-  if (eraJd2cal(utc.day, 0.0, &year, &month, &day, &fraction) < 0) {
-    throw BadInput("Epoch: the Julian date " + text(utc.day) + " is outside the calendar");
-  }
+  const Calendar on = calendar_of(utc.day);
   double seconds = 0.0;
-  eraDat(year, month, day, utc.fraction, &seconds);
+  eraDat(on.year, on.month, on.day, utc.fraction, &seconds);
   return seconds;
 }
 

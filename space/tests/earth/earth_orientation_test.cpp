@@ -16,10 +16,13 @@
 #include <vectrix/space/earth/teme.hpp>
 #include <vectrix/space/files/csv_table.hpp>
 
+#include "earth/any_epoch.hpp"
 #include "temporary_file.hpp"
 
 namespace vectrix::earth_orientation_test {
 namespace {
+
+using earth_test::largest;
 
 const std::filesystem::path source{VECTRIX_SOURCE_DIR};
 const auto april_2022 = source / "examples/data/finals2000A_april_2022.txt";
@@ -45,10 +48,6 @@ Eigen::Matrix3d matrix(const CsvTable& table, std::size_t row, const std::string
     }
   }
   return result;
-}
-
-double largest(const Eigen::Matrix3d& m) {
-  return m.cwiseAbs().maxCoeff<Eigen::PropagateNaN>();
 }
 
 TEST(EarthRotation, AgreesWithTwentyReferenceMatrices) {

@@ -9,31 +9,21 @@
 #include <vectrix/frames/graph/frame_graph.hpp>
 #include <vectrix/space/earth/frames_of_date.hpp>
 
+#include "earth/any_epoch.hpp"
+
 namespace vectrix::frames_of_date_test {
 namespace {
 
 using earth::Gcrf, earth::Itrf, earth::MeanOfDate, earth::TrueOfDate;
-using Eigen::Matrix3d, Eigen::Vector3d;
-using Rows = double[3][3];
+using earth_test::any_epoch, earth_test::any_part, earth_test::largest, earth_test::matrix_of,
+    earth_test::Rows;
+using Eigen::Vector3d;
 
 constexpr double rounding = 1e-15;                 // of a matrix element
 constexpr double arcsecond = 4.84813681109536e-6;  // rad
 // rad: X and Y of the series eraXy06 and of precession and nutation agree to 3 microarcsec within 27 years of
 // 2000 each; s follows from both.
 constexpr double difference_of_series = 5e-6 * arcsecond;
-
-Matrix3d matrix_of(const Rows& rows) {
-  return Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(&rows[0][0]);
-}
-double largest(const Matrix3d& m) {
-  return m.cwiseAbs().maxCoeff<Eigen::PropagateNaN>();
-}
-double part() {
-  return *rc::gen::inRange(-1'000'000, 1'000'001) * 1e-6;
-}
-Epoch any_epoch() {
-  return Epoch::from_tt("2000-01-01T12:00:00") + part() * 27.0 * ERFA_DJY * ERFA_DAYSEC * si::second;
-}
 
 RC_GTEST_PROP(MeanOfDate, IsErfasAndNutationIsWhatIsMissing, ()) {
   const Epoch t = any_epoch();
@@ -64,12 +54,12 @@ TEST(MeanOfDate, TurnsAtThePublishedRateOfPrecession) {
 RC_GTEST_PROP(TrueOfDate, TurnsAsTheOtherWayToTheEarthDoes, ()) {
   const Epoch t = any_epoch();
   EarthOrientationParameters p{};
-  p.pole_x = part() * 4e-6 * si::radian;
-  p.pole_y = part() * 4e-6 * si::radian;
-  p.ut1_minus_tai = 0.9 * part() * si::second - t.tai_minus_utc();
-  p.ut1_gain = Quantity<si::dimensionless>{part() * 1e-7};
-  p.pole_x_rate = part() * 1e-9 * (si::radian / si::second);
-  p.pole_y_rate = part() * 1e-9 * (si::radian / si::second);
+  p.pole_x = any_part() * 4e-6 * si::radian;
+  p.pole_y = any_part() * 4e-6 * si::radian;
+  p.ut1_minus_tai = 0.9 * any_part() * si::second - t.tai_minus_utc();
+  p.ut1_gain = Quantity<si::dimensionless>{any_part() * 1e-7};
+  p.pole_x_rate = any_part() * 1e-9 * (si::radian / si::second);
+  p.pole_y_rate = any_part() * 1e-9 * (si::radian / si::second);
   const MovingDcm<Gcrf, Itrf> by_the_equinox =
       inverse(itrf_from_true_of_date(t, p) * true_of_date_from_gcrf(t));
   const MovingDcm<Gcrf, Itrf> by_the_origin = earth_rotation(t, p);

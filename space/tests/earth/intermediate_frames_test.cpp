@@ -10,39 +10,29 @@
 #include <vectrix/frames/graph/frame_graph.hpp>
 #include <vectrix/space/earth/intermediate_frames.hpp>
 
+#include "earth/any_epoch.hpp"
+
 namespace vectrix::intermediate_frames_test {
 namespace {
 
 using earth::Gcrf, earth::Cirf, earth::Tirf, earth::Itrf;
+using earth_test::any_epoch, earth_test::any_part, earth_test::largest, earth_test::matrix_of,
+    earth_test::Rows;
 using Eigen::Matrix3d, Eigen::Vector3d;
-using Rows = double[3][3];
 
 constexpr double rounding = 1e-15;  // of a matrix element
 // rad, of eraEra00 in 2027: half a unit in the last place of the days, 2.5e-15 turns of 27, of two
 // sums, 1.8e-15 turns each, and of 2 pi times them, 1.4e-14 rad.
 constexpr double angle_rounding = 5.2e-14;
 
-Matrix3d matrix_of(const Rows& rows) {
-  return Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(&rows[0][0]);
-}
-double largest(const Matrix3d& m) {
-  return m.cwiseAbs().maxCoeff<Eigen::PropagateNaN>();
-}
-
-rc::Gen<double> part() {
-  return rc::gen::map(rc::gen::inRange(-1'000'000, 1'000'001), [](int i) { return i * 1e-6; });
-}
-Epoch any_epoch() {
-  return Epoch::from_tt("2000-01-01T12:00:00") + *part() * 27.0 * ERFA_DJY * ERFA_DAYSEC * si::second;
-}
 // Larger than observed, so that a wrong sign shows.
 EarthOrientationParameters any_parameters(const Epoch& epoch) {
-  const auto angle = [](double largest) { return *part() * largest * si::radian; };
-  const auto rate = [](double largest) { return *part() * largest * (si::radian / si::second); };
+  const auto angle = [](double largest) { return any_part() * largest * si::radian; };
+  const auto rate = [](double largest) { return any_part() * largest * (si::radian / si::second); };
   return {angle(4e-6),
           angle(4e-6),
-          0.9 * *part() * si::second - epoch.tai_minus_utc(),
-          Quantity<si::dimensionless>{*part() * 1e-7},
+          0.9 * any_part() * si::second - epoch.tai_minus_utc(),
+          Quantity<si::dimensionless>{any_part() * 1e-7},
           angle(5e-9),
           angle(5e-9),
           rate(1e-9),

@@ -27,6 +27,20 @@ TEST(Epoch, ReadsAndWritesUtc) {
   EXPECT_EQ(Epoch::from_utc("2016-12-31T23:59:60.25").utc(2), "2016-12-31T23:59:60.25");
 }
 
+// A year has four digits in a text that is read.
+TEST(Epoch, RoundsToATextThatIsReadUpToTheYear9999) {
+  for (const TimeScale& scale : {TimeScale{scale::utc}, TimeScale{scale::tai}, TimeScale{scale::tdb}}) {
+    const Epoch end = Epoch::from(scale, "9999-12-31T23:59:59.9999999999");
+    EXPECT_EQ(end.text(scale, 0), "9999-12-31T23:59:59");
+    EXPECT_EQ(end.text(scale, 3), "9999-12-31T23:59:59.999");
+    EXPECT_EQ(end.day_of_year_text(scale, 9), "9999-365T23:59:59.999999999");
+    for (int decimals = 0; decimals <= 9; ++decimals)
+      EXPECT_LT(Epoch::from(scale, end.text(scale, decimals)), end) << decimals;
+    EXPECT_EQ(Epoch::from(scale, "9999-12-30T23:59:59.9999").text(scale, 3), "9999-12-31T00:00:00.000");
+    EXPECT_EQ((end + 0.2e-9 * si::second).text(scale, 3), "10000-01-01T00:00:00.000");
+  }
+}
+
 TEST(Epoch, KnowsTheScales) {
   const auto epoch = Epoch::from_utc("2022-04-14T10:22:11.5");
   EXPECT_EQ(seconds(epoch.tai_minus_utc()), 37.0);

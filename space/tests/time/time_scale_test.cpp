@@ -235,6 +235,13 @@ TEST(TimeScale, RefusesNumbersOutOfRange) {
   EXPECT_THROW(Epoch::from_gps_seconds(1, not_a_number), BadInput);
   EXPECT_EQ(complaint([] { Epoch::from_julian_date(scale::tt, infinity); }),
             "Julian date inf + 0 in TT: it is not finite");
+  EXPECT_EQ(complaint([] { Epoch::from_julian_date(scale::utc, 1e12, 0.25); }),
+            "Julian date 1e+12 + 0.25 in UTC: it is outside the calendar");
+  EXPECT_EQ(complaint([] { Epoch::from_julian_date(scale::Ut1::minus_utc(0.1 * si::second), 1e12); }),
+            "Julian date 1e+12 + 0 in UT1: it is outside the calendar");
+  EXPECT_EQ(complaint([] { Epoch::from_julian_date(scale::utc, 1e9 - 1.5); }), "nothing was thrown");
+  EXPECT_EQ(complaint([] { Epoch::from_julian_date(scale::utc, 1e9 - 0.5); }),
+            "Julian date 999999999.5 + 0 in UTC: it is outside the calendar");
   EXPECT_THROW(Epoch::from_modified_julian_date(scale::tt, 1.0, not_a_number), BadInput);
   EXPECT_EQ(complaint([] { (void)scale::Ut1::minus_utc(-37.1 * si::second); }),
             "Ut1::minus_utc: UT1-UTC is -37.1 s; it must be within 1 s (UTC keeps it below 0.9 s)");

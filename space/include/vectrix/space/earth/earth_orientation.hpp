@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <filesystem>
+#include <memory>
 #include <vector>
 
 #include <vectrix/frames/export.hpp>
@@ -63,7 +64,8 @@ VECTRIX_EXPORT MovingDcm<earth::Gcrf, earth::Itrf> earth_rotation(
 /// first two days and over the last two. UT1 is interpolated as UT1-TAI, so that a leap second does not
 /// matter. Away from the ends a change of one row changes the curve beyond the next row by at most 14 % of
 /// it, and by 0.27 of that each day further. The series omits tides of a day and half a day (below 1
-/// milliarcsecond). Outside the rows: BadInput with the epoch and the time interval of the rows.
+/// milliarcsecond). Outside the rows: BadInput with the epoch and the time interval of the rows. Copies are
+/// cheap: they share the rows.
 class VECTRIX_EXPORT EarthOrientation {
  public:
   /// Reads fixed columns: MJD 8-15, x 19-27 and y 38-46 (arcsec), UT1-UTC 59-68 (s), dX 98-106 and dY 117-125
@@ -83,8 +85,8 @@ class VECTRIX_EXPORT EarthOrientation {
   /// has no duration, has more than 100 years, or starts before 1960.
   static EarthOrientation unobserved(const TimeSpan& span, const Quantity<si::time>& ut1_minus_utc);
 
-  [[nodiscard]] const Epoch& first() const { return epochs_.front(); }
-  [[nodiscard]] const Epoch& last() const { return epochs_.back(); }
+  [[nodiscard]] const Epoch& first() const { return data_->epochs.front(); }
+  [[nodiscard]] const Epoch& last() const { return data_->epochs.back(); }
 
   [[nodiscard]] EarthOrientationParameters parameters(const Epoch& epoch) const;
   /// With the tides of a day and half a day.
@@ -106,8 +108,11 @@ class VECTRIX_EXPORT EarthOrientation {
   [[nodiscard]] Eigen::Matrix<double, 5, 3> curves(const Epoch& epoch) const;
   void require(const Epoch& epoch) const;
 
-  std::vector<Epoch> epochs_;
-  std::vector<EarthOrientationParameters> rows_;
+  struct Data {
+    std::vector<Epoch> epochs;
+    std::vector<EarthOrientationParameters> rows;
+  };
+  std::shared_ptr<const Data> data_;
 };
 
 }  // namespace vectrix

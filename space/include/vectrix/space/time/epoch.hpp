@@ -60,8 +60,9 @@ class VECTRIX_EXPORT Epoch {
   /// are negative or above 6e11, or the fraction is outside.
   static Epoch from_gps_seconds(std::int64_t seconds, double fraction = 0.0);
 
-  /// The text of the instant, rounded to the given number of decimals, 0 to 9. Throws BadInput in UTC before
-  /// 1960, and in GPS before 1980.
+  /// The text of the instant, rounded to the given number of decimals, 0 to 9, but at the end of the year
+  /// 9999 not up to a year that from() does not read. Throws BadInput in UTC before 1960, and in GPS before
+  /// 1980.
   [[nodiscard]] std::string text(const TimeScale& scale, int decimals = 6) const;
   /// The same with the day of the year, "2022-104T10:22:11.874999".
   [[nodiscard]] std::string day_of_year_text(const TimeScale& scale, int decimals = 6) const;
