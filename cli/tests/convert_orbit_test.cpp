@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "convert.hpp"
+#include "says.hpp"
 #include "space/tests/temporary_file.hpp"
 #include "temporary_folder.hpp"
 
@@ -13,11 +14,6 @@ namespace vectrix::cli::convert_orbit_test {
 namespace {
 
 using earth::Eme2000, earth::Gcrf;
-
-std::string content(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
 
 const ConvertOptions named{{}, {}, {"S", "2026-001A", "TEST", "2026-11-29T00:00:00"}};
 
@@ -177,9 +173,8 @@ TEST(ConvertOrbit, RefusesWhatItCannotSay) {
   const auto in = folder.written("in.oem", message("ITRF2000"));
   EXPECT_EQ(refusal({in}, "out.oem", "GCRF"),
             "FILE: the orbit is in 'ITRF2000'; --frame turns EME2000 and GCRF into each other");
-  EXPECT_NE(
-      refusal({in}, "out.aem").find("the name ends neither in .oem nor in .csv, which says what to write"),
-      std::string::npos);
+  EXPECT_TRUE(
+      says(refusal({in}, "out.aem"), "the name ends neither in .oem nor in .csv, which says what to write"));
   EXPECT_EQ(refusal({in}, "in.oem"), "FILE: is the same file as " + in.string() + ", which is read");
   EXPECT_EQ(content(in), message("ITRF2000"));
   auto stopped = message("TOD");

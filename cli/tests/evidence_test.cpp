@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "attitude_motion.hpp"
+#include "circular_orbit.hpp"
 #include "evidence.hpp"
 
 namespace vectrix::cli::evidence_test {
@@ -119,20 +120,9 @@ TEST(Fitting, NeedsAFactorOfThreeAndASmallOne) {
   EXPECT_EQ(fitting({1e-9, 1e-3, 4.0}, 2.0), (Fit{0, 1}));  // nobody knows attitudes so well
 }
 
-// A body at rest relative to LVLH, in a low circular orbit whose plane leans by 1 rad.
+// A body at rest relative to LVLH.
 class NadirPointer : public ::testing::Test {
  protected:
-  NadirPointer() {
-    const auto start = Epoch::from_utc("2026-11-29T00:00:00");
-    orbit_ = [start](const Epoch& t) -> PointMotion<earth::Gcrf, Satellite, earth::Gcrf> {
-      constexpr double r = 7e6, n = 1.08e-3;
-      const double u = n * (t - start).value();
-      const Vector3d x(1.0, 0.0, 0.0), y(0.0, std::cos(1.0), std::sin(1.0));
-      return point_motion(of<Satellite>, relative_to<earth::Gcrf>, observed_from<earth::Gcrf>,
-                          vector<si::length>(in<earth::Gcrf>, r * (std::cos(u) * x + std::sin(u) * y)),
-                          vector<si::velocity>(in<earth::Gcrf>, r * n * (std::cos(u) * y - std::sin(u) * x)));
-    };
-  }
   // Turned by 0.3 rad about the body's x axis from LVLH.
   [[nodiscard]] AttitudeRecord record(const Convention& written, const Convention& stated) const {
     struct Lvlh : moving_frame {};
@@ -141,7 +131,7 @@ class NadirPointer : public ::testing::Test {
     record.stated = stated;
     for (int i = 0; i < 60; ++i) {
       const auto t = Epoch::from_utc("2026-11-29T00:00:00") + 60.0 * i * si::second;
-      const auto [r, v] = orbit_(t);
+      const auto [r, v] = orbit(t);
       const Eigen::Quaterniond to(
           Eigen::Matrix3d(lvlh(from<Lvlh>, r, v).matrix() * Eigen::AngleAxisd(0.3, Vector3d::UnitX())));
       const Eigen::Quaterniond q = written.maps == Maps::to_reference ? to : to.conjugate();
@@ -152,7 +142,9 @@ class NadirPointer : public ::testing::Test {
     return record;
   }
 
-  FlownOrbit orbit_;
+  static PointMotion<earth::Gcrf, Satellite, earth::Gcrf> orbit(const Epoch& t) {
+    return circular_orbit<earth::Gcrf>((t - Epoch::from_utc("2026-11-29T00:00:00")).value());
+  }
 };
 
 TEST_F(NadirPointer, IsSteadyInTheReadingByWhichItWasWritten) {
@@ -160,7 +152,7 @@ TEST_F(NadirPointer, IsSteadyInTheReadingByWhichItWasWritten) {
     for (const Maps written_maps : {Maps::to_body, Maps::to_reference})
       for (const Scalar scalar : {Scalar::first, Scalar::last})
         for (const Maps maps : {Maps::to_body, Maps::to_reference}) {
-          const auto found = steadiness(record({written_scalar, written_maps}, {scalar, maps}), orbit_);
+          const auto found = steadiness(record({written_scalar, written_maps}, {scalar, maps}), orbit);
           const Reading& best = all_readings[smallest(found)];
           EXPECT_EQ(best.transposed, written_maps != maps);
           EXPECT_EQ(best.other_order, written_scalar != scalar);
@@ -173,9 +165,9 @@ TEST_F(NadirPointer, IsSteadyInTheReadingByWhichItWasWritten) {
 TEST_F(NadirPointer, SeesTheCentreOfTheEarthByAnAxisThatIsTurnedBack) {
   const Convention written{Scalar::last, Maps::to_reference};
   const Vector3d nadir_in_body(0.0, std::sin(0.3), std::cos(0.3));
-  const auto found = off_target(record(written, written), 5.0 * nadir_in_body, Target::earth, orbit_);
+  const auto found = off_target(record(written, written), 5.0 * nadir_in_body, Target::earth, orbit);
   EXPECT_LE(found[0], 1e-14);  // rad, of a few products of rotations
-  const auto off = off_target(record(written, written), Vector3d::UnitZ(), Target::earth, orbit_);
+  const auto off = off_target(record(written, written), Vector3d::UnitZ(), Target::earth, orbit);
   EXPECT_NEAR(off[0], 0.3, 1e-14);
   for (const std::size_t wrong : {1U, 2U, 3U}) EXPECT_GT(found[wrong], 0.3);
 }

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "circular_orbit.hpp"
 #include "flown_orbit.hpp"
 #include "space/tests/temporary_file.hpp"
 
@@ -14,14 +15,8 @@ using Eigen::Vector3d;
 const auto start = Epoch::from_utc("2023-04-20T05:00:00");
 const auto span = from_until(start, 3600.0 * si::second);
 
-// A low circular orbit in the axes of any frame.
 template <Frame A> PointMotion<A, Satellite, A> motion(const Epoch& t) {
-  constexpr double r = 7e6, n = 1.08e-3;
-  const double u = n * (t - start).value();
-  const Vector3d x(1.0, 0.0, 0.0), y(0.0, std::cos(1.0), std::sin(1.0));
-  return point_motion(of<Satellite>, relative_to<A>, observed_from<A>,
-                      vector<si::length>(in<A>, r * (std::cos(u) * x + std::sin(u) * y)),
-                      vector<si::velocity>(in<A>, r * n * (std::cos(u) * y - std::sin(u) * x)));
+  return circular_orbit<A>((t - start).value());
 }
 template <Frame A> OrbitEphemerisSegment segment(double from, double until) {
   std::vector<PositionSample<A, Satellite, Epoch>> samples;
