@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <fstream>
 #include <limits>
 #include <sstream>
@@ -7,6 +8,7 @@
 #include "attitude_motion.hpp"
 #include "check.hpp"
 #include "cubesat.hpp"
+#include "figures.hpp"
 #include "says.hpp"
 #include "space/tests/temporary_file.hpp"
 
@@ -73,6 +75,59 @@ TEST(Check, DecidesNothingForAnAxisThatLooksElsewhere) {
   EXPECT_TRUE(says(found.text, "Not decided. Rates (--rates), an orbit"));
 }
 
+TEST(Check, TakesAnAxisAtMostFiveDegreesFromItsTarget) {
+  CheckOptions options = cubesat();
+  options.orbit = {};
+  const auto leaning = [&](double angle) {
+    options.axis = Eigen::Vector3d(std::sin(angle / degrees), 0.0, -std::cos(angle / degrees));
+    return checked(options);
+  };
+  EXPECT_TRUE(leaning(4.3).fits);  // the median is half a degree more
+  const auto found = leaning(4.7);
+  EXPECT_FALSE(found.fits);
+  EXPECT_TRUE(says(found.text, "  No reading fits.\n"));
+}
+
+// It turns by 0.38 deg/s.
+TEST(Check, TakesNoBodyForSteadyThatIsNot) {
+  CheckOptions options = cubesat();
+  options.axis.reset();
+  options.target.reset();
+  const auto found = checked(options);
+  EXPECT_FALSE(found.fits);
+  EXPECT_TRUE(says(found.text, "  No reading fits.\n"));
+}
+
+// The rates are those of the file as stated; the axis looks at the Sun if the file is transposed.
+TEST(Check, SaysThatTheComparisonsContradictEachOther) {
+  const Eigen::Vector3d w(1e-3, -2e-3, 1.5e-3);
+  AttitudeRecord record;
+  record.reference = "GCRF";
+  std::ostringstream rows;
+  rows.precision(17);
+  rows << "t,w,x,y,z,wx,wy,wz\n";
+  const Eigen::Quaterniond start = Eigen::Quaterniond(0.5, 0.1, -0.7, 0.4).normalized();
+  for (int i = 0; i < 3; ++i) {
+    record.times.push_back(Epoch::from_utc("2026-03-01T00:00:00") + 4.0 * i * si::second);
+    const Eigen::Quaterniond q = start * AttitudeMotion::turned((4.0 * i + 1e-9) * w);
+    rows << record.times.back().utc(9) << ',' << q.w() << ',' << q.x() << ',' << q.y() << ',' << q.z() << ','
+         << w.x() << ',' << w.y() << ',' << w.z() << '\n';
+  }
+  TemporaryFile file(rows.str());
+  CheckOptions options;
+  options.attitude.file = file.path();
+  options.attitude.columns = {
+      "t", scale::utc, {"w", "x", "y", "z"}, {Scalar::first, Maps::to_reference}, "GCRF", {"wx", "wy", "wz"}};
+  options.axis = start * directions(record, Target::sun, geometric, nullptr)[0];
+  options.target = Target::sun;
+  const auto found = checked(options);
+  EXPECT_FALSE(found.fits);
+  EXPECT_TRUE(says(found.text, "three times better than as stated: transposed.\n"));
+  EXPECT_TRUE(
+      says(found.text,
+           "\nThe comparisons contradict each other: one confirms the file as stated, one does not.\n"));
+}
+
 TEST(Check, FindsTheAxesOfSentinelsGyros) {
   const auto found = checked(sentinel());
   EXPECT_FALSE(found.fits);
@@ -136,7 +191,6 @@ TEST(Check, FindsTheWrongSignOfASmallRate) {
 }
 
 TEST(Check, SuspectsDegreesForRadians) {
-  const double degrees = 57.29577951308232;
   const auto found =
       of_motion(tumble, [&](const Eigen::Vector3d& w) { return Eigen::Vector3d(degrees * w); });
   EXPECT_FALSE(found.fits);

@@ -156,6 +156,33 @@ TEST(ConvertOrbit, StatesTheInterpolationThatIsGiven) {
   EXPECT_EQ(after.metadata().interpolation_degree, 2);
 }
 
+TEST(ConvertOrbit, SaysHowToReadATableAboutTheEarthOnly) {
+  TemporaryFolder folder;
+  const auto out = folder.file("out.csv"), of_mars = folder.file("mars.csv");
+  convert_to({folder.written("in.oem", message("GCRF"))}, out);
+  EXPECT_TRUE(says(content(out), "# Options to read it: --time time_utc "));
+  auto mars = message("GCRF");
+  mars.replace(mars.find("EARTH"), 5, "MARS");
+  convert_to({folder.written("mars.oem", mars)}, of_mars);
+  EXPECT_TRUE(says(content(of_mars), "# Of SAT relative to the centre of MARS.\ntime_utc,"));
+}
+
+TEST(ConvertOrbit, KeepsWithinTheUseableTimes) {
+  TemporaryFolder folder;
+  auto useable = message("GCRF");
+  useable.insert(useable.find("STOP_TIME"), "USEABLE_STOP_TIME = 2026-11-29T00:02:00\n");
+  OrbitFile in{folder.written("in.oem", useable)};
+  in.selection.from = Epoch::from("2026-11-29T00:00:30 UTC");
+  const auto out = folder.file("out.oem");
+  convert_to(in, out);
+  EXPECT_EQ(OrbitEphemerisMessage::read(out).segments()[0].metadata().useable_stop_time,
+            Epoch::from_utc("2026-11-29T00:02:00"));
+  useable.replace(useable.find("00:02:00"), 8, "00:00:20");
+  in.file = folder.written("late.oem", useable);
+  EXPECT_EQ(complaint([&] { convert_to(in, folder.file("none.oem")); }, in.file),
+            "FILE: none of the times is within USEABLE_START_TIME and USEABLE_STOP_TIME");
+}
+
 TEST(ConvertOrbit, CountsOneCovariance) {
   TemporaryFolder folder;
   OrbitFile in{folder.written("in.oem", message("TEME", covariances))};

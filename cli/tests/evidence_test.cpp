@@ -73,6 +73,18 @@ TEST(Rates, DecideForASpinnerSampledTooSeldom) {
   EXPECT_GT(found.stated_axes[1], 1.0);
 }
 
+// Over a gap the mean of both ends is no rate.
+TEST(Rates, AreNotComparedOverAGap) {
+  const Convention written{Scalar::last, Maps::to_reference};
+  const AttitudeMotion motion{{0.0, 0.03, 0.0}, {0.05, 0.0, 0.0}};
+  AttitudeRecord record = motion.record(120, written, written, RateAxes::body, RateAxes::body);
+  const auto cut = [&](auto& values) { values.erase(values.begin() + 20, values.begin() + 60); };
+  cut(record.times);
+  cut(record.numbers);
+  cut(record.rates);
+  EXPECT_LE(compare_rates(record).stated_axes[0], of_the_mean);
+}
+
 // A left-handed one, too: the sign of one rate.
 RC_GTEST_PROP(Rates, InOtherAxesAreFound, ()) {
   const Convention written = any_convention();

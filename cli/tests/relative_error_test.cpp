@@ -42,6 +42,8 @@ TEST(RelativeError, LeavesOutWindowsThatReachOverAGap) {
   EXPECT_EQ(found.starts, (std::vector<std::size_t>{0, 1, 2, 3, 4, 5, 10, 11, 12, 13, 14, 15}));
   EXPECT_EQ(found.left_out, 8U);
   EXPECT_NEAR(found.largest_change, 4.0 * 0.002, 1e-9);  // not over the gap
+  EXPECT_EQ(relative_errors(record, seen, 4.5).starts,
+            (std::vector<std::size_t>{0, 1, 2, 3, 4, 10, 11, 12, 13, 14}));
   const auto refusal = [&](double window) {
     return complaint([&] { (void)relative_errors(record, seen, window); });
   };

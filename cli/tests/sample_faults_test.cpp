@@ -52,6 +52,7 @@ TEST(SampleFaults, AreCountedWhereTheyAre) {
   add(21.0, 0.121, 1.0);         // a jump of 0.1 rad
   add(22.0, 0.122, 1.0 + 2e-6);  // the norm
   add(23.0, 3.122, 1.0);         // a jump of 3 rad, near half a turn
+  add(23.5, 3.130, 1.0);         // as fast as a jump, but less than half a degree
   const SampleFaults found = faults_of(record);
   EXPECT_EQ(found.sign_flips.count, 2U);
   EXPECT_EQ(found.sign_flips.sample, 10U);
