@@ -142,6 +142,12 @@ TEST(ConvertOrbit, KeepsAnyFrameAndSaysWhatATableLeavesOut) {
   EXPECT_EQ(after.size(), 2U);
   EXPECT_EQ(after.covariances().size(), 1U);
   EXPECT_EQ(after.metadata().start_time, Epoch::from_utc("2026-11-29T00:01:00"));
+  in.selection = {{}, {}, Epoch::from("2026-11-29T00:02:00 UTC")};
+  const auto early = folder.file("early.oem");
+  convert_to(in, early);
+  const auto before = OrbitEphemerisMessage::read(early).segments()[0];
+  ASSERT_EQ(before.covariances().size(), 1U);
+  EXPECT_EQ(before.covariances()[0].epoch, Epoch::from_utc("2026-11-29T00:00:00"));
 }
 
 TEST(ConvertOrbit, StatesTheInterpolationThatIsGiven) {

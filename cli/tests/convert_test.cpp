@@ -215,6 +215,20 @@ TEST(Convert, SaysWhatIsNotToTheLastDigit) {
                    "the quaternions are computed from Euler angles"));
 }
 
+TEST(Convert, WritesNoMinusZero) {
+  TemporaryFolder folder;
+  const AttitudeSource table{
+      folder.written("in.csv",
+                     "t,w,x,y,z,p,q,r\n2026-11-29T00:00:00,1,0,0,0,-0,0,0\n"
+                     "2026-11-29T00:00:01,1,0,0,0,-0,0,0\n"),
+      TableColumns{
+          "t", scale::utc, {"w", "x", "y", "z"}, {Scalar::first, Maps::to_body}, "GCRF", {"p", "q", "r"}}};
+  ConvertOptions options{folder.file("out.csv")};
+  std::ostringstream said;
+  convert(table, options, said);
+  EXPECT_TRUE(says(content(options.out), "\n2026-11-29T00:00:00.000,1,0,0,0,0,0,0\n"));
+}
+
 TEST(Convert, RefusesWhatWouldLoseOrOverwriteSomething) {
   TemporaryFolder folder;
   const auto in = folder.written("in.aem", head + segment("A2B", first_scalar, three_lines));

@@ -123,6 +123,9 @@ TEST(Words, OfAnOrbitAreNotThoseOfAnAttitude) {
   EXPECT_FALSE(is_orbit({csv}, {}));
   EXPECT_FALSE(is_orbit({message}, {}));
   EXPECT_TRUE(is_orbit({orbit_message}, {}));
+  EXPECT_TRUE(is_orbit({folder.written("marked.oem", std::string("\xef\xbb\xbf") + oem)}, {}));
+  // No message begins so, but it is none of a table either: its reader says what is wrong.
+  EXPECT_FALSE(attitude_source({folder.written("c.aem", std::string("COMMENT first\n") + aem)}).columns);
   EXPECT_EQ(complaint(
                 [&] {
                   (void)is_orbit({csv}, {"", "", "km"});
