@@ -272,6 +272,8 @@ TEST(Check, RefusesWhatItCannotCompare) {
   CheckOptions options = cubesat();
   options.axis = Eigen::Vector3d::Zero();
   EXPECT_EQ(refusal(options), "--axis (0, 0, 0) has no direction");
+  options.axis = Eigen::Vector3d(0.0, 1e200, 0.0);
+  EXPECT_EQ(refusal(options), "--axis (0, 1e+200, 0) has no direction");
   options.axis = Eigen::Vector3d(1.0, std::numeric_limits<double>::quiet_NaN(), 0.0);
   EXPECT_EQ(refusal(options), "--axis (1, nan, 0) has no direction");
   options = cubesat();

@@ -258,8 +258,10 @@ TEST(Convert, RefusesWhatWouldLoseOrOverwriteSomething) {
   options.frame = "ITRF";
   EXPECT_EQ(refusal(in), "the reference 'ITRF' is none of EME2000, J2000, GCRF, ICRF");
   options.frame = "";
-  options.body = "A\nB";
-  EXPECT_EQ(refusal(in), "--body holds a line break or another control character");
+  for (const char* body : {"A\nB", "A\tB", "A\x7f"}) {
+    options.body = body;
+    EXPECT_EQ(refusal(in), "--body holds a line break or another control character");
+  }
   options.body = "";
   GivenText& text = options.text;
   for (const auto& [words, option] : {std::pair{&text.object_name, "--object-name"},

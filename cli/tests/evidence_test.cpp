@@ -174,6 +174,19 @@ TEST_F(NadirPointer, IsSteadyInTheReadingByWhichItWasWritten) {
         }
 }
 
+TEST_F(NadirPointer, IsSteadyWhateverItsReferenceIs) {
+  const Convention written{Scalar::last, Maps::to_reference};
+  AttitudeRecord turned = record(written, written);
+  turned.reference = "EME2000";
+  const Eigen::Quaterniond eme_from_gcrf(Eigen::Matrix3d(eme2000_from_gcrf().matrix()));
+  for (auto& n : turned.numbers) {
+    const Eigen::Quaterniond q = eme_from_gcrf * Eigen::Quaterniond(n[3], n[0], n[1], n[2]);
+    n = {q.x(), q.y(), q.z(), q.w()};
+  }
+  constexpr double rounding = 1e-15 / 60.0 * 10.0;  // rad/s: of a few products of rotations, over 60 s
+  EXPECT_LE(steadiness(turned, orbit)[0], rounding);
+}
+
 TEST_F(NadirPointer, SeesTheCentreOfTheEarthByAnAxisThatIsTurnedBack) {
   const Convention written{Scalar::last, Maps::to_reference};
   const Vector3d nadir_in_body(0.0, std::sin(0.3), std::cos(0.3));

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <limits>
@@ -223,6 +224,12 @@ TEST(Pointing, WritesTheAnglesOfTheSamplesThatAreAskedFor) {
   const auto angles = absolute_errors(
       seen_in_body(record, directions(record, Target::sun, geometric, read_orbit(options.orbit, span))),
       options.axis);
+  // At most the largest one.
+  options.percent = 100.0;
+  options.required = *std::max_element(angles.begin(), angles.end()) * (180.0 / std::numbers::pi);
+  EXPECT_TRUE(fulfilled(options));
+  options.required = std::nextafter(*options.required, 0.0);
+  EXPECT_FALSE(fulfilled(options));
   ASSERT_EQ(table.rows(), record.size());
   for (std::size_t i = 0; i < record.size(); ++i) {
     EXPECT_EQ(table.value(i, "time_utc", Epoch::from_utc), record.times[i]);
