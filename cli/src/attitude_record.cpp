@@ -37,7 +37,7 @@ Eigen::Quaterniond AttitudeRecord::to_reference(std::size_t sample, const Conven
 
 std::vector<Eigen::Vector3d> AttitudeRecord::rates_in_radians() const {
   std::vector<Eigen::Vector3d> all;
-  for (const Eigen::Vector3d& w : rates) all.emplace_back(rate_unit * w);
+  for (const Eigen::Vector3d& w : rates) all.emplace_back(w / (rates_in_degrees ? degrees : 1.0));
   return all;
 }
 
@@ -59,7 +59,7 @@ AttitudeRecord read_table(const std::filesystem::path& file, const TableColumns&
   record.time_scale = columns.scale;
   record.stated = columns.stated;
   record.rate_axes = columns.rate_axes;
-  if (columns.rates_in_degrees) record.rate_unit = radians_per_degree;
+  record.rates_in_degrees = columns.rates_in_degrees;
   for (std::size_t row = 0; row < table.rows(); ++row) {
     const auto time = table.value(row, columns.time,
                                   [&](const std::string& text) { return Epoch::from(columns.scale, text); });
@@ -130,7 +130,7 @@ AttitudeRecord read_message(const std::filesystem::path& file, std::optional<std
       record.no_rates =
           "The rates are not used: with ATTITUDE_DIR B2A the message does not say whether they are of " +
           part.ref_frame_a() + " or of " + part.ref_frame_b() + ".";
-    record.rate_unit = radians_per_degree;
+    record.rates_in_degrees = true;
     if (!record.rates.empty())
       record.rate_axes =
           (lines.rate_frame == detail::RateFrame::a) == a.has_value() ? RateAxes::reference : RateAxes::body;

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstddef>
 #include <filesystem>
-#include <numbers>
 #include <optional>
 #include <string>
 #include <vector>
@@ -43,7 +42,7 @@ struct AttitudeRecord {
   std::vector<Epoch> times;
   std::vector<std::array<double, 4>> numbers;  // in the order of the file
   std::vector<Eigen::Vector3d> rates{};  // of the body relative to the reference; empty if there are none
-  double rate_unit = 1.0;                // rad/s
+  bool rates_in_degrees = false;         // per second; else rad/s
   RateAxes rate_axes = RateAxes::body;   // stated
   std::string no_rates{};                // why rates of the file are not used
   TimeScale time_scale = scale::utc;     // in which the file has the times
@@ -89,7 +88,5 @@ AttitudeRecord read_message(const std::filesystem::path& file, std::optional<std
 bool is_message(const std::filesystem::path& file);
 /// Whether the file begins as an orbit ephemeris message does. Throws BadInput if it cannot be read.
 bool is_orbit_message(const std::filesystem::path& file);
-
-inline constexpr double radians_per_degree = std::numbers::pi / 180.0;
 
 }  // namespace vectrix::cli

@@ -118,7 +118,7 @@ void write_rates(const AttitudeRecord& record, Findings& findings, std::ostream&
       made.names.push_back(std::string(reading.name()) + ", rates in the axes of " + axes_name(axes, record));
   if (fitting(made.disagreements, made.largest).empty()) {
     const double best = *std::min_element(made.disagreements.begin(), made.disagreements.end());
-    if (const auto better = best > 0.0 ? other_axes_of(record, made.largest) : std::nullopt) {
+    if (const auto better = other_axes_of(record, made.largest)) {
       findings.add_refusal(*better);
       return;
     }

@@ -75,7 +75,7 @@ void convert(const AttitudeSource& source, const ConvertOptions& options, std::o
   } else {
     attitude = as_in_a_message(std::move(attitude));
     MessageText words = message_text(options.text, record.message, record.time_scale, record.file,
-                                     options.body.empty() ? "--body FRAME" : "");
+                                     {{"--body FRAME", options.body}});
     words.header.version = options.aem_version;
     if (!record.message || source.selection.from || source.selection.until)
       set_times(words.metadata, attitude.times.front(), attitude.times.back(), record.file);

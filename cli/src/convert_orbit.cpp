@@ -47,7 +47,7 @@ std::string orbit_table(const OrbitRecord& record) {
 }
 
 std::string orbit_message(const OrbitRecord& record, const ConvertOptions& options, const OrbitFile& source) {
-  MessageText text = message_text(options.text, record.message, record.time_scale, record.file, "");
+  MessageText text = message_text(options.text, record.message, record.time_scale, record.file, {});
   if (!record.message) {
     text.header.version = "2.0";
     text.metadata.center_name = "EARTH";  // of EME2000 and GCRF

@@ -1,10 +1,8 @@
 #include <CLI/CLI.hpp>
-#include <charconv>
 #include <ctime>
 #include <exception>
 #include <iostream>
 #include <map>
-#include <system_error>
 
 #include "check.hpp"
 #include "convert.hpp"
@@ -47,19 +45,6 @@ const std::map<std::string, Target> targets{
     {"sun", Target::sun}, {"moon", Target::moon}, {"earth", Target::earth}, {"velocity", Target::velocity}};
 const std::map<std::string, SkyCorrection> corrections{
     {"geometric", geometric}, {"light_time", light_time}, {"apparent", apparent}};
-
-Eigen::Vector3d axis_of(const TargetWords& words) {
-  Eigen::Vector3d axis;
-  const auto numbers = fields("--axis", words.axis, 3);
-  for (std::size_t i = 0; i < 3; ++i) {
-    double& number = axis[static_cast<Eigen::Index>(i)];
-    const char* const end = numbers[i].data() + numbers[i].size();
-    if (const auto read = std::from_chars(numbers[i].data(), end, number);
-        read.ec != std::errc() || read.ptr != end)
-      throw BadInput("--axis " + words.axis + ": '" + numbers[i] + "' is no number");
-  }
-  return axis;
-}
 
 constexpr const char* attitude_file = "CCSDS AEM (KVN), or a table with a header line";
 
@@ -114,7 +99,7 @@ void add_target(CLI::App& command, TargetWords& words, bool needed, const char* 
   command
       .add_option("--target", words.target, "sun, moon, earth (its centre) or velocity (relative to GCRF)")
       ->group(group)
-      ->check(CLI::IsMember({"sun", "moon", "earth", "velocity"}))
+      ->check(CLI::IsMember(targets))
       ->required(needed);
 }
 
@@ -156,7 +141,7 @@ void add_pointing(CLI::App& app, PointingWords& words) {
           "of the Sun or the Moon: geometric (where it is), light_time (where it was when the light left), "
           "apparent (that with aberration)")
       ->group(where)
-      ->check(CLI::IsMember({"geometric", "light_time", "apparent"}));
+      ->check(CLI::IsMember(corrections));
   add_orbit(pointing, words.options.orbit, words.interpolation, where);
   const char* required = "What is required";
   pointing.add_option("--require", words.options.required, "deg: the largest absolute error that is allowed")
@@ -233,7 +218,7 @@ std::string place_of(const AttitudeWords& attitude, const OrbitSource& orbit) {
 bool run_check(CheckWords& words) {
   set_interpolation(words.options.orbit, words.interpolation);
   words.options.attitude = attitude_source(words.attitude);
-  if (!words.target.axis.empty()) words.options.axis = axis_of(words.target);
+  if (!words.target.axis.empty()) words.options.axis = axis_of(words.target.axis);
   if (!words.target.target.empty()) words.options.target = targets.at(words.target.target);
   return in_plain_words(place_of(words.attitude, words.options.orbit),
                         [&] { return check(words.options, std::cout); });
@@ -242,7 +227,7 @@ bool run_check(CheckWords& words) {
 bool run_pointing(PointingWords& words) {
   set_interpolation(words.options.orbit, words.interpolation);
   words.options.attitude = attitude_source(words.attitude);
-  words.options.axis = axis_of(words.target);
+  words.options.axis = axis_of(words.target.axis);
   words.options.target = targets.at(words.target.target);
   if (!words.correction.empty()) words.options.correction = corrections.at(words.correction);
   return in_plain_words(place_of(words.attitude, words.options.orbit),

@@ -10,21 +10,17 @@ void require_one_line(const char* option, const std::string& text) {
 }
 
 MessageText message_text(const GivenText& given, const std::optional<MessageText>& read,
-                         const TimeScale& scale, const std::string& file, const std::string& also_missing) {
+                         const TimeScale& scale, const std::string& file, const Words& also_needed) {
   require_one_line("--object-name", given.object_name);
   require_one_line("--object-id", given.object_id);
   require_one_line("--originator", given.originator);
   MessageText text = read.value_or(MessageText{});
   if (!read) {
-    std::string missing;
-    const auto need = [&](const std::string& words, const char* option) {
-      if (words.empty()) missing += std::string(missing.empty() ? "" : ", ") + option;
-    };
-    need(given.object_name, "--object-name NAME");
-    need(given.object_id, "--object-id ID");
-    need(given.originator, "--originator NAME");
-    if (!also_missing.empty()) need("", also_missing.c_str());
-    if (!missing.empty())
+    Words needed{{"--object-name NAME", given.object_name},
+                 {"--object-id ID", given.object_id},
+                 {"--originator NAME", given.originator}};
+    for (const Word& word : also_needed) needed.push_back(word);
+    if (const std::string missing = missing_of(needed); !missing.empty())
       throw BadInput(file + ": a table does not say what a message needs; missing: " + missing);
     text.metadata.time_system = scale;
   }

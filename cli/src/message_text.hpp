@@ -6,6 +6,8 @@
 
 #include <vectrix/space.hpp>
 
+#include "word.hpp"
+
 namespace vectrix::cli {
 
 /// What a message says besides its data.
@@ -23,10 +25,10 @@ struct GivenText {
 /// Throws BadInput for a text that holds a line break or another control character.
 void require_one_line(const char* option, const std::string& text);
 
-/// The text of a message to be written. If none was read, all must be given, and `also_missing` names other
-/// options that are missing: BadInput, as for texts of several lines.
+/// The text of a message to be written. If none was read, all must be given, and what else is needed:
+/// BadInput, as for texts of several lines.
 MessageText message_text(const GivenText& given, const std::optional<MessageText>& read,
-                         const TimeScale& scale, const std::string& file, const std::string& also_missing);
+                         const TimeScale& scale, const std::string& file, const Words& also_needed);
 
 /// The times of the metadata, for data from the first to the last time. Throws BadInput if none of them is
 /// useable.

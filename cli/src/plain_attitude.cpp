@@ -19,7 +19,7 @@ bool is_far_from_unit(const std::array<double, 4>& q) {
 PlainAttitude plain(const AttitudeRecord& record) {
   if (!record.no_rates.empty()) throw BadInput(record.file + ": " + record.no_rates + " They would be lost");
   PlainAttitude attitude{record.body, record.reference, record.time_scale, record.times, {}, record.rates};
-  attitude.rates_in_degrees = record.rate_unit == radians_per_degree;
+  attitude.rates_in_degrees = record.rates_in_degrees;
   attitude.rate_axes = record.rate_axes;
   for (Eigen::Vector3d& w : attitude.rates) w.array() += 0.0;
   if (!record.has_quaternions)

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "direction_tree.hpp"
+#include "figures.hpp"
 #include "quantile.hpp"
 #include "sample_faults.hpp"
 #include "target.hpp"
@@ -44,7 +45,7 @@ RelativeErrors relative_errors(const AttitudeRecord& record, const std::vector<V
   const double usual = median(durations_of(record));
   if (!(seconds >= usual - rounding))
     throw BadInput("--window " + detail::text(seconds) + " s is shorter than the steps of " + record.file +
-                   ", " + detail::text(usual) + " s");
+                   ", " + decimals(usual) + " s");
   const double longest = longest_step(usual);
   RelativeErrors found;
   // first to last is the window; it is whole up to the next gap, or the end.

@@ -1,6 +1,6 @@
 #include "selection.hpp"
 
-#include <cctype>
+#include "table_text.hpp"
 
 namespace vectrix::cli {
 
@@ -16,11 +16,10 @@ Places selected(const std::vector<Epoch>& times, const Selection& selection, con
   return {first - times.begin(), last - times.begin()};
 }
 
-std::optional<std::string> inertial(std::string name) {
-  std::transform(name.begin(), name.end(), name.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
-  if (name == "EME2000" || name == "J2000") return "EME2000";
-  if (name == "GCRF" || name == "ICRF") return "GCRF";
+std::optional<std::string> inertial(const std::string& name) {
+  const std::string known = small(name);
+  if (known == "eme2000" || known == "j2000") return "EME2000";
+  if (known == "gcrf" || known == "icrf") return "GCRF";
   return std::nullopt;
 }
 

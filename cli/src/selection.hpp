@@ -46,7 +46,7 @@ const auto& segment_of(const Message& message, const std::optional<std::size_t>&
 }
 
 /// EME2000 or GCRF, of the names EME2000, J2000, GCRF and ICRF in any capitals; nothing for another frame.
-std::optional<std::string> inertial(std::string name);
+std::optional<std::string> inertial(const std::string& name);
 /// Throws BadInput for another frame.
 std::string inertial_name(const std::string& name);
 

@@ -13,31 +13,11 @@ namespace {
 const std::map<std::string, TimeScale> scales{
     {"utc", scale::utc}, {"tai", scale::tai}, {"tt", scale::tt}, {"tdb", scale::tdb}, {"gps", scale::gps}};
 
-struct Word {
-  const char* option;
-  const std::string& text;
-};
-using Words = std::vector<Word>;
-
 // The first that is given must not be.
 void refuse(const Words& words, const std::string& before, const std::string& why) {
   for (const Word& word : words)
     if (!word.text.empty()) throw BadInput(before + word.option + why);
 }
-
-class Needed {
- public:
-  void operator()(const std::string& text, const char* option) {
-    if (text.empty()) missing_ += std::string(missing_.empty() ? "" : ", ") + option;
-  }
-  void check(const std::filesystem::path& file) const {
-    if (!missing_.empty())
-      throw BadInput(file.string() + ": a table does not say what its columns mean; missing: " + missing_);
-  }
-
- private:
-  std::string missing_;
-};
 
 Words only_of_attitudes(const AttitudeWords& words) {
   return {
@@ -54,17 +34,31 @@ void refuse_columns_of_message(const AttitudeWords& words) {
          " is of a table");
   refuse(only_of_attitudes(words), is, " is of a table");
 }
-void refuse_segment_of_table(const AttitudeWords& words) {
-  refuse({{"--segment", words.segment}}, words.file.string() + ": is a table; ", " is of a message");
+
+// What stands between commas.
+std::vector<std::string> fields(const char* option, const std::string& text, std::size_t count) {
+  std::vector<std::string> all;
+  std::istringstream in(text + ",");
+  for (std::string field; std::getline(in, field, ',');) all.push_back(field);
+  if (all.size() != count)
+    throw BadInput(std::string(option) + ' ' + text + " has " + detail::text(all.size()) +
+                   " fields between commas, not " + detail::text(count));
+  return all;
+}
+
+// The number that all of the text is.
+template <class Number> std::optional<Number> number_of(const std::string& text) {
+  Number number{};
+  const char* const end = text.data() + text.size();
+  const auto read = std::from_chars(text.data(), end, number);
+  return read.ec == std::errc() && read.ptr == end ? std::optional(number) : std::nullopt;
 }
 
 template <class Number> Number whole_number(const char* option, const std::string& text) {
-  Number number{};
-  const char* const end = text.data() + text.size();
-  if (const auto read = std::from_chars(text.data(), end, number);
-      read.ec != std::errc() || read.ptr != end || number < 1)
+  const auto number = number_of<Number>(text);
+  if (!number || *number < 1)
     throw BadInput(std::string(option) + ' ' + text + " is no whole number from 1 on");
-  return number;
+  return *number;
 }
 
 Selection selection_of(const AttitudeWords& words) {
@@ -84,20 +78,26 @@ void require_different(const std::filesystem::path& file, const std::string& tim
     throw BadInput(file.string() + ": the column '" + *twice + "' is named twice by the options");
 }
 
+// What any table needs, and what those of this kind do.
+void require_table(const AttitudeWords& words, const Words& of_its_kind) {
+  const std::string file = words.file.string();
+  refuse({{"--segment", words.segment}}, file + ": is a table; ", " is of a message");
+  Words needed{{"--time COLUMN", words.time}, {"--scale utc|tai|tt|tdb|gps", words.scale}};
+  for (const Word& word : of_its_kind) needed.push_back(word);
+  needed.push_back({"--reference EME2000|GCRF", words.reference});
+  if (const std::string missing = missing_of(needed); !missing.empty())
+    throw BadInput(file + ": a table does not say what its columns mean; missing: " + missing);
+}
+
 TableColumns columns_of(const AttitudeWords& words) {
-  refuse_segment_of_table(words);
-  Needed need;
-  need(words.time, "--time COLUMN");
-  need(words.scale, "--scale utc|tai|tt|tdb|gps");
-  need(words.quaternion, "--quaternion COLUMN,COLUMN,COLUMN,COLUMN");
-  need(words.scalar, "--scalar first|last");
-  need(words.maps, "--maps body|reference");
-  need(words.reference, "--reference EME2000|GCRF");
+  Words needed{{"--quaternion COLUMN,COLUMN,COLUMN,COLUMN", words.quaternion},
+               {"--scalar first|last", words.scalar},
+               {"--maps body|reference", words.maps}};
   if (!words.rates.empty()) {
-    need(words.rate_unit, "--rate-unit rad/s|deg/s");
-    need(words.rate_axes, "--rate-axes body|reference");
+    needed.push_back({"--rate-unit rad/s|deg/s", words.rate_unit});
+    needed.push_back({"--rate-axes body|reference", words.rate_axes});
   }
-  need.check(words.file);
+  require_table(words, needed);
   if (words.rates.empty())
     refuse({{"--rate-unit", words.rate_unit}, {"--rate-axes", words.rate_axes}}, words.file.string() + ": ",
            " is of rates; missing: --rates COLUMN,COLUMN,COLUMN");
@@ -116,15 +116,9 @@ TableColumns columns_of(const AttitudeWords& words) {
 }
 
 OrbitColumns columns_of(const AttitudeWords& words, const OrbitWords& orbit) {
-  refuse_segment_of_table(words);
-  Needed need;
-  need(words.time, "--time COLUMN");
-  need(words.scale, "--scale utc|tai|tt|tdb|gps");
-  need(orbit.position, "--position COLUMN,COLUMN,COLUMN");
-  need(orbit.velocity, "--velocity COLUMN,COLUMN,COLUMN");
-  need(orbit.unit, "--unit m|km");
-  need(words.reference, "--reference EME2000|GCRF");
-  need.check(words.file);
+  require_table(words, {{"--position COLUMN,COLUMN,COLUMN", orbit.position},
+                        {"--velocity COLUMN,COLUMN,COLUMN", orbit.velocity},
+                        {"--unit m|km", orbit.unit}});
   const auto position = fields("--position", orbit.position, 3),
              velocity = fields("--velocity", orbit.velocity, 3);
   require_different(words.file, words.time, {position, velocity});
@@ -133,14 +127,15 @@ OrbitColumns columns_of(const AttitudeWords& words, const OrbitWords& orbit) {
 
 }  // namespace
 
-std::vector<std::string> fields(const char* option, const std::string& text, std::size_t count) {
-  std::vector<std::string> all;
-  std::istringstream in(text + ",");
-  for (std::string field; std::getline(in, field, ',');) all.push_back(field);
-  if (all.size() != count)
-    throw BadInput(std::string(option) + ' ' + text + " has " + detail::text(all.size()) +
-                   " fields between commas, not " + detail::text(count));
-  return all;
+Eigen::Vector3d axis_of(const std::string& text) {
+  Eigen::Vector3d axis;
+  const auto numbers = fields("--axis", text, 3);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto number = number_of<double>(numbers[i]);
+    if (!number) throw BadInput("--axis " + text + ": '" + numbers[i] + "' is no number");
+    axis[static_cast<Eigen::Index>(i)] = *number;
+  }
+  return axis;
 }
 
 AttitudeSource attitude_source(const AttitudeWords& words) {

@@ -31,8 +31,8 @@ struct MessageWords {
   InterpolationWords interpolation{};
 };
 
-/// What stands between commas. Throws BadInput for another number of fields.
-std::vector<std::string> fields(const char* option, const std::string& text, std::size_t count);
+/// The components of --axis. Throws BadInput unless they are three numbers.
+Eigen::Vector3d axis_of(const std::string& text);
 
 /// No convention is taken that nobody has stated, and no option is given in vain. Throws BadInput that names
 /// the options which a table misses, or one that does not apply to this file.

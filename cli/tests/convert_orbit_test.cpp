@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "convert.hpp"
+#include "says.hpp"
 #include "space/tests/temporary_file.hpp"
 #include "temporary_folder.hpp"
 
@@ -13,11 +14,6 @@ namespace vectrix::cli::convert_orbit_test {
 namespace {
 
 using earth::Eme2000, earth::Gcrf;
-
-std::string content(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
 
 const ConvertOptions named{{}, {}, {"S", "2026-001A", "TEST", "2026-11-29T00:00:00"}};
 
@@ -146,6 +142,12 @@ TEST(ConvertOrbit, KeepsAnyFrameAndSaysWhatATableLeavesOut) {
   EXPECT_EQ(after.size(), 2U);
   EXPECT_EQ(after.covariances().size(), 1U);
   EXPECT_EQ(after.metadata().start_time, Epoch::from_utc("2026-11-29T00:01:00"));
+  in.selection = {{}, {}, Epoch::from("2026-11-29T00:02:00 UTC")};
+  const auto early = folder.file("early.oem");
+  convert_to(in, early);
+  const auto before = OrbitEphemerisMessage::read(early).segments()[0];
+  ASSERT_EQ(before.covariances().size(), 1U);
+  EXPECT_EQ(before.covariances()[0].epoch, Epoch::from_utc("2026-11-29T00:00:00"));
 }
 
 TEST(ConvertOrbit, StatesTheInterpolationThatIsGiven) {
@@ -158,6 +160,33 @@ TEST(ConvertOrbit, StatesTheInterpolationThatIsGiven) {
   const auto after = OrbitEphemerisMessage::read(options.out).segments()[0];
   EXPECT_EQ(after.metadata().interpolation, "LAGRANGE");
   EXPECT_EQ(after.metadata().interpolation_degree, 2);
+}
+
+TEST(ConvertOrbit, SaysHowToReadATableAboutTheEarthOnly) {
+  TemporaryFolder folder;
+  const auto out = folder.file("out.csv"), of_mars = folder.file("mars.csv");
+  convert_to({folder.written("in.oem", message("GCRF"))}, out);
+  EXPECT_TRUE(says(content(out), "# Options to read it: --time time_utc "));
+  auto mars = message("GCRF");
+  mars.replace(mars.find("EARTH"), 5, "MARS");
+  convert_to({folder.written("mars.oem", mars)}, of_mars);
+  EXPECT_TRUE(says(content(of_mars), "# Of SAT relative to the centre of MARS.\ntime_utc,"));
+}
+
+TEST(ConvertOrbit, KeepsWithinTheUseableTimes) {
+  TemporaryFolder folder;
+  auto useable = message("GCRF");
+  useable.insert(useable.find("STOP_TIME"), "USEABLE_STOP_TIME = 2026-11-29T00:02:00\n");
+  OrbitFile in{folder.written("in.oem", useable)};
+  in.selection.from = Epoch::from("2026-11-29T00:00:30 UTC");
+  const auto out = folder.file("out.oem");
+  convert_to(in, out);
+  EXPECT_EQ(OrbitEphemerisMessage::read(out).segments()[0].metadata().useable_stop_time,
+            Epoch::from_utc("2026-11-29T00:02:00"));
+  useable.replace(useable.find("00:02:00"), 8, "00:00:20");
+  in.file = folder.written("late.oem", useable);
+  EXPECT_EQ(complaint([&] { convert_to(in, folder.file("none.oem")); }, in.file),
+            "FILE: none of the times is within USEABLE_START_TIME and USEABLE_STOP_TIME");
 }
 
 TEST(ConvertOrbit, CountsOneCovariance) {
@@ -177,9 +206,8 @@ TEST(ConvertOrbit, RefusesWhatItCannotSay) {
   const auto in = folder.written("in.oem", message("ITRF2000"));
   EXPECT_EQ(refusal({in}, "out.oem", "GCRF"),
             "FILE: the orbit is in 'ITRF2000'; --frame turns EME2000 and GCRF into each other");
-  EXPECT_NE(
-      refusal({in}, "out.aem").find("the name ends neither in .oem nor in .csv, which says what to write"),
-      std::string::npos);
+  EXPECT_TRUE(
+      says(refusal({in}, "out.aem"), "the name ends neither in .oem nor in .csv, which says what to write"));
   EXPECT_EQ(refusal({in}, "in.oem"), "FILE: is the same file as " + in.string() + ", which is read");
   EXPECT_EQ(content(in), message("ITRF2000"));
   auto stopped = message("TOD");

@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "plain_attitude.hpp"
+#include "says.hpp"
 #include "space/tests/temporary_file.hpp"
 #include "target.hpp"
 #include "temporary_folder.hpp"
@@ -20,11 +21,6 @@ using Maps = Convention::Maps;
 using earth::Eme2000, earth::Gcrf;
 
 struct Body : moving_frame {};
-
-std::string content(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
 
 // A table in the convention in which convert writes one.
 TableColumns written_columns(const std::string& reference, const std::string& scale,
@@ -215,9 +211,22 @@ TEST(Convert, SaysWhatIsNotToTheLastDigit) {
   const auto angles = folder.written(
       "angles.aem", head + segment("A2B", "ATTITUDE_TYPE = EULER_ANGLE\nEULER_ROT_SEQ = 321\n",
                                    "2026-11-29T00:00:00 10 20 30\n2026-11-29T00:03:00 10 20 31\n"));
-  EXPECT_NE(
-      convert_to({angles}, folder.file("angles.csv")).find("the quaternions are computed from Euler angles"),
-      std::string::npos);
+  EXPECT_TRUE(says(convert_to({angles}, folder.file("angles.csv")),
+                   "the quaternions are computed from Euler angles"));
+}
+
+TEST(Convert, WritesNoMinusZero) {
+  TemporaryFolder folder;
+  const AttitudeSource table{
+      folder.written("in.csv",
+                     "t,w,x,y,z,p,q,r\n2026-11-29T00:00:00,1,0,0,0,-0,0,0\n"
+                     "2026-11-29T00:00:01,1,0,0,0,-0,0,0\n"),
+      TableColumns{
+          "t", scale::utc, {"w", "x", "y", "z"}, {Scalar::first, Maps::to_body}, "GCRF", {"p", "q", "r"}}};
+  ConvertOptions options{folder.file("out.csv")};
+  std::ostringstream said;
+  convert(table, options, said);
+  EXPECT_TRUE(says(content(options.out), "\n2026-11-29T00:00:00.000,1,0,0,0,0,0,0\n"));
 }
 
 TEST(Convert, RefusesWhatWouldLoseOrOverwriteSomething) {
@@ -249,12 +258,17 @@ TEST(Convert, RefusesWhatWouldLoseOrOverwriteSomething) {
   options.frame = "ITRF";
   EXPECT_EQ(refusal(in), "the reference 'ITRF' is none of EME2000, J2000, GCRF, ICRF");
   options.frame = "";
-  options.body = "A\nB";
-  EXPECT_EQ(refusal(in), "--body holds a line break or another control character");
+  for (const char* body : {"A\nB", "A\tB", "A\x7f"}) {
+    options.body = body;
+    EXPECT_EQ(refusal(in), "--body holds a line break or another control character");
+  }
   options.body = "";
-  for (auto* const words : {&options.text.object_name, &options.text.object_id, &options.text.originator}) {
+  GivenText& text = options.text;
+  for (const auto& [words, option] : {std::pair{&text.object_name, "--object-name"},
+                                      {&text.object_id, "--object-id"},
+                                      {&text.originator, "--originator"}}) {
     *words = "A\nCOMMENT B";
-    EXPECT_NE(refusal(in).find(" holds a line break or another control character"), std::string::npos);
+    EXPECT_EQ(refusal(in), std::string(option) + " holds a line break or another control character");
     words->clear();
   }
   options.body = "GCRF";

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "circular_orbit.hpp"
 #include "flown_orbit.hpp"
 #include "space/tests/temporary_file.hpp"
 
@@ -14,14 +15,8 @@ using Eigen::Vector3d;
 const auto start = Epoch::from_utc("2023-04-20T05:00:00");
 const auto span = from_until(start, 3600.0 * si::second);
 
-// A low circular orbit in the axes of any frame.
 template <Frame A> PointMotion<A, Satellite, A> motion(const Epoch& t) {
-  constexpr double r = 7e6, n = 1.08e-3;
-  const double u = n * (t - start).value();
-  const Vector3d x(1.0, 0.0, 0.0), y(0.0, std::cos(1.0), std::sin(1.0));
-  return point_motion(of<Satellite>, relative_to<A>, observed_from<A>,
-                      vector<si::length>(in<A>, r * (std::cos(u) * x + std::sin(u) * y)),
-                      vector<si::velocity>(in<A>, r * n * (std::cos(u) * y - std::sin(u) * x)));
+  return circular_orbit<A>((t - start).value());
 }
 template <Frame A> OrbitEphemerisSegment segment(double from, double until) {
   std::vector<PositionSample<A, Satellite, Epoch>> samples;
@@ -43,6 +38,10 @@ constexpr double of_interpolation = 1e-5;  // m
 template <Frame A> Vector3d at(const Epoch& t) {
   TemporaryFile file(message({segment<A>(0.0, 3600.0)}));
   return orbit_of_message(file.path(), span)(t).position.coordinates();
+}
+
+std::string with(std::string text, const std::string& before, const std::string& after) {
+  return text.replace(text.find(before), before.size(), after);
 }
 
 TEST(FlownOrbit, IsInGcrfWhateverFrameTheMessageHas) {
@@ -76,6 +75,19 @@ TEST(FlownOrbit, TakesTheFirstSegmentThatHasTheEpoch) {
             "FILE: the epoch 2023-04-20T05:25:00.000000 UTC of an attitude is in no segment");
 }
 
+TEST(FlownOrbit, TakesTemeOfDateByBothNames) {
+  const std::string text = message({segment<Teme>(0.0, 3600.0)});
+  const auto of = [](const std::string& written) {
+    TemporaryFile file(written);
+    const auto t = start + 1234.5 * si::second;
+    return Vector3d(orbit_of_message(file.path(), span)(t).position.coordinates());
+  };
+  EXPECT_EQ(of(text), of(with(text, "= TEME", "= TEMEOFDATE")));
+  TemporaryFile stopped(with(text, "TIME_SYSTEM", "REF_FRAME_EPOCH = 2023-04-20T00:00:00\nTIME_SYSTEM"));
+  EXPECT_EQ(complaint([&] { (void)orbit_of_message(stopped.path(), span); }, stopped.path()),
+            "FILE: REF_FRAME_EPOCH stops TEME; --oem takes it of date");
+}
+
 TEST(FlownOrbit, RefusesAnEarthFixedMessageAndOldElements) {
   TemporaryFile file(message({segment<Itrf>(0.0, 3600.0)}));
   EXPECT_EQ(complaint([&] { (void)orbit_of_message(file.path(), span); }, file.path()),
@@ -94,9 +106,6 @@ TEST(FlownOrbit, RefusesAnEarthFixedMessageAndOldElements) {
             "nothing was thrown");
 }
 
-std::string with(std::string text, const std::string& before, const std::string& after) {
-  return text.replace(text.find(before), before.size(), after);
-}
 const std::string said = "INTERPOLATION = HERMITE\nINTERPOLATION_DEGREE = 7\n";
 
 TEST(FlownOrbit, IsInterpolatedAsTheFileOrElseTheUserSays) {
@@ -139,13 +148,24 @@ TEST(FlownOrbit, RefusesAnInterpolationThatContradictsTheFile) {
             "FILE: CENTER_NAME is 'MARS'; the orbit must be about EARTH");
 }
 
+// One segment of 20 minutes, and after more than an hour one of some minutes.
+std::string with_a_gap(int minutes, const std::string& stop) {
+  const auto late = message({segment<Gcrf>(7200.0, 7200.0 + 60.0 * minutes)});
+  return with(message({segment<Gcrf>(0.0, 1200.0)}), "STOP_TIME = 2023-04-20T05:20:00",
+              "STOP_TIME = 2023-04-20T" + stop) +
+         late.substr(late.find("2023-04-20T07:00:00", late.find("META_STOP")));
+}
+
+TEST(FlownOrbit, NeedsItsSamplesBetweenGaps) {
+  TemporaryFile file(with_a_gap(1, "07:01:00"));
+  EXPECT_EQ(complaint([&] { (void)orbit_of_message(file.path(), span); }, file.path()),
+            "FILE: 2 samples from 2023-04-20T07:00:00.000000 UTC, without a step above an hour; HERMITE "
+            "interpolation of degree 7 needs 4");
+}
+
 // What the library says of its types, at the door of the program.
 TEST(FlownOrbit, NamesNoTypes) {
-  std::string text = message({segment<Gcrf>(0.0, 1200.0)});
-  const auto late = message({segment<Gcrf>(7200.0, 8400.0)});
-  text.insert(text.size(), late.substr(late.find("2023-04-20T07:00:00", late.find("META_STOP"))));
-  text = with(text, "STOP_TIME = 2023-04-20T05:20:00", "STOP_TIME = 2023-04-20T07:20:00");
-  TemporaryFile file(text);
+  TemporaryFile file(with_a_gap(20, "07:20:00"));
   const auto orbit = orbit_of_message(file.path(), span);
   const auto gap = complaint([&] { (void)orbit(start + 3600.0 * si::second); }, file.path());
   EXPECT_EQ(gap.substr(0, 6), "FILE: ") << gap;

@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <sstream>
 
+#include "says.hpp"
 #include "space/tests/temporary_file.hpp"
 
 namespace vectrix::cli::sample_faults_test {
@@ -25,15 +27,46 @@ TEST(SampleFaults, AreOneOrMany) {
       "2026-11-29T00:00:00,1,0,0,0\n2026-11-29T00:00:01,1,0,0,0\n2026-11-29T00:00:02,1,0,0,0\n"
       "2026-11-29T00:00:03,1,0,0,0\n2026-11-29T00:00:04,1,0,0,0\n";
   const std::string one = written(steps + "2026-11-29T00:00:09,-1,0,0,0\n");
-  EXPECT_NE(
-      one.find("  1 gap, a step longer than three times the usual one; most 5 s, which ends at sample 6, "),
-      std::string::npos)
-      << one;
-  EXPECT_NE(one.find("  1 change from q to -q: the attitude is one"), std::string::npos) << one;
+  EXPECT_TRUE(
+      says(one, "  1 gap, a step longer than three times the usual one; most 5 s, which ends at sample 6, "));
+  EXPECT_TRUE(says(one, "  1 change from q to -q: the attitude is one"));
   const std::string two = written(steps + "2026-11-29T00:00:09,-1,0,0,0\n2026-11-29T00:00:15,1,0,0,0\n");
-  EXPECT_NE(two.find("  2 gaps, steps longer than three times the usual one; most 6 s"), std::string::npos)
-      << two;
-  EXPECT_NE(two.find("  2 changes from q to -q"), std::string::npos) << two;
+  EXPECT_TRUE(says(two, "  2 gaps, steps longer than three times the usual one; most 6 s"));
+  EXPECT_TRUE(says(two, "  2 changes from q to -q"));
+}
+
+// One of each.
+TEST(SampleFaults, AreCountedWhereTheyAre) {
+  AttitudeRecord record;
+  record.reference = "GCRF";
+  record.stated = {Convention::Scalar::first, Convention::Maps::to_body};
+  const auto start = Epoch::from_utc("2026-11-29T00:00:00");
+  const auto add = [&](double second, double angle, double factor) {
+    record.times.push_back(start + second * si::second);
+    record.numbers.push_back({factor * std::cos(0.5 * angle), factor * std::sin(0.5 * angle), 0.0, 0.0});
+  };
+  for (int i = 0; i < 10; ++i) add(i, 0.001 * i, 1.0);
+  add(10.0, 0.010, -1.0);  // -q: a change of sign, and one back
+  add(11.0, 0.011, 1.0);
+  add(20.0, 0.020, 1.0);         // a gap of 9 s
+  add(21.0, 0.121, 1.0);         // a jump of 0.1 rad
+  add(22.0, 0.122, 1.0 + 2e-6);  // the norm
+  add(23.0, 3.122, 1.0);         // a jump of 3 rad, near half a turn
+  add(23.5, 3.130, 1.0);         // as fast as a jump, but less than half a degree
+  const SampleFaults found = faults_of(record);
+  EXPECT_EQ(found.sign_flips.count, 2U);
+  EXPECT_EQ(found.sign_flips.sample, 10U);
+  EXPECT_EQ(found.gaps.count, 1U);
+  EXPECT_EQ(found.gaps.sample, 12U);
+  EXPECT_NEAR(found.gaps.largest, 9.0, 1e-9);
+  EXPECT_EQ(found.jumps.count, 2U);
+  EXPECT_EQ(found.half_turns.count, 1U);
+  EXPECT_EQ(found.half_turns.sample, 15U);
+  EXPECT_NEAR(found.half_turns.largest, 3.0, 1e-12);
+  EXPECT_EQ(found.norm_errors.count, 1U);
+  EXPECT_EQ(found.norm_errors.sample, 14U);
+  EXPECT_EQ(found.scale, 1.0);
+  EXPECT_NEAR(found.median_step, 1.0, 1e-9);
 }
 
 TEST(SampleFaults, NeedTwoSamples) {

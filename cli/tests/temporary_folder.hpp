@@ -1,22 +1,18 @@
 #pragma once
 
-#include <gtest/gtest.h>
-#include <unistd.h>
-
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <string>
+
+#include "space/tests/temporary_file.hpp"
 
 namespace vectrix::cli {
 
 /// An empty folder. It exists as long as the object.
 class TemporaryFolder {
  public:
-  TemporaryFolder() {
-    const auto* const test = ::testing::UnitTest::GetInstance()->current_test_info();
-    path_ =
-        std::filesystem::temp_directory_path() / (std::string{"vectrix_"} + test->test_suite_name() + "_" +
-                                                  test->name() + "_folder_" + std::to_string(::getpid()));
+  TemporaryFolder() : path_(temporary_path("_folder")) {
     std::filesystem::remove_all(path_);
     std::filesystem::create_directory(path_);
   }
@@ -33,5 +29,11 @@ class TemporaryFolder {
  private:
   std::filesystem::path path_;
 };
+
+/// What is in the file.
+inline std::string content(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
 
 }  // namespace vectrix::cli

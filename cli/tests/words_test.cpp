@@ -12,23 +12,21 @@ constexpr const char* aem = "CCSDS_AEM_VERS = 1.0\n";
 constexpr const char* oem = "CCSDS_OEM_VERS = 2.0\n";
 constexpr const char* table = "t,a,b,c,d\n";
 
-AttitudeWords attitude(const std::filesystem::path& file) {
-  AttitudeWords words;
-  words.file = file;
-  words.time = "t";
-  words.scale = "tai";
-  words.reference = "GCRF";
-  words.quaternion = "a,b,c,d";
-  words.scalar = "first";
-  words.maps = "body";
-  return words;
-}
+// What a table of an orbit needs, too.
 AttitudeWords shared_with_orbit(const std::filesystem::path& file) {
   AttitudeWords words;
   words.file = file;
   words.time = "t";
   words.scale = "gps";
   words.reference = "GCRF";
+  return words;
+}
+AttitudeWords attitude(const std::filesystem::path& file) {
+  AttitudeWords words = shared_with_orbit(file);
+  words.scale = "tai";
+  words.quaternion = "a,b,c,d";
+  words.scalar = "first";
+  words.maps = "body";
   return words;
 }
 const OrbitWords orbit{"x,y,z", "u,v,w", "km"};
@@ -125,6 +123,9 @@ TEST(Words, OfAnOrbitAreNotThoseOfAnAttitude) {
   EXPECT_FALSE(is_orbit({csv}, {}));
   EXPECT_FALSE(is_orbit({message}, {}));
   EXPECT_TRUE(is_orbit({orbit_message}, {}));
+  EXPECT_TRUE(is_orbit({folder.written("marked.oem", std::string("\xef\xbb\xbf") + oem)}, {}));
+  // No message begins so, but it is none of a table either: its reader says what is wrong.
+  EXPECT_FALSE(attitude_source({folder.written("c.aem", std::string("COMMENT first\n") + aem)}).columns);
   EXPECT_EQ(complaint(
                 [&] {
                   (void)is_orbit({csv}, {"", "", "km"});
@@ -181,6 +182,15 @@ TEST(Words, OfAMessageAreForOne) {
   ASSERT_TRUE(options.interpolation);
   EXPECT_EQ(options.interpolation->name(), "HERMITE interpolation of degree 7");
   EXPECT_EQ(options.aem_version, "2.0");
+}
+
+TEST(Words, OfAnAxisAreThreeNumbers) {
+  EXPECT_EQ(axis_of("1,-2.5,1e3"), Eigen::Vector3d(1.0, -2.5, 1000.0));
+  const auto refused = [](const char* text) { return complaint([&] { (void)axis_of(text); }); };
+  EXPECT_EQ(refused("0,0"), "--axis 0,0 has 2 fields between commas, not 3");
+  EXPECT_EQ(refused("0,0,"), "--axis 0,0,: '' is no number");
+  EXPECT_EQ(refused("0,1e999,0"), "--axis 0,1e999,0: '1e999' is no number");
+  EXPECT_EQ(refused("0,1x,0"), "--axis 0,1x,0: '1x' is no number");
 }
 
 TEST(Words, OfAnInterpolationSayMethodAndDegree) {

@@ -10,13 +10,17 @@
 
 namespace vectrix {
 
+/// Where nothing else of the tests is: the name has those of the test and of the process.
+inline std::filesystem::path temporary_path(const std::string& ending = "") {
+  const auto* const test = ::testing::UnitTest::GetInstance()->current_test_info();
+  return std::filesystem::temp_directory_path() / (std::string{"vectrix_"} + test->test_suite_name() + "_" +
+                                                   test->name() + "_" + std::to_string(::getpid()) + ending);
+}
+
 /// A file with the given content. It exists as long as the object.
 class TemporaryFile {
  public:
-  explicit TemporaryFile(const std::string& content) {
-    const auto* const test = ::testing::UnitTest::GetInstance()->current_test_info();
-    path_ = std::filesystem::temp_directory_path() / (std::string{"vectrix_"} + test->test_suite_name() +
-                                                      "_" + test->name() + "_" + std::to_string(::getpid()));
+  explicit TemporaryFile(const std::string& content) : path_(temporary_path()) {
     std::ofstream(path_, std::ios::binary) << content;
   }
   TemporaryFile(const TemporaryFile&) = delete;
