@@ -9,6 +9,7 @@
 #include <vectrix/dynamics/craft/propagate.hpp>
 #include <vectrix/dynamics/load/springs.hpp>
 
+#include "methods.hpp"
 #include "short_units.hpp"
 #include "testing/attitudes.hpp"
 
@@ -124,8 +125,8 @@ TEST(CraftScenario, AZeroSwitchesAMode) {
                                when(
                                    "slow", [](const auto& now) { return (rate_of(now) + 0.5) * rad_s; },
                                    ode::Direction::falling, [](const OnSat&) { return Mode::forward; }));
-  for (const ode::Method method : {ode::Method::verner_9, ode::Method::verner_7, ode::Method::radau_iia_7,
-                                   ode::Method::arkode_fehlberg_8, ode::Method::cvode_adams}) {
+  for (const ode::Method method : vectrix_test::methods) {
+    SCOPED_TRACE(vectrix_test::name_of(method));
     const auto flight = propagate(toggle, spinning(sat, 0.0), until(12.0, method));
     const auto events = flight.events();
     ASSERT_EQ(events.size(), 6U);

@@ -4,15 +4,11 @@
 #include <cmath>
 
 #include "load/three_parts.hpp"
+#include "methods.hpp"
 
 // Every kind of change with every method, at time zero and late.
 namespace vectrix_test::three_parts::methods_test {
 namespace {
-
-const ode::Method methods[] = {ode::Method::verner_9,          ode::Method::verner_7,
-                               ode::Method::radau_iia_7,       ode::Method::arkode_dormand_prince_5,
-                               ode::Method::arkode_fehlberg_8, ode::Method::cvode_adams,
-                               ode::Method::cvode_bdf};
 
 struct Command {
   double torque;
@@ -24,7 +20,7 @@ struct Samples {
 
 constexpr double tolerance = 1e-11;
 constexpr double period = 0.25, latency = 0.1, kick = 1.375, last = 4.0;
-constexpr double J = J_hub - J_wheel + J_mass;  // the panel and the wheel are free about z
+constexpr double J = J_rest;
 
 /// J w' = K (w_set - w(k T)), T after a latency, w_set = 1/2 rad/s, and 1/10 from the kick on.
 struct Loop {

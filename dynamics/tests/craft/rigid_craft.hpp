@@ -2,6 +2,7 @@
 
 #include <utility>
 #include <vectrix/dynamics/craft/propagate.hpp>
+#include <vectrix/dynamics/force/gravity.hpp>
 
 #include "rigid_bodies.hpp"
 
@@ -29,6 +30,14 @@ inline Turning turning(const AxisymmetricBody& body) {
 }
 inline Free free(const AxisymmetricBody& body) {
   return Free(tensor(body.a, body.a, body.c));
+}
+
+/// The attraction of a point mass without its gradient.
+inline auto field_of(double mu) {
+  return [mu = Quantity<si::gravitational_parameter>::from_value(mu)](const Now<Free>& now,
+                                                                      Forces<Free>& forces) {
+    forces.field(point_mass_gravity(mu, now.position(of<Body>, relative_to<Gcrf>, in<Gcrf>).vector()));
+  };
 }
 
 inline MovingDcm<Gcrf, Body> moving(const BodyState& state) {

@@ -9,6 +9,7 @@
 #include <vectrix/dynamics/load/pulse.hpp>
 
 #include "craft/rigid_craft.hpp"
+#include "methods.hpp"
 
 // Runs of a craft of one rigid body against closed-form solutions.
 namespace vectrix::test::rigid_run_test {
@@ -53,18 +54,12 @@ class RigidRun : public testing::TestWithParam<std::tuple<Method, AttitudeState>
 };
 
 std::string name(const testing::TestParamInfo<RigidRun::ParamType>& info) {
-  const char* methods[] = {"adams",    "bdf",      "dormand_prince_5", "fehlberg_8",
-                           "verner_9", "verner_7", "radau_iia_7"};
   const bool quaternion = std::get<1>(info.param) == AttitudeState::quaternion;
-  return std::string{methods[static_cast<int>(std::get<0>(info.param))]} +
-         (quaternion ? "_quaternion" : "_dcm");
+  return vectrix_test::name_of(std::get<0>(info.param)) + (quaternion ? "_quaternion" : "_dcm");
 }
 
 INSTANTIATE_TEST_SUITE_P(Methods, RigidRun,
-                         testing::Combine(testing::Values(Method::cvode_adams, Method::cvode_bdf,
-                                                          Method::arkode_dormand_prince_5,
-                                                          Method::arkode_fehlberg_8, Method::verner_9,
-                                                          Method::verner_7, Method::radau_iia_7),
+                         testing::Combine(testing::ValuesIn(vectrix_test::methods),
                                           testing::Values(AttitudeState::quaternion, AttitudeState::dcm)),
                          name);
 
@@ -138,14 +133,6 @@ TEST_P(RigidRun, tiny_bodies_turn_as_large_ones_until_the_torque_underflows) {
   } catch (const std::exception& failure) {
     expect_said(failure, "underflows, J w^2 = ");
   }
-}
-
-/// The attraction of a point mass without its gradient.
-auto field_of(double mu) {
-  return [mu = Quantity<si::gravitational_parameter>::from_value(mu)](const Now<Free>& now,
-                                                                      Forces<Free>& forces) {
-    forces.field(point_mass_gravity(mu, now.position(of<Body>, relative_to<Gcrf>, in<Gcrf>).vector()));
-  };
 }
 
 /// Kepler's ellipse, by Kepler's equation, together with an attitude that it does not affect.

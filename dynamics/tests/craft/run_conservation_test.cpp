@@ -24,14 +24,6 @@ CraftTrajectory<Turning> run(const CraftPropagation& how) {
 
 constexpr double mu_of_earth = 3.986004418e14;
 const Free satellite = free(body);
-
-/// The attraction of a point mass without its gradient.
-auto field_of(double mu) {
-  return [mu = Quantity<si::gravitational_parameter>::from_value(mu)](const Now<Free>& now,
-                                                                      Forces<Free>& forces) {
-    forces.field(point_mass_gravity(mu, now.position(of<Body>, relative_to<Gcrf>, in<Gcrf>).vector()));
-  };
-}
 CraftTrajectory<Free> in_orbit(const Eigen::Vector3d& w, const CraftPropagation& how) {
   return propagate(scenario(satellite, field_of(mu_of_earth)),
                    start_of(satellite, state_at(0.0, body.q0, w), {7e6, 0.0, 0.0}, {0.0, 5000.0, 6000.0}),

@@ -4,15 +4,11 @@
 #include <vectrix/dynamics/load/pulse.hpp>
 
 #include "load/three_parts.hpp"
+#include "methods.hpp"
 
 // What sticks is at rest, to the last bit, at any time and with any method.
 namespace vectrix_test::three_parts::sticking_test {
 namespace {
-
-const ode::Method methods[] = {ode::Method::verner_9,          ode::Method::verner_7,
-                               ode::Method::radau_iia_7,       ode::Method::arkode_dormand_prince_5,
-                               ode::Method::arkode_fehlberg_8, ode::Method::cvode_adams,
-                               ode::Method::cvode_bdf};
 
 TEST(Sticking, WhatSticksHasNoSpeed) {
   const Sat sat;

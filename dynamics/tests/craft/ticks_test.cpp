@@ -4,6 +4,7 @@
 #include <vectrix/dynamics/load/thruster.hpp>
 
 #include "load/three_parts.hpp"
+#include "methods.hpp"
 
 // Changes that are closer to each other than the rounding of time, 1.2e-7 s in seconds since 2000.
 namespace vectrix_test::three_parts::ticks_test {
@@ -19,10 +20,6 @@ struct Count {
 };
 const auto one_more = [](const Now<Sat>&, const Count& count) { return Count{count.value + 1}; };
 
-const ode::Method methods[] = {ode::Method::verner_9,          ode::Method::verner_7,
-                               ode::Method::radau_iia_7,       ode::Method::arkode_dormand_prince_5,
-                               ode::Method::arkode_fehlberg_8, ode::Method::cvode_adams,
-                               ode::Method::cvode_bdf};
 CraftPropagation with(ode::Method method, double end) {
   auto how = until(end);
   if (method == ode::Method::cvode_bdf) how.relative_tolerance = 1e-9;

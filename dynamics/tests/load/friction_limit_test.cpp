@@ -64,7 +64,7 @@ TEST(FrictionLimit, AWheelSticksUpToTheLimitAndSlipsAboveIt) {
             EXPECT_GE(sign * wheel_of(flight.at((begin + t) * s)), 0.0);
           }
           EXPECT_GT(sign * wheel_of(flight.at((begin + 9.0) * s)), 0.0);
-          const double braking = law.M_s * (1.0 / J_wheel + 1.0 / (J_hub - J_wheel + J_mass));
+          const double braking = law.M_s * (1.0 / J_wheel + 1.0 / J_rest);
           EXPECT_NEAR(wheel_of(flight.at((begin + 20.0) * s)), 0.0, braking * late_rounding);
           EXPECT_EQ(flight.template held<StickSlip<Wheel>>((begin + 20.0) * s).slips, 0);
         }
@@ -75,7 +75,7 @@ TEST(FrictionLimit, AWheelSticksUpToTheLimitAndSlipsAboveIt) {
 TEST(FrictionLimit, AWheelThatCameToRestIsNotDrivenOn) {
   const Sat sat;
   const Law law{0.02, 0.05};
-  const double braking = law.M_s * (1.0 / J_wheel + 1.0 / (J_hub - J_wheel + J_mass));
+  const double braking = law.M_s * (1.0 / J_wheel + 1.0 / J_rest);
   for (const double begin : {0.0, late})
     for (const double sign : {1.0, -1.0})
       for (const double above : {1e-14, 1e-12, 1e-10, 1e-8}) {
@@ -99,7 +99,7 @@ TEST(FrictionLimit, AWheelThatCameToRestIsNotDrivenOn) {
 // or stays; when the hub is no longer pushed it comes to rest.
 TEST(FrictionLimit, AHingeNearTheLimitNeverMovesTheOtherWay) {
   const Sat sat;
-  constexpr double M = 0.3, J = J_hub - J_wheel + J_mass, limit = M * (J + J_panel) / J_panel;
+  constexpr double M = 0.3, J = J_rest, limit = M * (J + J_panel) / J_panel;
   for (const double begin : {0.0, late})
     for (const double sign : {1.0, -1.0})
       for (int digits = -4; digits <= 4; ++digits) {
@@ -120,7 +120,7 @@ TEST(FrictionLimit, AHingeNearTheLimitNeverMovesTheOtherWay) {
 // beyond M_s is rounding at first.
 TEST(FrictionLimit, AGrowingTorqueOnTheHubBreaksAHinge) {
   const Sat sat;
-  constexpr double M = 0.3, J = J_hub - J_wheel + J_mass, limit = M * (J + J_panel) / J_panel;
+  constexpr double M = 0.3, J = J_rest, limit = M * (J + J_panel) / J_panel;
   for (const double begin : {0.0, late})
     for (const double sign : {1.0, -1.0})
       for (const double growth : {0.3, 0.03, 1e-6}) {

@@ -234,13 +234,26 @@ TEST(Friction, RefusesBadInput) {
     return message<BadInput>(
         [&] { friction(sat, of<Wheel>, coulomb * N_m, breakaway * N_m, u_s * rad_s, c * N_m_s); });
   };
+  const std::string on_wheel = "friction on " + frame_name<Wheel>();
   EXPECT_EQ(complaint(-1.0, 1.0, 1.0, 0.0),
-            "friction: the Coulomb effort is -1 N m; it must not be negative");
-  EXPECT_EQ(complaint(0.0, 0.0, 1.0, 0.0), "friction: the breakaway effort is 0 N m; it must be positive");
+            on_wheel + ": the Coulomb effort is -1 N m; it must not be negative");
+  EXPECT_EQ(complaint(0.0, 0.0, 1.0, 0.0), on_wheel + ": the breakaway effort is 0 N m; it must be positive");
   EXPECT_EQ(complaint(2.0, 1.0, 1.0, 0.0),
-            "friction: the breakaway effort is 1 N m, less than the Coulomb effort, 2 N m");
-  EXPECT_EQ(complaint(1.0, 1.0, 0.0, 0.0), "friction: the Stribeck speed is 0 rad/s; it must be positive");
-  EXPECT_EQ(complaint(1.0, 1.0, 1.0, std::nan("")), "friction: the viscous damping is nan SI units");
+            on_wheel + ": the breakaway effort is 1 N m, less than the Coulomb effort, 2 N m");
+  EXPECT_EQ(complaint(1.0, 1.0, 0.0, 0.0), on_wheel + ": the Stribeck speed is 0 rad/s; it must be positive");
+  EXPECT_EQ(complaint(1.0, 1.0, 1.0, std::nan("")), on_wheel + ": the viscous damping is nan SI units");
+}
+
+TEST(Springs, RefuseBadInput) {
+  const Sat sat;
+  const double nan = std::nan("");
+  const std::string panel = frame_name<Panel>();
+  EXPECT_EQ(message<BadInput>([&] { spring(sat, of<Panel>, nan * N_m / rad, 0.0 * rad); }),
+            "spring on " + panel + ": the stiffness is nan SI units");
+  EXPECT_EQ(message<BadInput>([&] { spring(sat, of<Panel>, 1.0 * N_m / rad, nan * rad); }),
+            "spring on " + panel + ": the place of rest is nan rad");
+  EXPECT_EQ(message<BadInput>([&] { damper(sat, of<Panel>, nan * N_m_s); }),
+            "damper on " + panel + ": the damping is nan SI units");
 }
 
 }  // namespace

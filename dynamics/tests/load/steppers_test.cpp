@@ -9,6 +9,7 @@
 #include <vectrix/dynamics/load/stop_at.hpp>
 
 #include "load/three_parts.hpp"
+#include "methods.hpp"
 
 // Friction and stops with every method of integration, against closed forms.
 namespace vectrix_test::three_parts::steppers_test {
@@ -17,22 +18,11 @@ namespace {
 constexpr double tolerance = 1e-11;
 /// Of a whole run of some hundred steps, each with an error below the tolerance.
 constexpr double reached = 1e3 * tolerance;
-struct Named {
-  ode::Method method;
-  const char* name;
-};
-constexpr Named methods[] = {{ode::Method::cvode_adams, "cvode_adams"},
-                             {ode::Method::cvode_bdf, "cvode_bdf"},
-                             {ode::Method::arkode_dormand_prince_5, "arkode_dormand_prince_5"},
-                             {ode::Method::arkode_fehlberg_8, "arkode_fehlberg_8"},
-                             {ode::Method::verner_9, "verner_9"},
-                             {ode::Method::verner_7, "verner_7"},
-                             {ode::Method::radau_iia_7, "radau_iia_7"}};
 /// The rate of the wheel's speed for a torque of 1 N m between it and the hub; the panel turns freely.
-constexpr double per_torque = 1.0 / J_wheel + 1.0 / (J_hub - J_wheel + J_mass);
-CraftPropagation with(const Named& one, double end) {
+constexpr double per_torque = 1.0 / J_wheel + 1.0 / J_rest;
+CraftPropagation with(ode::Method method, double end) {
   auto how = until(end, tolerance);
-  how.method = one.method;
+  how.method = method;
   return how;
 }
 
@@ -42,13 +32,13 @@ TEST(Steppers, FrictionStopsAWheel) {
   const Sat sat;
   constexpr double M = 0.02, spin = 3.0, stops = spin / (per_torque * M);
   static_assert(stops > 14.0 && stops < 16.0);
-  for (const Named& one : methods) {
-    SCOPED_TRACE(one.name);
+  for (const ode::Method method : methods) {
+    SCOPED_TRACE(name_of(method));
     const auto flight =
         propagate(scenario(sat, friction(sat, of<Wheel>, M * N_m, M * N_m, 1.0 * rad_s, 0.0 * (N_m / rad_s)),
                            pulse(sat, of<Wheel>, -M * N_m, 20.0 * s, 25.0 * s),
                            pulse(sat, of<Wheel>, -2.0 * M * N_m, 30.0 * s, 35.0 * s)),
-                  start_of(sat, {.spin = spin}), with(one, 50.0));
+                  start_of(sat, {.spin = spin}), with(method, 50.0));
     const auto spin_at = [&](double t) { return flight.at(t * s).spin(of<Wheel>).value(); };
     const auto events = flight.events();
     ASSERT_EQ(events.size(), 2U);
@@ -69,12 +59,12 @@ TEST(Steppers, FrictionStopsAWheel) {
 TEST(Steppers, AGrowingTorqueBreaksAWheelAway) {
   const Sat sat;
   constexpr double M = 0.05, a = 0.01;
-  for (const Named& one : methods) {
-    SCOPED_TRACE(one.name);
+  for (const ode::Method method : methods) {
+    SCOPED_TRACE(name_of(method));
     const auto flight =
         propagate(scenario(sat, friction(sat, of<Wheel>, M * N_m, M * N_m, 1.0 * rad_s, 0.0 * (N_m / rad_s)),
                            of_time(sat, of<Wheel>, [](Quantity<si::time> t) { return a * t.value() * N_m; })),
-                  start_of(sat, {}), with(one, 10.0));
+                  start_of(sat, {}), with(method, 10.0));
     ASSERT_EQ(flight.events().size(), 1U);
     EXPECT_NEAR(flight.events()[0].state.time().value(), M / a, reached);
     EXPECT_EQ(flight.at(4.9 * s).spin(of<Wheel>).value(), 0.0);
@@ -87,11 +77,11 @@ TEST(Steppers, AStopThrowsBack) {
   const Sat sat;
   constexpr double k = 200.0, v = 0.5, reduced = 1.0 / (1.0 / m_mass + 1.0 / (m_hub + m_panel));
   const double contact = std::numbers::pi * std::sqrt(reduced / k);
-  for (const Named& one : methods) {
-    SCOPED_TRACE(one.name);
+  for (const ode::Method method : methods) {
+    SCOPED_TRACE(name_of(method));
     const auto flight =
         propagate(scenario(sat, stop_at(sat, of<Mass>, -9.0 * m, 0.3 * m, k * (N / m), 0.0 * (N / m_s))),
-                  start_of(sat, {.velocity = v}), with(one, 2.0));
+                  start_of(sat, {.velocity = v}), with(method, 2.0));
     const auto events = flight.events();
     ASSERT_EQ(events.size(), 2U);
     EXPECT_NEAR(events[0].state.time().value(), 0.3 / v, reached);
@@ -106,13 +96,13 @@ TEST(Steppers, AStopThrowsBack) {
 // From rest exactly at a stop, pushed to it: p = M/k (1 - cos w t), w^2 = k/J.
 TEST(Steppers, AStopHoldsFromTheStart) {
   const Sat sat;
-  constexpr double k = 100.0, M = 3.0, J = 1.0 / (1.0 / J_panel + 1.0 / (J_hub - J_wheel + J_mass));
-  for (const Named& one : methods) {
-    SCOPED_TRACE(one.name);
+  constexpr double k = 100.0, M = 3.0, J = 1.0 / (1.0 / J_panel + 1.0 / J_rest);
+  for (const ode::Method method : methods) {
+    SCOPED_TRACE(name_of(method));
     const auto flight = propagate(
         scenario(sat, stop_at(sat, of<Panel>, -0.4 * rad, 0.3 * rad, k * N_m / rad, 0.0 * (N_m / rad_s)),
                  pulse(sat, of<Panel>, M * N_m, 0.0 * s, 9.0 * s)),
-        start_of(sat, {.angle = 0.3}), with(one, 0.35));
+        start_of(sat, {.angle = 0.3}), with(method, 0.35));
     for (double t = 0.0; t <= 0.35; t += 0.05)
       EXPECT_NEAR(flight.at(t * s).coordinate(of<Panel>).value(),
                   0.3 + M / k * (1.0 - std::cos(std::sqrt(k / J) * t)), reached);

@@ -115,12 +115,14 @@ TEST(StopAt, RefusesBadInput) {
     return message<BadInput>(
         [&] { stop_at(sat, of<Mass>, lower * m, upper * m, k * N_per_m, c * N_s_per_m); });
   };
-  EXPECT_EQ(complaint(1.0, 1.0, 1.0, 0.0), "stop_at: the lower limit is 1 m, the upper 1 m");
+  const std::string on_mass = "stop_at on " + frame_name<Mass>();
+  EXPECT_EQ(complaint(1.0, 1.0, 1.0, 0.0), on_mass + ": the lower limit is 1 m, the upper 1 m");
   EXPECT_EQ(complaint(1.0, std::nextafter(1.0, 0.0), 1.0, 0.0),
-            "stop_at: the lower limit is 1 m, the upper 0.9999999999999999 m");
-  EXPECT_EQ(complaint(0.0, std::nan(""), 1.0, 0.0), "stop_at: the upper limit is nan m");
-  EXPECT_EQ(complaint(0.0, 1.0, 0.0, 0.0), "stop_at: the stiffness is 0 SI units; it must be positive");
-  EXPECT_EQ(complaint(0.0, 1.0, 1.0, -1.0), "stop_at: the damping is -1 SI units; it must not be negative");
+            on_mass + ": the lower limit is 1 m, the upper 0.9999999999999999 m");
+  EXPECT_EQ(complaint(0.0, std::nan(""), 1.0, 0.0), on_mass + ": the upper limit is nan m");
+  EXPECT_EQ(complaint(0.0, 1.0, 0.0, 0.0), on_mass + ": the stiffness is 0 SI units; it must be positive");
+  EXPECT_EQ(complaint(0.0, 1.0, 1.0, -1.0),
+            on_mass + ": the damping is -1 SI units; it must not be negative");
   const auto stopped =
       scenario(sat, stop_at(sat, of<Mass>, 0.0 * m, 1.0 * m, 1.0 * N_per_m, 0.0 * N_s_per_m));
   try {

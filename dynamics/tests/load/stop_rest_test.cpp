@@ -16,7 +16,7 @@ namespace {
 
 constexpr double rounding = 1e-12;  // of angles below 0.5, in some hundred steps with a tolerance of 1e-13
 constexpr double k = 100.0, c = 5.0, lower = -0.4, upper = 0.3, M = 3.0;
-constexpr double J = 1.0 / (1.0 / J_panel + 1.0 / (J_hub - J_wheel + J_mass));
+constexpr double J = 1.0 / (1.0 / J_panel + 1.0 / J_rest);
 const double w = std::sqrt(k / J), z = c / (2.0 * J * w), root = std::sqrt(1.0 - z * z);
 constexpr double infinite = std::numeric_limits<double>::infinity();
 

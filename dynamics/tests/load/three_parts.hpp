@@ -21,6 +21,8 @@ struct Wheel : named_point {};
 
 // About z and along x: kg m^2, kg.
 constexpr double J_hub = 2.0, J_panel = 0.5, J_wheel = 0.1, J_mass = 0.25;
+/// About z, of the hub and the mass; the panel and the wheel are free.
+constexpr double J_rest = J_hub - J_wheel + J_mass;
 constexpr double m_hub = 6.0, m_panel = 2.0, m_mass = 1.0;
 
 template <Frame B> MassProperties<B> mass(double kg, double J_z) {

@@ -12,15 +12,14 @@
 #include <vectrix/dynamics/ode/solve.hpp>
 #include <vectrix/frames/scalar/larger.hpp>
 
+#include "methods.hpp"
+
 /// Problems with closed-form solutions, shared by the tests of the integration layer.
 namespace vectrix::ode::test {
 
 using State = std::span<const double>;
 
-inline const std::vector<Method> methods = {
-    Method::cvode_adams,       Method::cvode_bdf, Method::arkode_dormand_prince_5,
-    Method::arkode_fehlberg_8, Method::verner_9,  Method::verner_7,
-    Method::radau_iia_7};
+using vectrix_test::methods;
 
 /// Those of SUNDIALS, whose dense output goes through the nodes.
 inline const std::vector<Method> sundials_methods(methods.begin(), methods.begin() + 4);
@@ -29,23 +28,7 @@ inline const std::vector<Method> sundials_methods(methods.begin(), methods.begin
 inline const std::vector<Method> inlined_methods = {Method::verner_9, Method::verner_7};
 
 inline std::string name(const testing::TestParamInfo<Method>& info) {
-  switch (info.param) {
-    case Method::cvode_adams:
-      return "adams";
-    case Method::cvode_bdf:
-      return "bdf";
-    case Method::arkode_dormand_prince_5:
-      return "dormand_prince_5";
-    case Method::arkode_fehlberg_8:
-      return "fehlberg_8";
-    case Method::verner_9:
-      return "verner_9";
-    case Method::verner_7:
-      return "verner_7";
-    case Method::radau_iia_7:
-      return "radau_iia_7";
-  }
-  return "unknown";
+  return vectrix_test::name_of(info.param);
 }
 
 inline void set_tolerance(Problem& problem, double tolerance) {

@@ -46,11 +46,12 @@ template <CraftType C> struct GyroscopicTorque {
     constexpr PartCounts parts = C::shape::total;
     if constexpr (parts.bodies + parts.rotors + parts.modes == 0) {
       using Limits = std::numeric_limits<double>;
-      const double rate = std::sqrt(w[0] * w[0] + w[1] * w[1] + w[2] * w[2]);
-      const double size = moments * rate * rate;
-      if (size < Limits::min() / Limits::epsilon() && rate * duration > Limits::epsilon()) [[unlikely]] {
-        throw BadInput("propagate: at the rate " + text(rate) + " rad/s the torque w x J w of " + craft.hub +
-                       " underflows, J w^2 = " + text(size) + " N m");
+      const double square = w[0] * w[0] + w[1] * w[1] + w[2] * w[2], size = moments * square;
+      if (size < Limits::min() / Limits::epsilon()) [[unlikely]] {
+        const double rate = std::sqrt(square);
+        if (rate * duration > Limits::epsilon())
+          throw BadInput("propagate: at the rate " + text(rate) + " rad/s the torque w x J w of " +
+                         craft.hub + " underflows, J w^2 = " + text(size) + " N m");
       }
     }
   }

@@ -30,21 +30,23 @@ template <class P, class D> bool all_finite(const Wrench<P, D>& W) {
 template <class U> std::string all_digits(const Quantity<U>& x) {
   return text(x.value()) + " " + unit_symbol<U>;
 }
-/// The value itself. Throws BadInput, as "spring: the stiffness is nan", if it is not finite.
-template <class Value> const Value& finite(const char* load, const char* what, const Value& value) {
-  if (!all_finite(value)) throw BadInput(std::string{load} + ": the " + what + " is " + text(value));
+/// The value itself. Throws BadInput, as "spring on Panel: the stiffness is nan", if it is not finite.
+template <class Value> const Value& finite(const std::string& load, const char* what, const Value& value) {
+  if (!all_finite(value)) throw BadInput(load + ": the " + what + " is " + text(value));
   return value;
 }
 /// Also if it is negative.
-template <class U> const Quantity<U>& not_negative(const char* load, const char* what, const Quantity<U>& x) {
+template <class U>
+const Quantity<U>& not_negative(const std::string& load, const char* what, const Quantity<U>& x) {
   if (!(finite(load, what, x).value() >= 0.0))
-    throw BadInput(std::string{load} + ": the " + what + " is " + text(x) + "; it must not be negative");
+    throw BadInput(load + ": the " + what + " is " + text(x) + "; it must not be negative");
   return x;
 }
 /// Also if it is not greater than 0.
-template <class U> const Quantity<U>& positive(const char* load, const char* what, const Quantity<U>& x) {
+template <class U>
+const Quantity<U>& positive(const std::string& load, const char* what, const Quantity<U>& x) {
   if (!(finite(load, what, x).value() > 0.0))
-    throw BadInput(std::string{load} + ": the " + what + " is " + text(x) + "; it must be positive");
+    throw BadInput(load + ": the " + what + " is " + text(x) + "; it must be positive");
   return x;
 }
 

@@ -152,13 +152,14 @@ JointFriction<C, On, Effort, Speed, Damping> friction(const C&, Of<On>, const Qu
                                                       const Quantity<Effort>& breakaway,
                                                       const Quantity<Speed>& stribeck_speed,
                                                       const Quantity<Damping>& viscous) {
-  detail::not_negative("friction", "Coulomb effort", coulomb);
-  detail::positive("friction", "breakaway effort", breakaway);
+  const std::string load = detail::on_joint<On>("friction");
+  detail::not_negative(load, "Coulomb effort", coulomb);
+  detail::positive(load, "breakaway effort", breakaway);
   if (breakaway < coulomb)
-    throw BadInput("friction: the breakaway effort is " + detail::all_digits(breakaway) +
+    throw BadInput(load + ": the breakaway effort is " + detail::all_digits(breakaway) +
                    ", less than the Coulomb effort, " + detail::all_digits(coulomb));
-  detail::positive("friction", "Stribeck speed", stribeck_speed);
-  detail::not_negative("friction", "viscous damping", viscous);
+  detail::positive(load, "Stribeck speed", stribeck_speed);
+  detail::not_negative(load, "viscous damping", viscous);
   return {coulomb, breakaway, stribeck_speed, viscous};
 }
 template <class C, class On, class Effort, class Breakaway, class Speed, class Damping>

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <string>
 #include <type_traits>
 #include <vectrix/dynamics/craft/forces.hpp>
+#include <vectrix/frames/frame.hpp>
 
 namespace vectrix::detail {
 
@@ -13,6 +15,11 @@ using AxisUnits =
                        JointUnits<JointKind::hinge>,
                        std::conditional_t<C::shape::template has_joint_of<On, JointKind::slider>,
                                           JointUnits<JointKind::slider>, void>>;
+
+/// "friction on Panel", for messages.
+template <class On> std::string on_joint(const char* load) {
+  return std::string{load} + " on " + frame_name<On>();
+}
 
 /// Whether the joint of b has the coordinate Q, and K times Q is its effort.
 template <class C, class B, class K, class Q> constexpr bool is_stiffness() {

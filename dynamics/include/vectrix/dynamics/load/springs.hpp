@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vectrix/dynamics/load/finite.hpp>
 #include <vectrix/dynamics/load/joint_units.hpp>
 
@@ -26,8 +27,8 @@ template <CraftType C, class B, class D> struct JointDamper {
 template <CraftType C, class B, class K, class Q>
   requires(detail::is_stiffness<C, B, K, Q>())
 JointSpring<C, B, K, Q> spring(const C&, Of<B>, const Quantity<K>& stiffness, const Quantity<Q>& at_rest) {
-  return {detail::finite("spring", "stiffness", stiffness),
-          detail::finite("spring", "place of rest", at_rest)};
+  const std::string load = detail::on_joint<B>("spring");
+  return {detail::finite(load, "stiffness", stiffness), detail::finite(load, "place of rest", at_rest)};
 }
 template <class C, class B, class K, class Q>
 auto spring(  // spring(craft, of<B>, k, q_0): b on a hinge, N m/rad and rad, or on a slider, N/m and m
@@ -37,7 +38,7 @@ auto spring(  // spring(craft, of<B>, k, q_0): b on a hinge, N m/rad and rad, or
 template <CraftType C, class B, class D>
   requires(detail::is_damping<detail::AxisUnits<C, B>, D>())
 JointDamper<C, B, D> damper(const C&, Of<B>, const Quantity<D>& damping) {
-  return {detail::finite("damper", "damping", damping)};
+  return {detail::finite(detail::on_joint<B>("damper"), "damping", damping)};
 }
 template <class C, class B, class D>
 auto damper(  // damper(craft, of<B>, c): b on a hinge, N m s/rad, or on a slider, N s/m

@@ -128,13 +128,13 @@ template <class S> class VECTRIX_EXPORT Tree {
   [[nodiscard]] Transmitted reaction(int body, const Work<S>& k) const;
 
  private:
-  void place_hub(const S* y, Work<S>& k) const;
+  [[gnu::always_inline]] inline void place_hub(const S* y, Work<S>& k) const;
   void give_hub_inertia(Work<S>& k) const;
   void place_link(std::size_t i, const S* y, Work<S>& k) const;
   void inward(std::size_t i, Work<S>& k) const;
   void outward(std::size_t i, S* ydot, Work<S>& k) const;
-  void add_internals(const S* y, Work<S>& k) const;
-  [[nodiscard]] Accelerations<S> solve_hub(bool rigid, const Work<S>& k) const;
+  [[gnu::always_inline]] inline void add_internals(const S* y, Work<S>& k) const;
+  [[nodiscard, gnu::always_inline]] inline Accelerations<S> solve_hub(bool rigid, const Work<S>& k) const;
   [[nodiscard]] Articulated<S>& inertia(int body, Work<S>& k) const;
   [[nodiscard]] Accelerations<S> less_field(int body, const Work<S>& k) const;
   [[nodiscard]] Column<S> hub_velocity(const S* y, const Work<S>& k) const;
