@@ -43,13 +43,37 @@ class Page(unittest.TestCase):
         self.assertEqual(refusals_page.rule_of(refusals_page.explanation(SAID)), "wait(time)")
         self.assertEqual(refusals_page.rule_of(refusals_page.explanation(OWN_WORDS)), "could not convert … from … to …")
 
-    def test_shows_only_what_differs(self) -> None:
-        case = read_topic(GOOD).cases[0]
-        self.assertEqual(refusals_page.difference(case), [" void use() {", "-  wait(Metres{});", "+  wait(Seconds{});", " }"])
+    def test_says_a_mistake_on_a_line(self) -> None:
+        topic = read_topic(GOOD)
+        entry = refusals_page.Entry(topic, topic.cases[0], [], "")
+        self.assertEqual(
+            refusals_page.in_words(entry),
+            "metres are handed to a door that wants seconds ([`metres_for_seconds`](../../tools/tests/samples/good.cpp)): "
+            "`wait(Metres{})` → `wait(Seconds{})`",
+        )
 
     def test_shortens_code(self) -> None:
-        self.assertEqual(refusals_page.code(["  return a || b;"]), "`a \\|\\| b`")
+        self.assertEqual(refusals_page.code(["  return a || b;"]), "`a || b`")
         self.assertEqual(refusals_page.code(["x" * (refusals_page.SHORT + 1)]), "…")
+        self.assertEqual(refusals_page.code([]), "nothing")
+
+    def test_loses_no_mistake(self) -> None:
+        topic = read_topic(GOOD)
+        said = {topic.relative: {"metres_for_seconds": SAID, "metres_in_a_template": OWN_WORDS}}
+        self.assertEqual(len(topic.cases), 2)
+        for many in 1, 2:  # a section for each rule, or a line in the table of its layer
+            refusals_page.MANY, kept = many, refusals_page.MANY
+            page = refusals_page.generated([topic], said)
+            refusals_page.MANY = kept
+            for case in topic.cases:
+                self.assertEqual(page.count(f"[`{case.name}`]"), 1)
+            self.assertEqual(page.count("`wait(time)`"), 1)
+            self.assertEqual("declared here: void wait(Metres) = delete" in page, many == 1)
+
+    def test_keeps_a_rule_with_bars_in_its_cell(self) -> None:
+        topic = read_topic(GOOD)
+        entry = refusals_page.Entry(topic, topic.cases[0], [], "a | b")
+        self.assertTrue(refusals_page.table("frames", [("a | b", [entry])])[4].startswith("| `a \\| b` | metres"))
 
     def test_notices_what_is_out_of_date(self) -> None:
         topic = read_topic(GOOD)
