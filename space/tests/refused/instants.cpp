@@ -97,3 +97,47 @@ Epoch instant(const JulianDate<scale::Ut1>& ut1, const Quantity<si::time>& ut1_m
 #endif
 }
 }  // namespace ut1_date_without_its_difference
+
+namespace utc_text_read_as_tt {
+// mistake: reads the text of an instant in UTC as one in TT: 69 s off
+// expect: scale::Tt\b
+// expect: scale::Utc\b
+Epoch instant(const Epoch& t) {
+#ifdef REPAIRED
+  return Epoch::from_tt(t.tt());
+#else
+  return Epoch::from_tt(t.utc());
+#endif
+}
+}  // namespace utc_text_read_as_tt
+
+namespace text_read_in_another_scale {
+// mistake: reads a text in GPS time, kept in a table, as one in TAI: 19 s off
+// expect: scale::Gps\b
+// expect: scale::Tai\b
+Epoch instant(const Epoch& t) {
+  const auto kept = exact_text(t, scale::gps);
+#ifdef REPAIRED
+  return Epoch::from(scale::gps, kept);
+#else
+  return Epoch::from(scale::tai, kept);
+#endif
+}
+}  // namespace text_read_in_another_scale
+
+namespace ut1_dates_of_two_sources {
+// mistake: compares dates in UT1 of two tables of Earth orientation, which differ by what the tables do
+// expect: UT1 is as its table has it: compare the epochs
+// expect: scale::Ut1\b
+bool is_before(const Epoch& a, const EarthOrientation& early, const Epoch& b, const EarthOrientation& late) {
+  const auto in_ut1 = [](const Epoch& t, const EarthOrientation& observed) {
+    return t.julian_date(scale::Ut1::minus_tai(observed.parameters(t).ut1_minus_tai));
+  };
+#ifdef REPAIRED
+  static_cast<void>(in_ut1(a, early)), static_cast<void>(in_ut1(b, late));
+  return a < b;
+#else
+  return in_ut1(a, early) < in_ut1(b, late);
+#endif
+}
+}  // namespace ut1_dates_of_two_sources

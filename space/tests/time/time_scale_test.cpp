@@ -7,6 +7,7 @@
 
 #include <vectrix/frames/errors.hpp>
 #include <vectrix/space/time/epoch.hpp>
+#include <vectrix/space/time/exact_text.hpp>
 
 #include "temporary_file.hpp"
 
@@ -177,6 +178,19 @@ RC_GTEST_PROP(TimeScale, JulianDatesAreReadBackHoweverTheyAreSplit, ()) {
             clock_rounding);
 }
 
+TEST(TimeScale, WritesTheSameTextForAScaleInATypeAndAtRunTime) {
+  const auto t = Epoch::from_utc("2016-12-31T23:59:60.25");
+  const TimeScale& gps = scale::gps;
+  const DateText<scale::Gps> text = t.text(scale::gps, 3);
+  const DateText<scale::Gps> by_day_of_year = t.day_of_year_text(scale::gps, 3);
+  EXPECT_EQ(text, "2017-01-01T00:00:17.250");
+  EXPECT_EQ(t.text(gps, 3), text);
+  EXPECT_EQ(by_day_of_year, "2017-001T00:00:17.250");
+  EXPECT_EQ(t.day_of_year_text(gps, 3), by_day_of_year);
+  const DateText<scale::Gps> exact = exact_text(t, scale::gps);
+  EXPECT_EQ(exact_text(t, gps), exact);
+}
+
 // 9 decimals, a nanosecond, of the 11 that an epoch has.
 RC_GTEST_PROP(TimeScale, TextIsReadBackToTheLastDigit, ()) {
   const auto epoch = *epoch_since_1980();
@@ -300,6 +314,10 @@ template <class A, class B>
 concept Subtracts = requires(const A& a, const B& b) {
   a - b;
 };
+template <class Scale, class Text>
+concept Reads = requires(const Scale& scale, const Text& text) {
+  Epoch::from(scale, text);
+};
 template <class Scale>
 concept HasDate = requires(const Epoch& t, const Scale& scale) {
   t.julian_date(scale);
@@ -328,6 +346,11 @@ static_assert(!Compares<Tt, Utc> && !Equates<Tt, Utc> && !Compares<Epoch, Tt> &&
 static_assert(!Equates<Epoch, Tt> && !Equates<Tt, Epoch> && !Equates<Tt, double> && !Compares<Tt, double>);
 static_assert(!Subtracts<Tt, Tt> && !Subtracts<Tt, Utc> && !Subtracts<Epoch, Tt> && !Subtracts<Tt, Epoch>);
 static_assert(!Compares<GpsTime, Epoch> && !Subtracts<GpsTime, GpsTime> && !Equates<GpsTime, Epoch>);
+static_assert(!ComparesInAWay<JulianDate<scale::Ut1>, JulianDate<scale::Ut1>> &&
+              !Equates<JulianDate<scale::Ut1>, JulianDate<scale::Ut1>>);
+static_assert(Reads<scale::Tt, DateText<scale::Tt>> && !Reads<scale::Tt, DateText<scale::Utc>>);
+static_assert(Reads<scale::Tt, std::string> &&
+              Reads<TimeScale, DateText<scale::Utc>>);      // known at run time only
 static_assert(HasDate<scale::Ut1> && !HasDate<TimeScale>);  // the scale stays in the type of the date
 
 }  // namespace

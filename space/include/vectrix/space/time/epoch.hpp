@@ -9,6 +9,7 @@
 
 #include <vectrix/frames/export.hpp>
 #include <vectrix/frames/units.hpp>
+#include <vectrix/space/time/date_text.hpp>
 #include <vectrix/space/time/gps_time.hpp>
 #include <vectrix/space/time/julian_date.hpp>
 
@@ -32,11 +33,15 @@ class VECTRIX_EXPORT Epoch {
   /// dates that do not exist.
   static Epoch from(const TimeScale& scale, std::string_view text);
   /// Epoch::from(scale::utc, text), Epoch::from(scale::tt, text)
-  static Epoch from_utc(std::string_view text) { return from(scale::utc, text); }
-  static Epoch from_tt(std::string_view text) { return from(scale::tt, text); }
+  static Epoch from_utc(DateTextView<scale::Utc> text) { return from(scale::utc, text); }
+  static Epoch from_tt(DateTextView<scale::Tt> text) { return from(scale::tt, text); }
   /// From a text that names its scale, as << writes it: "2022-04-14T10:22:11.874999 TT", or UTC, TAI, TDB,
   /// GPS; a 'Z' at the end is UTC.
   static Epoch from(std::string_view text);
+  template <ScaleType Scale, class Written>
+    requires(!std::same_as<Scale, Written>)
+  static auto from(  // a text is read in the scale in which it was written
+      const Scale&, const DateText<Written>&) -> Epoch = delete;
 
   /// From a Julian date in two parts, split in any way: (2459683.5, 0.25) or (2459683.75, 0.0). Nothing is
   /// lost between the parts; a single double is rounded to 40 microseconds, of a modified Julian date to 1.
@@ -62,18 +67,23 @@ class VECTRIX_EXPORT Epoch {
 
   /// The text of the instant, rounded to the given number of decimals, 0 to 9, but at the end of the year
   /// 9999 not up to a year that from() does not read. Throws BadInput in UTC before 1960, and in GPS before
-  /// 1980.
+  /// 1980. The type of the text has the scale, unless the scale is known at run time only.
   [[nodiscard]] std::string text(const TimeScale& scale, int decimals = 6) const;
+  template <ScaleType Scale> [[nodiscard]] DateText<Scale> text(const Scale& scale, int decimals = 6) const {
+    return DateText<Scale>{text(static_cast<const TimeScale&>(scale), decimals)};
+  }
   /// The same with the day of the year, "2022-104T10:22:11.874999".
   [[nodiscard]] std::string day_of_year_text(const TimeScale& scale, int decimals = 6) const;
+  template <ScaleType Scale>
+  [[nodiscard]] DateText<Scale> day_of_year_text(const Scale& scale, int decimals = 6) const {
+    return DateText<Scale>{day_of_year_text(static_cast<const TimeScale&>(scale), decimals)};
+  }
   /// text(scale::utc, decimals), text(scale::tt, decimals)
-  [[nodiscard]] std::string utc(int decimals = 6) const { return text(scale::utc, decimals); }
-  [[nodiscard]] std::string tt(int decimals = 6) const { return text(scale::tt, decimals); }
+  [[nodiscard]] DateText<scale::Utc> utc(int decimals = 6) const { return text(scale::utc, decimals); }
+  [[nodiscard]] DateText<scale::Tt> tt(int decimals = 6) const { return text(scale::tt, decimals); }
 
   /// The Julian date in a scale: epoch.julian_date(scale::tdb) is a JulianDate<scale::Tdb>.
-  template <std::derived_from<TimeScale> Scale>
-    requires(!std::same_as<Scale, TimeScale>)
-  [[nodiscard]] JulianDate<Scale> julian_date(const Scale& scale) const {
+  template <ScaleType Scale> [[nodiscard]] JulianDate<Scale> julian_date(const Scale& scale) const {
     const auto date = date_in(scale);
     return {date.day, date.fraction};
   }

@@ -12,5 +12,8 @@ namespace vectrix {
 /// If none does, for the text in its scale is coarser than the epoch, the nearest of 12 decimals. Throws
 /// BadInput as Epoch::text does, and outside the years 0 to 9999.
 VECTRIX_EXPORT std::string exact_text(const Epoch& epoch, const TimeScale& scale);
+template <ScaleType Scale> DateText<Scale> exact_text(const Epoch& epoch, const Scale& scale) {
+  return DateText<Scale>{exact_text(epoch, static_cast<const TimeScale&>(scale))};
+}
 
 }  // namespace vectrix

@@ -29,6 +29,21 @@ template <std::derived_from<TimeScale> Scale> struct JulianDate {
       -> std::partial_ordering = delete;
 };
 
+/// A date in UT1 follows from an observed UT1-TAI. Another table gives another date for the same instant, so
+/// these dates do not compare.
+template <> struct JulianDate<scale::Ut1> {
+  double day;
+  double fraction;
+
+  [[nodiscard]] constexpr double modified_day() const { return day - 2400000.5; }
+
+  template <class Other>
+  auto operator==(const Other&) const -> bool = delete;  // UT1 is as its table has it: compare the epochs
+  template <class Other>
+  auto operator<=>(const Other&) const  // UT1 is as its table has it: compare the epochs
+      -> std::partial_ordering = delete;
+};
+
 // Its sums and differences are refused.
 template <class Scale> inline constexpr bool detail::is_framed<JulianDate<Scale>> = true;
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <concepts>
+
 #include <vectrix/frames/export.hpp>
 #include <vectrix/frames/units.hpp>
 
@@ -32,6 +34,10 @@ class TimeScale {
   Kind kind_;
   Quantity<si::time> ut1_offset_{};
 };
+
+/// One scale, such as scale::Tt; not TimeScale, which may be any.
+template <class Scale>
+concept ScaleType = std::derived_from<Scale, TimeScale> && !std::same_as<Scale, TimeScale>;
 
 namespace scale {
 

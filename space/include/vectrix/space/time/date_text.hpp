@@ -1,0 +1,32 @@
+#pragma once
+
+#include <concepts>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include <vectrix/space/time/time_scale.hpp>
+
+namespace vectrix {
+
+/// The text of an instant in one scale, "2022-04-14T10:22:11.874999": a std::string that knows in which scale
+/// it was written, though it does not show it. Epoch::from does not read it in another.
+template <ScaleType Scale> class DateText : public std::string {
+ public:
+  /// A claim: the text was written in this scale.
+  explicit DateText(std::string text) : std::string(std::move(text)) {}
+};
+
+/// A text that is to be read in one scale: any text, but not one that was written in another scale.
+template <ScaleType Scale> class DateTextView : public std::string_view {
+ public:
+  template <std::convertible_to<std::string_view> Text>
+  DateTextView(const Text& text) : std::string_view(text) {}
+  template <class Written>
+    requires(!std::same_as<Written, Scale>)
+  DateTextView(  // a text is read in the scale in which it was written
+      const DateText<Written>&)
+  = delete;
+};
+
+}  // namespace vectrix
