@@ -108,6 +108,8 @@ void check_options(const PointingOptions& options) {
                    " is not where it is seen; missing: --correction geometric|light_time|apparent");
   if (!is_in_sky(options.target) && options.correction)
     throw BadInput("--correction is of the Sun and the Moon, not of " + name_of(options.target));
+  if (options.force && options.csv.empty())
+    throw BadInput("--force overwrites the file of --csv, which is not given");
   require_angle("--require", options.required);
   require_angle("--require-relative", options.required_relative);
   if ((options.required || options.required_relative) != options.percent.has_value())
@@ -119,6 +121,13 @@ void check_options(const PointingOptions& options) {
     throw BadInput("--require-relative needs the window of the relative error; missing: --window SECONDS");
   if (options.window && !(*options.window > 0.0 && std::isfinite(*options.window)))
     throw BadInput("--window " + detail::text(*options.window) + " is no duration");
+}
+
+// The figures name their instants in UTC.
+void require_utc(const AttitudeRecord& record) {
+  if (record.times.front() < Epoch::from_utc("1960-01-01T00:00:00"))
+    throw BadInput(record.file + ": the first sample, " + record.times.front().tt(3) +
+                   " TT, is before 1960, and UTC, in which the figures are written, is not known then");
 }
 
 bool write_absolute(const PointingOptions& options, const AttitudeRecord& record, const std::string& target,
@@ -155,6 +164,7 @@ bool pointing(const PointingOptions& options, std::ostream& out) {
   check_options(options);
   refuse_input(options.csv, {options.attitude.file, options.orbit.elements, options.orbit.message});
   const AttitudeRecord record = read_attitude(options.attitude);
+  require_utc(record);
   const FlownOrbit orbit = read_orbit(options.orbit, from_until(record.times.front(), record.times.back()));
   const auto to_target = directions(record, options.target, options.correction.value_or(geometric), orbit);
   const auto in_body = seen_in_body(record, to_target);

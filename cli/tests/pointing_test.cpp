@@ -290,6 +290,29 @@ TEST(Pointing, CountsOneWindow) {
   EXPECT_TRUE(says(out.str(), "\n2 windows; 282 more reach"));
 }
 
+// Of a record that begins before UTC nothing is written, not even what comes before the first time in UTC.
+TEST(Pointing, RefusesTimesBeforeUtcAtTheDoor) {
+  const auto look = [](const char* first, std::ostream& out) {
+    const TemporaryFile table(std::string("t,x,y,z,w\n") + first + ",0,0,0,1\n1960-01-01T00:01:00,0,0,0,1\n");
+    PointingOptions options = cubesat();
+    options.attitude = {table.path(), TableColumns{}};
+    options.attitude.columns->time = "t";
+    options.attitude.columns->scale = scale::tai;
+    options.attitude.columns->quaternion = {"x", "y", "z", "w"};
+    options.attitude.columns->reference = "GCRF";
+    options.orbit = {};
+    return complaint([&] { (void)pointing(options, out); }, table.path());
+  };
+  std::ostringstream out;
+  EXPECT_EQ(
+      look("1960-01-01T00:00:00", out),  // TAI - UTC was 0.943 s
+      "FILE: the first sample, 1960-01-01T00:00:32.184 TT, is before 1960, and UTC, in which the figures "
+      "are written, is not known then");
+  EXPECT_EQ(out.str(), "");
+  EXPECT_EQ(look("1960-01-01T00:00:01", out), "nothing was thrown");
+  EXPECT_TRUE(says(out.str(), "at 1960-01-01T00:00:00.057 UTC"));
+}
+
 TEST(Pointing, RefusesWhatIsNotStated) {
   const auto refusal = [](const auto& change) {
     PointingOptions options = cubesat();
@@ -315,6 +338,8 @@ TEST(Pointing, RefusesWhatIsNotStated) {
   EXPECT_EQ(refusal([](auto& o) { o.required_relative = 1.0, o.percent = 99.7; }),
             "--require-relative needs the window of the relative error; missing: --window SECONDS");
   EXPECT_EQ(refusal([](auto& o) { o.window = nan; }), "--window nan is no duration");
+  EXPECT_EQ(refusal([](auto& o) { o.force = true; }),
+            "--force overwrites the file of --csv, which is not given");
   EXPECT_EQ(refusal([](auto& o) { o.axis.setZero(); }), "--axis (0, 0, 0) has no direction");
   EXPECT_EQ(refusal([](auto& o) { o.attitude.selection.until = Epoch::from_utc("2023-04-20T05:20:10"); }),
             "FILE: the samples from 2023-04-20T05:20:00.000000 UTC until 2023-04-20T05:20:10.000000 UTC are "
