@@ -19,6 +19,7 @@ namespace vectrix::craft_scenario_test {
 namespace {
 
 using namespace vectrix_test::short_units;
+using vectrix_test::message;
 
 struct Inertial : inertial_frame {};
 struct Hub : moving_frame {};
@@ -288,36 +289,33 @@ TEST(CraftScenario, WhatACommandThrowsArrivesWithTheTrajectory) {
   }
 }
 
-template <class Call> std::string complaint(const Call& call) {
-  return vectrix_test::message<BadInput>(call);
-}
-
 TEST(CraftScenario, RefusesBadInput) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const auto one = becomes(First{1});
-  EXPECT_EQ(complaint([&] { every(0.0 * s, one); }), "every: the period is 0 s; it must be positive");
-  EXPECT_EQ(complaint([&] { every(nan * s, one); }), "every: the period is nan s; it must be positive");
-  EXPECT_EQ(complaint([&] { every(1.0 * s, one, -1.0 * s); }),
+  EXPECT_EQ(message<BadInput>([&] { every(0.0 * s, one); }), "every: the period is 0 s; it must be positive");
+  EXPECT_EQ(message<BadInput>([&] { every(nan * s, one); }),
+            "every: the period is nan s; it must be positive");
+  EXPECT_EQ(message<BadInput>([&] { every(1.0 * s, one, -1.0 * s); }),
             "every: the latency is -1 s; it must not be negative");
-  EXPECT_EQ(complaint([&] { at_times({1.0 * s, nan * s}, one); }), "at_times: a time is nan s");
-  EXPECT_EQ(complaint([&] {
+  EXPECT_EQ(message<BadInput>([&] { at_times({1.0 * s, nan * s}, one); }), "at_times: a time is nan s");
+  EXPECT_EQ(message<BadInput>([&] {
               at_times({1.0 * s, 1.0 * s}, one);
             }),
             "at_times: 1 s follows 1 s; times must increase");
   const Sat sat;
   const auto start = spinning(sat, 0.1, 10.0);
-  EXPECT_EQ(complaint([&] { propagate(scenario(sat), start, until(10.0)); }),
+  EXPECT_EQ(message<BadInput>([&] { propagate(scenario(sat), start, until(10.0)); }),
             "propagate " + frame_name<Hub>() + ": the end is 10 s, the start 10 s");
-  EXPECT_EQ(complaint([&] { propagate(scenario(sat), start, until(nan)); }),
+  EXPECT_EQ(message<BadInput>([&] { propagate(scenario(sat), start, until(nan)); }),
             "propagate " + frame_name<Hub>() + ": the end is nan s, the start 10 s");
   const auto fast = scenario(sat, held(First{1}), every(1e-9 * s, one));
-  EXPECT_EQ(complaint([&] { propagate(fast, start, until(20.0)); }),
+  EXPECT_EQ(message<BadInput>([&] { propagate(fast, start, until(20.0)); }),
             "propagate: a period of 1e-09 s gives 1e+10 ticks from 10 s to 20 s, more than 1e+08");
   const auto late = scenario(sat, held(First{1}), every(1e-7 * s, one));
-  EXPECT_EQ(complaint([&] { propagate(late, spinning(sat, 0.1, 1e9), until(1e9 + 1.0)); }),
+  EXPECT_EQ(message<BadInput>([&] { propagate(late, spinning(sat, 0.1, 1e9), until(1e9 + 1.0)); }),
             "propagate: a period of 1e-07 s is below the rounding of 1000000001 s");
   const auto flight = propagate(scenario(sat, held(First{1})), start, until(20.0));
-  EXPECT_EQ(complaint([&] { flight.held<First>(9.0 * s); }),
+  EXPECT_EQ(message<BadInput>([&] { flight.held<First>(9.0 * s); }),
             "CraftTrajectory::held: time 9 s is outside [10, 20] s");
 }
 

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "../fused.hpp"
 #include "harmonics.hpp"
 
 namespace vectrix::detail {
@@ -40,11 +41,7 @@ template <std::size_t sums> class HarmonicSeries {
 
   /// The sums at a point, m.
   [[nodiscard]] std::array<double, sums> at(const Eigen::Vector3d& r) const {
-#ifdef __x86_64__
-    static const bool is_wide = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
-    if (is_wide) return wide_sums_at(r);
-#endif
-    return sums_at(r);
+    return fused([&]() __attribute__((always_inline)) { return sums_at(r); });
   }
 
  private:
@@ -88,14 +85,6 @@ template <std::size_t sums> class HarmonicSeries {
     }
     return result;
   }
-#ifdef __x86_64__
-  /// The same with registers of four numbers, and with multiplications and additions in one, as the C library
-  /// has its sines where the processor can.
-  [[nodiscard, gnu::target("avx2,fma")]] std::array<double, sums> wide_sums_at(
-      const Eigen::Vector3d& r) const {
-    return sums_at(r);
-  }
-#endif
 
   using TwoSums = double __attribute__((vector_size(32)));  // C and S of two sums
   static constexpr std::size_t twos = (sums + 1) / 2;

@@ -96,7 +96,9 @@ class SegmentReader {
     metadata.comments = std::exchange(between_, {});
     const KvnEntries entries =
         detail::read_metadata(reader_, kind, version_, detail::attitude_interpolation, metadata);
-    if (!segments_.empty()) detail::require_same_system(entries, metadata, segments_.front().metadata());
+    if (!segments_.empty())
+      if (const auto fault = detail::system_fault(metadata, segments_.front().metadata()))
+        entries.fail(entries.line("TIME_SYSTEM"), *fault);
     detail::AttitudeLines lines = read_type(entries, version_);
     lines.place = reader_.place() + ", the segment from line " + detail::text(start) + " on";
     read_data(metadata, lines);
@@ -176,7 +178,9 @@ AttitudeEphemerisMessage::AttitudeEphemerisMessage(MessageHeader header,
   if (segments_.empty()) throw BadInput(std::string{kind.name} + ": there are no segments");
   for (const AttitudeEphemerisSegment& segment : segments_) {
     const detail::AttitudeLines& lines = segment.lines(detail::trusted);
-    detail::require_same_system(lines.place, segment.metadata(), segments_.front().metadata());
+    if (const auto fault = detail::system_fault(segment.metadata(), segments_.front().metadata()))
+      throw BadInput(lines.place + ": the time system is " + segment.metadata().time_system.name() + "; " +
+                     *fault);
     if (!detail::has_direction(header_.version) && (lines.is_b_to_a || lines.is_scalar_first))
       throw BadInput(lines.place +
                      ": version 2.0 has the direction A2B and the scalar last; the segment has " +

@@ -89,13 +89,12 @@ const std::string& CsvTable::text(std::size_t row, std::string_view column) cons
 double CsvTable::number(std::size_t row, std::string_view column, int shift) const {
   const std::string& written = text(row, column);
   if (const auto value = detail::parse_shifted(written, shift)) return *value;
-  const auto unshifted = detail::parse_number(written);
-  if (!unshifted) refuse(row, column, "'" + written + "' is not a number");
-  const std::string times = shift == 0 ? "" : " times 10^" + detail::text(shift);
-  refuse(row, column,
-         "'" + written + "'" + times +
-             (std::isfinite(*unshifted) ? ": " + std::string{detail::number_fault(written)}
-                                        : " is not a finite number"));
+  const bool is_finite = detail::is_finite_number(written);
+  if (!is_finite && !detail::parse_number(written)) refuse(row, column, "'" + written + "' is not a number");
+  refuse(
+      row, column,
+      "'" + written + "'" + (shift == 0 ? "" : " times 10^" + detail::text(shift)) +
+          (is_finite ? std::string{": "} + detail::number_fault(written, shift) : " is not a finite number"));
 }
 
 void CsvTable::refuse(std::size_t row, std::string_view column, const std::string& reason) const {

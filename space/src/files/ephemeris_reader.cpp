@@ -101,17 +101,9 @@ KvnEntries read_metadata(KvnReader& reader, const MessageKind& kind, const std::
   return entries;
 }
 
-void require_same_system(const KvnEntries& entries, const EphemerisMetadata& metadata,
-                         const EphemerisMetadata& first) {
-  if (metadata.time_system.kind() != first.time_system.kind())
-    entries.fail(
-        entries.line("TIME_SYSTEM"),
-        "the first segment has " + std::string{first.time_system.name()} + "; a message has one time system");
-}
-
 double read_number(const KvnReader& reader, std::string_view word, std::string_view name, int shift) {
   const auto value = parse_shifted(word, shift);
-  if (!value) reader.fail(word, name, number_fault(word));
+  if (!value) reader.fail(word, name, number_fault(word, shift));
   return *value;
 }
 

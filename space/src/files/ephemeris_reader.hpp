@@ -24,9 +24,6 @@ MessageHeader read_header(KvnReader& reader, const MessageKind& kind);
 /// have, with the comments behind those that it has.
 KvnEntries read_metadata(KvnReader& reader, const MessageKind& kind, const std::string& version,
                          std::string_view interpolation_keyword, EphemerisMetadata& metadata);
-/// Refuses another time system than that of the first segment.
-void require_same_system(const KvnEntries& entries, const EphemerisMetadata& metadata,
-                         const EphemerisMetadata& first);
 
 /// Reads the times of the data lines of a segment: each must be later than that of the line before, and
 /// within the span of the metadata. Reader and metadata must live as long.

@@ -180,11 +180,9 @@ EphemerisMetadata checked_metadata(const std::string& place, const MessageKind& 
   return metadata;
 }
 
-void require_same_system(const std::string& place, const EphemerisMetadata& metadata,
-                         const EphemerisMetadata& first) {
-  if (metadata.time_system.kind() != first.time_system.kind())
-    throw BadInput(place + ": the time system is " + metadata.time_system.name() + ", of the first segment " +
-                   first.time_system.name() + "; a message has one");
+std::optional<std::string> system_fault(const EphemerisMetadata& metadata, const EphemerisMetadata& first) {
+  if (metadata.time_system.kind() == first.time_system.kind()) return std::nullopt;
+  return "the first segment has " + std::string{first.time_system.name()} + "; a message has one time system";
 }
 
 }  // namespace vectrix::detail

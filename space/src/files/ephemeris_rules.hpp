@@ -53,6 +53,8 @@ struct SpanFault {
   Epoch limit;  // of the other one
 };
 std::optional<SpanFault> span_fault(const EphemerisMetadata& metadata);
+/// What is wrong with the time system of metadata after those of the first segment, if anything.
+std::optional<std::string> system_fault(const EphemerisMetadata& metadata, const EphemerisMetadata& first);
 /// "START_TIME, <text>, and STOP_TIME, <text>" of metadata that have them.
 std::string span_text(const EphemerisMetadata& metadata);
 /// Whether the time of a line is more than 1 ms outside START_TIME and STOP_TIME.
@@ -62,9 +64,6 @@ bool is_outside(const EphemerisMetadata& metadata, const Epoch& time);
 void require_text(const std::string& place, const char* what, const std::string& value);
 void require_comments(const std::string& place, const std::vector<std::string>& comments);
 void require_header(const MessageHeader& header, const MessageKind& kind);
-/// Throws BadInput if the time system is not that of the first segment.
-void require_same_system(const std::string& place, const EphemerisMetadata& metadata,
-                         const EphemerisMetadata& first);
 /// The metadata of samples with these times, with START_TIME and STOP_TIME. Throws BadInput.
 EphemerisMetadata checked_metadata(const std::string& place, const MessageKind& kind,
                                    EphemerisMetadata metadata, const std::vector<Epoch>& times);

@@ -40,7 +40,9 @@ class SegmentReader {
     lines.ref_frame = entries.filled("REF_FRAME").value;
     if (const auto* epoch = entries.find("REF_FRAME_EPOCH"))
       lines.ref_frame_epoch = entries.epoch(*epoch, metadata.time_system);
-    if (!segments_.empty()) detail::require_same_system(entries, metadata, segments_.front().metadata());
+    if (!segments_.empty())
+      if (const auto fault = detail::system_fault(metadata, segments_.front().metadata()))
+        entries.fail(entries.line("TIME_SYSTEM"), *fault);
 
     detail::TimeReader times(reader_, metadata);
     bool more = reader_.next();
@@ -155,7 +157,9 @@ OrbitEphemerisMessage::OrbitEphemerisMessage(MessageHeader header,
   if (segments_.empty()) throw BadInput(std::string{kind.name} + ": there are no segments");
   for (const OrbitEphemerisSegment& segment : segments_) {
     const detail::OrbitLines& lines = segment.lines(detail::trusted);
-    detail::require_same_system(lines.place, segment.metadata(), segments_.front().metadata());
+    if (const auto fault = detail::system_fault(segment.metadata(), segments_.front().metadata()))
+      throw BadInput(lines.place + ": the time system is " + segment.metadata().time_system.name() + "; " +
+                     *fault);
     if (!is_oldest(header_.version)) continue;
     const auto refuse_newer = [&](const char* what) {
       throw BadInput(lines.place + ": version 1.0 has no " + what + ", the segment has one");

@@ -86,13 +86,17 @@ std::optional<double> parse_shifted(std::string_view text, int shift) {
   return finite(parse_number({buffer.data(), static_cast<std::size_t>(end - buffer.data())}));
 }
 
-const char* number_fault(std::string_view text) {
+bool is_finite_number(std::string_view text) {
   text = without_plus(text);
   double value = 0.0;
   const char* const end = text.data() + text.size();
   const auto [stop, error] = std::from_chars(text.data(), end, value);
-  if (stop != end || error == std::errc::invalid_argument || !std::isfinite(value))
-    return "not a finite number";
+  return stop == end && error != std::errc::invalid_argument && std::isfinite(value);
+}
+
+const char* number_fault(std::string_view text, int shift) {
+  if (!is_finite_number(text)) return "not a finite number";
+  if (shift == 0) return "too large or too small for a double, 5e-324 to 1.8e308";
   return text.size() > most_characters ? "a number of more than 100 characters"
                                        : "in SI units too large or too small for a double, 5e-324 to 1.8e308";
 }

@@ -9,8 +9,10 @@ namespace vectrix::detail {
 /// The number times 10^shift, of which the text gives the number: kilometres are read as metres, shift = 3,
 /// and rounded once. Nothing if the text is no finite number or longer than 100 characters.
 std::optional<double> parse_shifted(std::string_view text, int shift);
-/// Why parse_shifted gives nothing for the text.
-const char* number_fault(std::string_view text);
+/// Whether the text is a finite number, of any size and length.
+bool is_finite_number(std::string_view text);
+/// Why parse_shifted gives nothing for the text and the shift.
+const char* number_fault(std::string_view text, int shift);
 /// The shortest text of the number times 10^-shift that parse_shifted reads as the same number, with the
 /// decimal point that CCSDS wants behind the first digit: 6.8e+03, 8.0e-01.
 std::string shifted_text(double value, int shift);

@@ -9,6 +9,8 @@
 
 #include <vectrix/space/sky/chebyshev.hpp>
 
+#include "../fused.hpp"
+
 namespace vectrix::detail {
 namespace {
 
@@ -85,18 +87,8 @@ struct Sum {
           {odd.value.xy + twice * (even.slope.xy + by * odd.slope.xy),
            odd.value.z + twice * (even.slope.z + by * odd.slope.z)}};
 }
-#ifdef __x86_64__
-// With multiplications and additions in one, as the C library has its sines where the processor can.
-[[gnu::target("fma")]] Sum fused_sum_of(const std::array<double, 4>* row, int count, double u) {
-  return sum_of(row, count, u);
-}
-#endif
 Sum sum_at(const std::array<double, 4>* row, int count, double u) {
-#ifdef __x86_64__
-  static const bool fuses = __builtin_cpu_supports("fma");
-  if (fuses) return fused_sum_of(row, count, u);
-#endif
-  return sum_of(row, count, u);
+  return fused([&]() __attribute__((always_inline)) { return sum_of(row, count, u); });
 }
 
 }  // namespace

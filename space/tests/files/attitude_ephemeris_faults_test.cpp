@@ -113,8 +113,7 @@ TEST(AttitudeEphemerisMessage, EveryFaultHasALineAColumnAndAReason) {
        "line 16, column 17 (EULER_ROT_SEQ): 'XYA': no sequence of three axes such as 321 or ZYX, none twice "
        "in a row"},
       {gmat_angles, "18.80387738364443", "1e999",
-       "line 22, column 63 (ANGLE_3): '1e999': in SI units too large or too small for a double, 5e-324 to "
-       "1.8e308"},
+       "line 22, column 63 (ANGLE_3): '1e999': too large or too small for a double, 5e-324 to 1.8e308"},
       {rates, "ANGVEL_FRAME = REF_FRAME_B", "", "the segment from line 7 on: there is no ANGVEL_FRAME"},
       {rates, "ANGVEL_FRAME", "RATE_FRAME",
        "line 17, column 14 (RATE_FRAME): 'REF_FRAME_B': the keyword is of version 1.0, the message of "

@@ -135,7 +135,11 @@ TEST(CsvTable, RefusesWhatIsNotAFiniteNumber) {
     EXPECT_EQ(refusal("t,x\n" + wrong + ",2\n"),
               "table FILE, line 2, column 1 ('t'): '" + wrong + "' is not a finite number");
   }
-  EXPECT_EQ(refusal("t,x\n1e999,2\n"), "table FILE, line 2, column 1 ('t'): '1e999' is not a number");
+  for (const std::string wrong : {"1e999", "-1e999", "1e-400", "+1e-400"}) {
+    EXPECT_EQ(refusal("t,x\n" + wrong + ",2\n"),
+              "table FILE, line 2, column 1 ('t'): '" + wrong +
+                  "': too large or too small for a double, 5e-324 to 1.8e308");
+  }
 }
 
 TEST(CsvTable, RefusesATruncatedFile) {

@@ -188,7 +188,7 @@ TEST(OrbitEphemerisMessage, SegmentsOfSamples) {
   EXPECT_EQ(complaint([&] {
               Message({"2.0", "", ""}, {segment, Segment(in_tai, samples)});
             }),
-            place + "the time system is TAI, of the first segment UTC; a message has one");
+            place + "the time system is TAI; the first segment has UTC; a message has one time system");
 }
 
 }  // namespace
