@@ -6,8 +6,8 @@
 namespace vectrix {
 
 /// The level: what is known of the rotation between two frames. R alone; R and w; or R, w and alpha. Each
-/// level is a type: Dcm here, MovingDcm and AcceleratingDcm in kinematics. No value is raised to a higher
-/// level with zeros by default.
+/// level is a type: Dcm here, MovingDcm and AcceleratingDcm in kinematics. A rate that is not
+/// known is not taken for zero.
 enum class Level { rotation, rate, acceleration };
 
 /// The frames, scalar and level of a type that a graph edge may carry, and whether it has the position of the

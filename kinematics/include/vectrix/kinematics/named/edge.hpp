@@ -52,7 +52,7 @@ class EdgeFunction {
 
 /// An edge before it is added to a NamedGraph: static_edge(R_a_from_b), rigid_edge(R_a_from_b), both also of
 /// a NamedTransform, edge(To(a), From(b), f), sampled_edge(samples, longest_gap). It has a level, as in a
-/// FrameGraph; no edge is raised to a higher level with zeros by default.
+/// FrameGraph; a rate that is not known is not taken for zero.
 class NamedEdge {
  public:
   NamedEdge(detail::Trusted, NamedFrame a, NamedFrame b, std::unique_ptr<const detail::EdgeFunction> function)

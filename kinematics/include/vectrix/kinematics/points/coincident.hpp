@@ -6,7 +6,7 @@ namespace vectrix {
 
 /// Claims that a and b have the same origin at all times, as frames of the Earth have: the rotation with r_ab
 /// = 0 and v_ab|a = 0, so that a graph knows positions across it:
-///     edge([&](const Epoch& t) { return coincident(orientation.at(t)); })
+///     edge([=](const Epoch& t) { return coincident(teme_from_itrf(t, observed)); })
 template <class A, class B, class S> Transform<A, B, S> coincident(const Dcm<A, B, S>& R_a_from_b) {
   return {R_a_from_b, coincident<B, A, A, S>(of<B>, relative_to<A>, in<A>)};
 }
