@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <vectrix/frames/scalar/sine_cosine.hpp>
 
 namespace vectrix::detail {
 
@@ -63,8 +64,31 @@ template <std::size_t order> struct Taylor {
     return result;
   }
   friend Taylor sqrt(const Taylor& a) { return power(a, 0.5, std::sqrt(a.c[0])); }
-  friend Taylor sin(const Taylor& a) { return sine_and_cosine(a).sine; }
-  friend Taylor cos(const Taylor& a) { return sine_and_cosine(a).cosine; }
+  friend Taylor sin(const Taylor& a) { return sine_cosine(a).sine; }
+  friend Taylor cos(const Taylor& a) { return sine_cosine(a).cosine; }
+  friend SineCosine<Taylor> sine_cosine(const Taylor& a) {
+    SineCosine<Taylor> result{std::sin(a.c[0]), std::cos(a.c[0])};
+    for (std::size_t k = 1; k <= order; ++k) add_coefficient(result, a, k, k);
+    return result;
+  }
+  /// The sine and cosine of the angle u of Kepler's equation u + x cos u - y sin u = mean, of which `value`
+  /// is u_0: each coefficient of u follows from those before it.
+  friend SineCosine<Taylor> sine_cosine_of_kepler(const Taylor& mean, const Taylor& x, const Taylor& y,
+                                                  double value) {
+    Taylor u(value);
+    SineCosine<Taylor> result{std::sin(value), std::cos(value)};
+    const double slope = 1.0 - x.c[0] * result.sine.c[0] - y.c[0] * result.cosine.c[0];
+    for (std::size_t k = 1; k <= order; ++k) {
+      add_coefficient(result, u, k, k - 1);
+      double left = mean.c[k];
+      for (std::size_t i = 0; i <= k; ++i)
+        left += y.c[i] * result.sine.c[k - i] - x.c[i] * result.cosine.c[k - i];
+      u.c[k] = left / slope;
+      result.sine.c[k] += u.c[k] * result.cosine.c[0];
+      result.cosine.c[k] -= u.c[k] * result.sine.c[0];
+    }
+    return result;
+  }
   friend Taylor atan2(const Taylor& y, const Taylor& x) {
     Taylor xdot, ydot;
     for (std::size_t k = 0; k < order; ++k) {
@@ -78,19 +102,14 @@ template <std::size_t order> struct Taylor {
   }
 
  private:
-  struct SineAndCosine;
-  static SineAndCosine sine_and_cosine(const Taylor& a) {
-    SineAndCosine result{std::sin(a.c[0]), std::cos(a.c[0])};
-    for (std::size_t k = 1; k <= order; ++k) {
-      for (std::size_t i = 1; i <= k; ++i) {
-        const double weight = static_cast<double>(i) * a.c[i] / static_cast<double>(k);
-        result.sine.c[k] += weight * result.cosine.c[k - i];
-        result.cosine.c[k] -= weight * result.sine.c[k - i];
-      }
+  /// What a_1 to a_last give to coefficient k of the sine and the cosine of a.
+  static void add_coefficient(SineCosine<Taylor>& to, const Taylor& a, std::size_t k, std::size_t last) {
+    for (std::size_t i = 1; i <= last; ++i) {
+      const double weight = static_cast<double>(i) * a.c[i] / static_cast<double>(k);
+      to.sine.c[k] += weight * to.cosine.c[k - i];
+      to.cosine.c[k] -= weight * to.sine.c[k - i];
     }
-    return result;
   }
 };
-template <std::size_t order> struct Taylor<order>::SineAndCosine { Taylor sine, cosine; };
 
 }  // namespace vectrix::detail

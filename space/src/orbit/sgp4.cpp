@@ -17,7 +17,7 @@
 namespace vectrix::detail {
 namespace {
 
-using sgp4::Elements, sgp4::Moving, sgp4::less_turns, sgp4::value_of, sgp4::J2, sgp4::J3, sgp4::J4, sgp4::ke,
+using sgp4::Elements, sgp4::less_turns, sgp4::value_of, sgp4::J2, sgp4::J3, sgp4::J4, sgp4::ke,
     sgp4::earth_radius;
 
 constexpr double two_pi = 2.0 * std::numbers::pi;
@@ -35,9 +35,9 @@ template <class T> struct Inclination {
   T sin_i, cos_i, three_cos2_less_1, sin2, seven_cos2_less_1, aycof, xlcof;
 
   explicit Inclination(const T& i) {
-    using std::cos, std::sin;
-    sin_i = sin(i);
-    cos_i = cos(i);
+    const auto [sine, cosine] = sine_cosine(i);
+    sin_i = sine;
+    cos_i = cosine;
     const T cos2 = cos_i * cos_i;
     three_cos2_less_1 = 3.0 * cos2 - 1.0;
     sin2 = 1.0 - cos2;
@@ -48,6 +48,16 @@ template <class T> struct Inclination {
     aycof = -0.5 * J3 / J2 * sin_i;
     xlcof = -0.25 * J3 / J2 * sin_i * (3.0 + 5.0 * cos_i) / one_and_cos;
   }
+  /// The same at all times.
+  template <class Fixed>
+  explicit Inclination(const Inclination<Fixed>& i)
+      : sin_i(i.sin_i),
+        cos_i(i.cos_i),
+        three_cos2_less_1(i.three_cos2_less_1),
+        sin2(i.sin2),
+        seven_cos2_less_1(i.seven_cos2_less_1),
+        aycof(i.aycof),
+        xlcof(i.xlcof) {}
 };
 
 /// What drag changes, in powers of the time: of the semi-major axis, the eccentricity and the mean longitude;
@@ -151,7 +161,8 @@ template <class T> struct Mean {
   T a;
   sgp4::Inclination<T> inclination;
 };
-template <class T> struct Motion { std::array<T, 3> r, v; };  // m, m/s
+// m, m/s. With derivatives v stays empty: that of r is exact.
+template <class T> struct Motion { std::array<T, 3> r, v; };
 
 // For messages: a millionth is more than the clock's rounding.
 double rounded(double time) {
@@ -194,10 +205,7 @@ template <class T> Mean<T> mean_at(const Sgp4Theory& theory, const std::string& 
     fail(name, minutes, "the mean eccentricity is " + text(value_of(x.e)));
   if (x.e < least_eccentricity) x.e = T(least_eccentricity);
   x.M += start.n * longitude;
-  if (!theory.deep) {
-    if constexpr (std::same_as<T, double>) return {x, a, theory.inclination};
-    return {x, a, sgp4::Inclination<T>(x.i)};
-  }
+  if (!theory.deep) return {x, a, sgp4::Inclination<T>(theory.inclination)};
 
   theory.deep->add_periodic(t, x);
   if (!(x.e >= 0.0 && x.e < 1.0))
@@ -220,34 +228,34 @@ double eccentric_longitude(double mean, double e_cos, double e_sin) {
   }
   return u;
 }
-// Each coefficient of u follows from those before it.
-Moving eccentric_longitude(const Moving& mean, const Moving& e_cos, const Moving& e_sin) {
-  Moving u = eccentric_longitude(mean.c[0], e_cos.c[0], e_sin.c[0]);
-  const double slope = 1.0 - e_cos.c[0] * std::cos(u.c[0]) - e_sin.c[0] * std::sin(u.c[0]);
-  for (std::size_t k = 1; k < u.c.size(); ++k)
-    u.c[k] = (mean - e_sin * cos(u) + e_cos * sin(u) - u).c[k] / slope;
-  return u;
+// Its sine and cosine.
+SineCosine<double> solved_longitude(double mean, double e_cos, double e_sin) {
+  return sine_cosine(eccentric_longitude(mean, e_cos, e_sin));
+}
+template <std::size_t order>
+SineCosine<Taylor<order>> solved_longitude(const Taylor<order>& mean, const Taylor<order>& e_cos,
+                                           const Taylor<order>& e_sin) {
+  return sine_cosine_of_kepler(mean, e_sin, e_cos, eccentric_longitude(mean.c[0], e_cos.c[0], e_sin.c[0]));
 }
 
 // The periodic terms of J3 and J2, and the motion.
 template <class T> Motion<T> motion_of(const Mean<T>& mean, const std::string& name, double t) {
-  using std::atan2, std::cos, std::sin, std::sqrt;
+  using std::atan2, std::sqrt;
   const sgp4::ElementsOf<T>& x = mean.x;
   const sgp4::Inclination<T>& i = mean.inclination;
-  const T e_cos = x.e * cos(x.perigee), per_p = 1.0 / (mean.a * (1.0 - x.e * x.e));
-  const T e_sin = x.e * sin(x.perigee) + per_p * i.aycof;
+  const auto [sin_perigee, cos_perigee] = sine_cosine(x.perigee);
+  const T e_cos = x.e * cos_perigee, per_p = 1.0 / (mean.a * (1.0 - x.e * x.e));
+  const T e_sin = x.e * sin_perigee + per_p * i.aycof;
   const T longitude = x.M + x.perigee + per_p * i.xlcof * e_cos;
   const T reduced = less_turns(longitude, std::fmod(value_of(longitude), two_pi));
   const T e2 = e_cos * e_cos + e_sin * e_sin;
   if (!(e2 < 1.0)) fail(name, t, "the eccentricity with the terms of J3 is " + text(std::sqrt(value_of(e2))));
 
-  const T u = eccentric_longitude(reduced, e_cos, e_sin), cos_u = cos(u), sin_u = sin(u);
+  const auto [sin_u, cos_u] = solved_longitude(reduced, e_cos, e_sin);
   const T e_cos_E = e_cos * cos_u + e_sin * sin_u, e_sin_E = e_cos * sin_u - e_sin * cos_u;
   const T p = mean.a * (1.0 - e2), r = mean.a * (1.0 - e_cos_E), root = sqrt(1.0 - e2);
-  const T r_rate = sqrt(mean.a) * e_sin_E / r, across = sqrt(p) / r;
-  const T part = e_sin_E / (1.0 + root);
-  const T sine = mean.a / r * (sin_u - e_sin - e_cos * part),
-          cosine = mean.a / r * (cos_u - e_cos + e_sin * part);
+  const T part = e_sin_E / (1.0 + root), a_per_r = mean.a / r;
+  const T sine = a_per_r * (sin_u - e_sin - e_cos * part), cosine = a_per_r * (cos_u - e_cos + e_sin * part);
   const T sin_2 = 2.0 * cosine * sine, cos_2 = 1.0 - 2.0 * sine * sine;
 
   const T k1 = 0.5 * J2 / p, k2 = k1 / p;
@@ -255,21 +263,26 @@ template <class T> Motion<T> motion_of(const Mean<T>& mean, const std::string& n
   const T latitude = atan2(sine, cosine) - 0.25 * k2 * i.seven_cos2_less_1 * sin_2;
   const T node = x.node + 1.5 * k2 * i.cos_i * sin_2;
   const T inclination = x.i + 1.5 * k2 * i.cos_i * i.sin_i * cos_2;
-  const T radial = r_rate - x.n * k1 * i.sin2 * sin_2 / ke;
-  const T transverse = across + x.n * k1 * (i.sin2 * cos_2 + 1.5 * i.three_cos2_less_1) / ke;
   if (!(distance >= 1.0))
     fail(name, t,
          "|r| is " + text(value_of(distance) * earth_radius) + " km, less than one Earth radius: decayed");
 
-  const T sin_node = sin(node), cos_node = cos(node), sin_i = sin(inclination), cos_i = cos(inclination);
-  const std::array<T, 3> n{cos_node, sin_node, T(0.0)}, m{-sin_node * cos_i, cos_node * cos_i, sin_i};
-  const T sin_l = sin(latitude), cos_l = cos(latitude);
+  const auto [sin_node, cos_node] = sine_cosine(node);
+  const auto [sin_i, cos_i] = sine_cosine(inclination);
+  const auto [sin_l, cos_l] = sine_cosine(latitude);
+  const std::array<T, 2> n{cos_node, sin_node};
+  const std::array<T, 3> m{-sin_node * cos_i, cos_node * cos_i, sin_i};
+  const std::array<T, 3> outward{cos_l * n[0] + sin_l * m[0], cos_l * n[1] + sin_l * m[1], sin_l * m[2]};
   constexpr double metres = 1000.0 * earth_radius;
   Motion<T> motion;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const T outward = cos_l * n[k] + sin_l * m[k], forward = cos_l * m[k] - sin_l * n[k];
-    motion.r[k] = metres * (distance * outward);
-    motion.v[k] = metres * ke / 60.0 * (radial * outward + transverse * forward);
+  for (std::size_t k = 0; k < 3; ++k) motion.r[k] = metres * (distance * outward[k]);
+  if constexpr (std::same_as<T, double>) {
+    const double radial = std::sqrt(mean.a) * e_sin_E / r - x.n * k1 * i.sin2 * sin_2 / ke;
+    const double transverse = std::sqrt(p) / r + x.n * k1 * (i.sin2 * cos_2 + 1.5 * i.three_cos2_less_1) / ke;
+    const std::array<double, 3> forward{cos_l * m[0] - sin_l * n[0], cos_l * m[1] - sin_l * n[1],
+                                        cos_l * m[2]};
+    for (std::size_t k = 0; k < 3; ++k)
+      motion.v[k] = metres * ke / 60.0 * (radial * outward[k] + transverse * forward[k]);
   }
   return motion;
 }
@@ -349,16 +362,20 @@ OrbitNumbers Sgp4Model::at(const Epoch& epoch) const {
   return {{r[0], r[1], r[2]}, {v[0], v[1], v[2]}};
 }
 
-PathNumbers Sgp4Model::path(const Epoch& epoch) const {
-  Moving t = minutes_to(epoch);
+template <std::size_t order>
+std::array<Eigen::Vector3d, order + 1> Sgp4Model::derivatives(const Epoch& epoch) const {
+  Taylor<order> t = minutes_to(epoch);
   t.c[1] = 1.0;
   const auto r = motion_of(mean_at(*theory_, name_, t), name_, t.c[0]).r;
-  const auto derivative = [&](std::size_t k, double factor) {
-    return Eigen::Vector3d(factor * r[0].c[k], factor * r[1].c[k], factor * r[2].c[k]);
-  };
-  constexpr double per_second = 1.0 / 60.0;
-  return {derivative(0, 1.0), derivative(1, per_second), derivative(2, 2.0 * per_second * per_second),
-          derivative(3, 6.0 * per_second * per_second * per_second)};
+  std::array<Eigen::Vector3d, order + 1> all;
+  double factor = 1.0;  // k! per second^k
+  for (std::size_t k = 0; k <= order; ++k) {
+    if (k > 0) factor *= static_cast<double>(k) / 60.0;
+    all[k] = {factor * r[0].c[k], factor * r[1].c[k], factor * r[2].c[k]};
+  }
+  return all;
 }
+template std::array<Eigen::Vector3d, 3> Sgp4Model::derivatives<2>(const Epoch&) const;
+template std::array<Eigen::Vector3d, 4> Sgp4Model::derivatives<3>(const Epoch&) const;
 
 }  // namespace vectrix::detail

@@ -157,8 +157,10 @@ template <class T> void DeepSpace::add_periodic(const T& t, ElementsOf<T>& x) co
 }
 
 template void DeepSpace::add_secular(const double& t, Elements& x) const;
-template void DeepSpace::add_secular(const Moving& t, ElementsOf<Moving>& x) const;
+template void DeepSpace::add_secular(const Accelerating& t, ElementsOf<Accelerating>& x) const;
+template void DeepSpace::add_secular(const Jerking& t, ElementsOf<Jerking>& x) const;
 template void DeepSpace::add_periodic(const double& t, Elements& x) const;
-template void DeepSpace::add_periodic(const Moving& t, ElementsOf<Moving>& x) const;
+template void DeepSpace::add_periodic(const Accelerating& t, ElementsOf<Accelerating>& x) const;
+template void DeepSpace::add_periodic(const Jerking& t, ElementsOf<Jerking>& x) const;
 
 }  // namespace vectrix::detail::sgp4

@@ -13,7 +13,7 @@ class DeepSpace {
   /// then.
   DeepSpace(const Elements& epoch, const ZonalRates& zonal, double day, double theta);
 
-  // T is double or Moving.
+  // T is double, Accelerating or Jerking.
   template <class T> void add_secular(const T& t, ElementsOf<T>& x) const;
   template <class T> void add_periodic(const T& t, ElementsOf<T>& x) const;
 

@@ -17,12 +17,14 @@ inline constexpr double J2 = 1.082616e-3, J3 = -2.53881e-6, J4 = -1.65597e-6;
 /// The square root of mu = 398600.8 km^3/s^2, in Earth radii^(3/2) per minute.
 inline const double ke = 60.0 / std::sqrt(earth_radius * earth_radius * earth_radius / 398600.8);
 
-/// A number and its derivatives by time. What depends on time is written for double and for Moving.
-using Moving = Taylor<3>;
+/// A number and its derivatives by time, with that of the acceleration or without. What depends on time is
+/// written for double and for both.
+using Jerking = Taylor<3>;
+using Accelerating = Taylor<2>;
 inline double value_of(double x) {
   return x;
 }
-inline double value_of(const Moving& x) {
+template <std::size_t order> double value_of(const Taylor<order>& x) {
   return x.c[0];
 }
 /// x, from which whole turns are taken away.
@@ -30,7 +32,7 @@ inline double less_turns(double x, double reduced) {
   static_cast<void>(x);
   return reduced;
 }
-inline Moving less_turns(Moving x, double reduced) {
+template <std::size_t order> Taylor<order> less_turns(Taylor<order> x, double reduced) {
   x.c[0] = reduced;
   return x;
 }
@@ -47,7 +49,7 @@ struct ZonalRates {
 inline double semi_major_axis(double n) {
   return std::cbrt(ke / n * (ke / n));
 }
-inline Moving semi_major_axis(const Moving& n) {
+template <std::size_t order> Taylor<order> semi_major_axis(const Taylor<order>& n) {
   return power(n, -2.0 / 3.0, semi_major_axis(n.c[0]));
 }
 

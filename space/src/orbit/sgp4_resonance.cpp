@@ -138,6 +138,7 @@ template <class T> void Resonance::apply(const T& t, ElementsOf<T>& x) const {
   }
 }
 template void Resonance::apply(const double& t, Elements& x) const;
-template void Resonance::apply(const Moving& t, ElementsOf<Moving>& x) const;
+template void Resonance::apply(const Accelerating& t, ElementsOf<Accelerating>& x) const;
+template void Resonance::apply(const Jerking& t, ElementsOf<Jerking>& x) const;
 
 }  // namespace vectrix::detail::sgp4

@@ -20,7 +20,7 @@ class Resonance {
   /// angle at the epoch. `perigee_rate` is of the zonal harmonics alone.
   Resonance(const Elements& epoch, const ZonalRates& rates, double perigee_rate, double theta);
 
-  /// Replaces n and M at t. T is double or Moving.
+  /// Replaces n and M at t. T is double, Accelerating or Jerking.
   template <class T> void apply(const T& t, ElementsOf<T>& x) const;
 
  private:

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <memory>
 #include <string>
 #include <type_traits>
@@ -38,9 +40,6 @@ auto at_most(  // a time, the longest age of elements: at_most(72.0 * si::hour)
 namespace detail {
 
 struct Sgp4Theory;
-struct PathNumbers {
-  Eigen::Vector3d r, v, a, jerk;
-};
 
 /// The numbers of an Sgp4. They never change.
 class VECTRIX_EXPORT Sgp4Model {
@@ -51,7 +50,9 @@ class VECTRIX_EXPORT Sgp4Model {
   [[nodiscard]] const MeanElements& elements() const { return elements_; }
   [[nodiscard]] const Quantity<si::time>& longest_age() const { return longest_age_; }
   [[nodiscard]] OrbitNumbers at(const Epoch& epoch) const;
-  [[nodiscard]] PathNumbers path(const Epoch& epoch) const;
+  /// Of the position by time: 0 to 2, or 0 to 3.
+  template <std::size_t order>
+  [[nodiscard]] std::array<Eigen::Vector3d, order + 1> derivatives(const Epoch& epoch) const;
 
  private:
   /// Throws BadInput if the elements are too old.
@@ -103,11 +104,18 @@ template <Point Q> class Sgp4 {
   /// Throws BadInput as at() does.
   [[nodiscard]] PointPath<earth::Teme, Q, earth::Teme> path(const Epoch& epoch) const {
     using earth::Teme;
-    const auto now = model_.path(epoch);
-    return {detail::point_motion_of<Teme, Q, Teme>({now.r, now.v}),
-            Acceleration<Teme, Q, ObservedFrom<Teme>, In<Teme>>{detail::trusted, now.a},
+    const auto [r, v, a, jerk] = model_.template derivatives<3>(epoch);
+    return {detail::point_motion_of<Teme, Q, Teme>({r, v}),
+            Acceleration<Teme, Q, ObservedFrom<Teme>, In<Teme>>{detail::trusted, a},
             Derivative<Teme, Teme, si::acceleration>{detail::trusted,
-                                                     Vector<Teme, si::jerk>{detail::trusted, now.jerk}}};
+                                                     Vector<Teme, si::jerk>{detail::trusted, jerk}}};
+  }
+  /// path() as an edge, which needs no jerk.
+  [[nodiscard]] AcceleratingTransform<earth::Teme, Q> transform(detail::Trusted, const Epoch& epoch) const {
+    using earth::Teme;
+    const auto [r, v, a] = model_.template derivatives<2>(epoch);
+    return parallel(detail::point_motion_of<Teme, Q, Teme>({r, v}),
+                    Acceleration<Teme, Q, ObservedFrom<Teme>, In<Teme>>{detail::trusted, a});
   }
   /// at() with axes parallel to those of Teme: an edge of a frame graph, edge(orbit).
   MovingTransform<earth::Teme, Q> operator()(const Epoch& epoch) const { return parallel(at(epoch)); }
@@ -118,13 +126,9 @@ template <Point Q> class Sgp4 {
   detail::Sgp4Model model_;
 };
 
-/// path() as an edge of a frame graph, edge(path(orbit)): with the acceleration, six times the time of
-/// edge(orbit).
+/// path() as an edge of a frame graph, edge(path(orbit)): with the acceleration.
 template <class Q> auto path(const Sgp4<Q>& orbit) {
-  return [orbit](const Epoch& epoch) {
-    const auto now = orbit.path(epoch);
-    return parallel(now.motion, now.acceleration);
-  };
+  return [orbit](const Epoch& epoch) { return orbit.transform(detail::trusted, epoch); };
 }
 
 }  // namespace vectrix
