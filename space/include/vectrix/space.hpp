@@ -19,6 +19,7 @@
 #include <vectrix/space/files/attitude_kernel.hpp>
 #include <vectrix/space/files/csv_table.hpp>
 #include <vectrix/space/files/daf_file.hpp>
+#include <vectrix/space/files/ephemeris_kernel.hpp>
 #include <vectrix/space/files/frame_kernel.hpp>
 #include <vectrix/space/files/leap_second_kernel.hpp>
 #include <vectrix/space/files/orbit_ephemeris_message.hpp>

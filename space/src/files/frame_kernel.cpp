@@ -29,13 +29,13 @@ Eigen::Matrix3d turned_axes(double angle, int axis) {
 }
 
 std::optional<double> radians_of(const std::string& unit) {
-  constexpr double degree = std::numbers::pi / 180.0;
+  constexpr double one_degree = std::numbers::pi / 180.0;
   const std::string capitals = detail::upper_case(unit);
-  if (capitals == "DEGREES") return degree;
+  if (capitals == "DEGREES") return one_degree;
   if (capitals == "RADIANS") return 1.0;
-  if (capitals == "ARCMINUTES") return degree / 60.0;
-  if (capitals == "ARCSECONDS") return degree / 3600.0;
-  if (capitals == "HOURANGLE") return 15.0 * degree;
+  if (capitals == "ARCMINUTES") return one_degree / 60.0;
+  if (capitals == "ARCSECONDS") return one_degree / 3600.0;
+  if (capitals == "HOURANGLE") return 15.0 * one_degree;
   return std::nullopt;
 }
 

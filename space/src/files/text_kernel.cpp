@@ -80,14 +80,14 @@ std::optional<double> seconds_of_date(std::string_view text) {
   if (eraCal2jd(static_cast<int>(*year), *month, static_cast<int>(*day), &zero, &modified) != 0)
     return std::nullopt;
   constexpr double noon_of_2000 = 51544.5;
-  double seconds = (modified - noon_of_2000) * ERFA_DAYSEC;
+  double sum = (modified - noon_of_2000) * ERFA_DAYSEC;
   constexpr std::array<double, 3> unit{3600.0, 60.0, 1.0}, limit{23.0, 59.0, 60.0};
   for (std::size_t i = fewest; i < parts.size(); ++i) {
     const auto number = digits_of(parts[i], limit[i - fewest], i + 1 == most);
     if (!number || *number == 60.0) return std::nullopt;
-    seconds += *number * unit[i - fewest];
+    sum += *number * unit[i - fewest];
   }
-  return seconds;
+  return sum;
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::string_view begin_data = "\\begindata", begin_text = "\\begintext";
 constexpr std::string_view blanks = " \t\r\n", after_value = " \t\r\n,()'";
-constexpr std::size_t most_characters = 100;
+constexpr std::size_t longest_value = 100;
 
 std::string_view first_line(std::string_view text) {
   return take_line(text);
@@ -21,7 +21,7 @@ std::string_view first_line(std::string_view text) {
 
 /// Of a number with the exponent of Fortran, 1.657D-3, too.
 std::optional<double> kernel_number(std::string_view word) {
-  if (word.size() > most_characters) return std::nullopt;
+  if (word.size() > longest_value) return std::nullopt;
   std::string text{word};
   std::replace_if(
       text.begin(), text.end(), [](char c) { return c == 'D' || c == 'd'; }, 'e');
@@ -133,7 +133,7 @@ TextKernel::Value TextKernelParser::take_value() {
   if (rest_.front() == '\'') return take_text();
   const std::string_view found = word(after_value);
   TextKernel::Value value{Kind::number, 0.0, {}, line_, column_};
-  if (found.starts_with('@') && found.size() > 1 && found.size() <= most_characters) {
+  if (found.starts_with('@') && found.size() > 1 && found.size() <= longest_value) {
     value.kind = Kind::date;
     value.text = found.substr(1);
   } else {
