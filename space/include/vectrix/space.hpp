@@ -16,8 +16,15 @@
 #include <vectrix/space/fields/harris_priester.hpp>
 #include <vectrix/space/fields/magnetic_field.hpp>
 #include <vectrix/space/files/attitude_ephemeris_message.hpp>
+#include <vectrix/space/files/attitude_kernel.hpp>
 #include <vectrix/space/files/csv_table.hpp>
+#include <vectrix/space/files/daf_file.hpp>
+#include <vectrix/space/files/ephemeris_kernel.hpp>
+#include <vectrix/space/files/frame_kernel.hpp>
+#include <vectrix/space/files/leap_second_kernel.hpp>
 #include <vectrix/space/files/orbit_ephemeris_message.hpp>
+#include <vectrix/space/files/spacecraft_clock.hpp>
+#include <vectrix/space/files/text_kernel.hpp>
 #include <vectrix/space/orbit/elements.hpp>
 #include <vectrix/space/orbit/kepler_equation.hpp>
 #include <vectrix/space/orbit/mean_elements.hpp>

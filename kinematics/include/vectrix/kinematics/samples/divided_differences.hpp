@@ -15,7 +15,7 @@ template <class S> struct PolynomialValues { Column<S> value, first, second; };
 /// The polynomial through values at given times, by Newton's divided differences,
 ///     p(t) = c_0 + (t - z_0)(c_1 + (t - z_1)(c_2 + ...)),  c_k = f[z_0, ..., z_k]
 /// A time that is added twice in a row has the derivative that is given, too.
-template <class S> class NewtonPolynomial {
+template <class S, int Degree = largest_degree> class NewtonPolynomial {
  public:
   NewtonPolynomial() {
     times_.fill(S(0));
@@ -59,7 +59,7 @@ template <class S> class NewtonPolynomial {
   }
 
  private:
-  template <class T> using Nodes = std::array<T, static_cast<std::size_t>(largest_degree) + 1>;
+  template <class T> using Nodes = std::array<T, static_cast<std::size_t>(Degree) + 1>;
 
   std::size_t size_ = 0;
   Nodes<S> times_;
