@@ -3,7 +3,7 @@
 set(work ${CMAKE_CURRENT_BINARY_DIR}/consumers)
 set(hidden -D CMAKE_DISABLE_FIND_PACKAGE_SUNDIALS=ON -D CMAKE_DISABLE_FIND_PACKAGE_PkgConfig=ON)
 set(libraries)
-foreach(layer space dynamics)
+foreach(layer space dynamics simbody)
   if(TARGET vectrix_${layer})
     list(APPEND libraries ${layer})
   endif()
