@@ -90,13 +90,14 @@ struct RandomLoads {
   std::vector<double> efforts, motors;  // efforts by body
 
   RandomLoads(Draw& draw, const PlainSpacecraft& craft) : field(draw.triple()) {
+    for (std::size_t i = 0; i < craft.bodies.size(); ++i) efforts.push_back(draw.normal());
+    for (std::size_t i = 0; i < craft.rotors.size(); ++i) motors.push_back(draw.normal());
     for (std::size_t i = 0; i <= craft.bodies.size(); ++i) {
       forces.push_back(draw.triple());
       torques.push_back(draw.triple());
-      efforts.push_back(draw.normal());
     }
-    for (std::size_t i = 0; i < craft.rotors.size(); ++i) motors.push_back(draw.normal());
   }
+
   NamedLoads ours(const PlainSpacecraft& craft) const {
     return [&](const NamedNow& now, NamedForces& given) {
       const NamedFrame i = now.frame(craft.inertial);
