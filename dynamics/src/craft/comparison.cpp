@@ -39,10 +39,11 @@ constexpr std::size_t quaternion = 4, vector = 3;
 
 void print_row(std::ostream& out, std::size_t width, const std::string& name, const NumberDifference& found,
                const std::string& unit) {
-  std::ostringstream size;
+  std::ostringstream size, time;
   size << std::scientific << std::setprecision(1) << found.size << ' ' << unit;
+  time << found.time << " s";
   out << std::left << std::setw(static_cast<int>(width)) << name << "  " << std::setw(22) << size.str()
-      << text(found.time) << " s\n";
+      << time.str() << '\n';
 }
 
 }  // namespace
