@@ -1,4 +1,4 @@
-# find_package(vectrix COMPONENTS frames kinematics space dynamics). Each layer has its own export set, so that a layer
+# find_package(vectrix COMPONENTS frames kinematics space dynamics simbody). Each layer has its own export set, so that a layer
 # that is not installed is not found.
 include(CMakePackageConfigHelpers)
 set(package ${CMAKE_INSTALL_LIBDIR}/cmake/vectrix)

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 """Reads the #include lines of the sources: python3 tools/includes.py <source folder>. Three rules:
 
-1. The direction of dependence:  frames <- kinematics <- space <- dynamics <- examples, pictures, validation, accuracy.
+1. The direction of dependence:  frames <- kinematics <- space <- dynamics <- simbody <- examples, pictures, validation, accuracy.
    ERFA is known in space/src, space/tests, validation/erfa.cpp and bench/ alone, SUNDIALS in dynamics/src and
-   bench/integrators.cpp alone, Simbody in validation/**/simbody_* and bench/peer_simbody.cpp alone. The multibody engine works
-   on plain numbers: it includes nothing of ours but the scalars.
+   bench/integrators.cpp alone, Simbody in simbody/src/simbody_engine.cpp, validation/**/simbody_* and bench/peer_simbody.cpp
+   alone. The multibody engine works on plain numbers: it includes nothing of ours but the scalars.
 2. Public headers do not use a name of these engines either (an enumerator such as cvode_adams is ours).
 3. A public header that says std::x or Eigen::x includes the header that declares it, itself or through headers of ours.
    Boost is not to be reached through others: a header that says boost:: includes it itself.
@@ -20,23 +20,25 @@ from functools import cache
 from pathlib import Path
 from typing import Iterator
 
-LAYERS = ("frames", "kinematics", "space", "dynamics")
+LAYERS = ("frames", "kinematics", "space", "dynamics", "simbody")
 ABOVE = ("cli", "examples", "pictures", "validation", "accuracy")
 
 ERFA = "erfa"
 SOLVERS = "sundials/|cvode/|arkode/|nvector/|sunmatrix/|sunlinsol/|sunnonlinsol/"
 SIMBODY = "Simbody|SimTK|simbody/|simmath/|SimTKcommon/"
-KNOWS_ITS_PEER = re.compile(r"(validation/(tests/)?simbody_[^/]*|validation/erfa\.cpp|bench/peer_simbody\.cpp)$")
+KNOWS_ITS_PEER = re.compile(r"(simbody/src/simbody_engine\.cpp|validation/(tests/)?simbody_[^/]*|validation/erfa\.cpp"
+                            r"|bench/peer_simbody\.cpp)$")
 
 # What no file below these folders includes.
 FORBIDDEN = (
-    ("vectrix/kinematics|vectrix/space|vectrix/dynamics", ("frames",)),
-    ("vectrix/space|vectrix/dynamics", ("kinematics",)),
-    ("vectrix/dynamics", ("space", "testing")),
+    ("vectrix/kinematics|vectrix/space|vectrix/dynamics|vectrix/simbody", ("frames",)),
+    ("vectrix/space|vectrix/dynamics|vectrix/simbody", ("kinematics",)),
+    ("vectrix/dynamics|vectrix/simbody", ("space", "testing")),
+    ("vectrix/simbody", ("dynamics",)),
     (r"vectrix/(?!dynamics/multibody/|frames/(scalar/|errors\.hpp|export\.hpp))",
      ("dynamics/include/vectrix/dynamics/multibody", "dynamics/src/multibody")),
-    (ERFA, ("frames", "kinematics", "space/include", "dynamics", *ABOVE)),
-    (SOLVERS, ("frames", "kinematics", "space", "dynamics/include", "dynamics/tests", *ABOVE)),
+    (ERFA, ("frames", "kinematics", "space/include", "dynamics", "simbody", *ABOVE)),
+    (SOLVERS, ("frames", "kinematics", "space", "dynamics/include", "dynamics/tests", "simbody", *ABOVE)),
     (SIMBODY, (*LAYERS, *ABOVE, "bench")),
 )
 

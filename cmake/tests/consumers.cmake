@@ -1,9 +1,9 @@
 # A user's program (consumer/), configured, built and run with each way of getting the library: the installed package,
-# FetchContent, add_subdirectory. SUNDIALS and ERFA are hidden where they must not be needed.
+# FetchContent, add_subdirectory. SUNDIALS, ERFA and Simbody are hidden where they must not be needed.
 set(work ${CMAKE_CURRENT_BINARY_DIR}/consumers)
-set(hidden -D CMAKE_DISABLE_FIND_PACKAGE_SUNDIALS=ON -D CMAKE_DISABLE_FIND_PACKAGE_PkgConfig=ON)
+set(hidden -D CMAKE_DISABLE_FIND_PACKAGE_SUNDIALS=ON -D CMAKE_DISABLE_FIND_PACKAGE_PkgConfig=ON -D CMAKE_DISABLE_FIND_PACKAGE_Simbody=ON)
 set(libraries)
-foreach(layer space dynamics)
+foreach(layer space dynamics simbody)
   if(TARGET vectrix_${layer})
     list(APPEND libraries ${layer})
   endif()
@@ -54,5 +54,7 @@ consumer(dynamics_without_solvers subdirectory "dynamics" -D CMAKE_DISABLE_FIND_
 consumer(space_without_erfa subdirectory "space" ${hidden} -D VECTRIX_SPACE=ON)
 set_tests_properties(package.dynamics_without_solvers PROPERTIES PASS_REGULAR_EXPRESSION "needs vectrix::space and SUNDIALS 6.4")
 set_tests_properties(package.space_without_erfa PROPERTIES PASS_REGULAR_EXPRESSION "needs ERFA")
+consumer(simbody_without_simbody subdirectory "simbody" -D CMAKE_DISABLE_FIND_PACKAGE_Simbody=ON -D VECTRIX_SIMBODY=ON)
+set_tests_properties(package.simbody_without_simbody PROPERTIES PASS_REGULAR_EXPRESSION "vectrix::simbody needs vectrix::dynamics and Simbody 3[.]7 [(]Debian: libsimbody-dev[)]")
 consumer(unknown_component package "frames;thermodynamics" ${hidden})
 set_tests_properties(package.unknown_component PROPERTIES PASS_REGULAR_EXPRESSION "thermodynamics is not installed")

@@ -7,6 +7,9 @@ execute_process(COMMAND ${Python3_EXECUTABLE} ${tools}/doc_programs.py --folder 
 
 # The first program that uses the headers of a layer precompiles them for the others.
 function(doc_program page number layer headers)
+  if(NOT TARGET vectrix_${layer})
+    return()  # it is not built
+  endif()
   set(program doc_${page}_${number})
   add_executable(${program} ${folder}/${page}/${number}.cpp)
   target_link_libraries(${program} PRIVATE vectrix::${layer})

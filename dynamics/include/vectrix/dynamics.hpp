@@ -2,6 +2,7 @@
 
 #include <vectrix/dynamics/craft/attitude_state.hpp>
 #include <vectrix/dynamics/craft/changes.hpp>
+#include <vectrix/dynamics/craft/comparison.hpp>
 #include <vectrix/dynamics/craft/conservation.hpp>
 #include <vectrix/dynamics/craft/craft_scenario.hpp>
 #include <vectrix/dynamics/craft/forces.hpp>

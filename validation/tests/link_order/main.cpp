@@ -3,8 +3,7 @@
 #include <iostream>
 #include <vector>
 #include <vectrix/dynamics/craft/propagate.hpp>
-
-#include "simbody_reference.hpp"
+#include <vectrix/simbody.hpp>
 
 // SUNDIALS (CVODE and ARKODE, inside Vectrix) and Simbody, which exports an old CVODE under the same names,
 // in one process. Each must still follow an exact motion. Built twice, with the libraries in both orders.
@@ -35,19 +34,26 @@ Eigen::Matrix3d exact() {
       .toRotationMatrix();
 }
 
-Eigen::Matrix3d by_vectrix(ode::Method method) {
+auto make_top() {
   const auto moment = [](double value) { return value * si::kilogram_square_metre; };
   const auto J_b = inertia_from_principal_moments(in<Body>, moment(a), moment(a), moment(c));
-  const auto craft =
-      spacecraft(body(mass_properties(1.0 * si::kilogram,
-                                      coincident(of<CentreOfMassOf<Body>>, relative_to<Body>, in<Body>), J_b),
-                      turning_in<Inertial>));
-  const auto start = state(craft, 0.0 * si::second,
-                           MovingDcm{aligned(to<Inertial>, from<Body>),
-                                     angular_velocity(of<Body>, relative_to<Inertial>,
-                                                      vector<si::angular_velocity>(in<Body>, w0))});
+  return spacecraft(
+      body(mass_properties(1.0 * si::kilogram,
+                           coincident(of<CentreOfMassOf<Body>>, relative_to<Body>, in<Body>), J_b),
+           turning_in<Inertial>));
+}
+using Top = decltype(make_top());
+CraftState<Top> start_of(const Top& craft) {
+  const MovingDcm spinning{
+      aligned(to<Inertial>, from<Body>),
+      angular_velocity(of<Body>, relative_to<Inertial>, vector<si::angular_velocity>(in<Body>, w0))};
+  return state(craft, 0.0 * si::second, spinning);
+}
+
+Eigen::Matrix3d by_vectrix(ode::Method method) {
+  const Top craft = make_top();
   const auto trajectory =
-      propagate(scenario(craft), start,
+      propagate(scenario(craft), start_of(craft),
                 {.end = end * si::second,
                  .relative_tolerance = 1e-12,
                  .absolute_tolerances = {1e-12 * si::radian, 1e-15 * (si::radian / si::second),
@@ -57,15 +63,10 @@ Eigen::Matrix3d by_vectrix(ode::Method method) {
 }
 
 Eigen::Matrix3d by_simbody() {
-  const validation::SimbodyBody body{.mass_kg = 1.0,
-                                     .inertia_tensor_b = {a, 0.0, 0.0, 0.0, a, 0.0, 0.0, 0.0, c},
-                                     .R_i_from_b = {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0},
-                                     .w_ib_b = {w0.x(), w0.y(), w0.z()},
-                                     .orbit = {},
-                                     .pulses = {}};
-  const auto run = validation::simbody_propagate(body, 1e-11, {0.0, end},
-                                                 validation::SimbodyIntegrator::runge_kutta_merson);
-  return Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(run.samples.back().R_i_from_b.data());
+  const Top craft = make_top();
+  const auto trajectory =
+      propagate_with_simbody(scenario(craft), start_of(craft), {.end = end * si::second, .accuracy = 1e-11});
+  return trajectory(trajectory.end()).rotation.matrix();
 }
 
 template <class Engine> int check(const char* name, const Engine& engine) {

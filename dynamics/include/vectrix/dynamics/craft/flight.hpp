@@ -96,6 +96,11 @@ template <CraftType C, class... Parts> class Flight {
     solved_ = false;
     rates_(t, y, ydot);
   }
+  /// The loads alone, as CraftRates::loads() gives them.
+  const multibody::Work<double>& loads(double t, const double* y) {
+    solved_ = false;
+    return rates_.loads(t, y);
+  }
   std::vector<double> breakpoints(double start, double end) const {
     std::vector<const TickList*> lists;
     for_each_part([&]<std::size_t i>() {

@@ -40,16 +40,28 @@ template <class C, class... Loads> class CraftRates {
 
   void operator()(double t, const double* y, double* ydot) {
     core_->tree.place(y, work_);
+    add_loads(t, y);
+    core_->tree.solve(y, ydot, work_);
+  }
+  /// The loads alone, for another engine: the (n, f) of each body are those of its loads, with the opposite
+  /// sign.
+  const multibody::Work<double>& loads(double t, const double* y) {
+    core_->tree.place(y, work_);
+    work_.hub.n = work_.hub.f = multibody::zero_column<double>();
+    for (auto& link : work_.links) link.I.n = link.I.f = multibody::zero_column<double>();
+    add_loads(t, y);
+    return work_;
+  }
+  multibody::Work<double>& work() { return work_; }
+
+ private:
+  [[gnu::always_inline]] void add_loads(double t, const double* y) {
     if constexpr (sizeof...(Loads) > 0) {
       const Now<C> now{trusted, *core_, t, y, work_};
       Forces<C> forces{trusted, now, work_};
       add(now, forces, std::index_sequence_for<Loads...>{});
     }
-    core_->tree.solve(y, ydot, work_);
   }
-  multibody::Work<double>& work() { return work_; }
-
- private:
   template <std::size_t... i>
   [[gnu::always_inline]] void add(const Now<C>& now, Forces<C>& forces, std::index_sequence<i...>) const {
     (std::get<i>(loads_)(now, forces), ...);

@@ -57,6 +57,41 @@ template <CraftType C> struct GyroscopicTorque {
   }
 };
 
+/// Runs a scenario until how.end: `solve(problem, flight)` integrates the problem, which comes with its
+/// tolerances and method. No step crosses a change.
+template <CraftType C, class... Parts, class How, class Solve>
+typename TrajectoryOf<C, HeldTypes<Parts...>>::type fly(const char* action,
+                                                        const CraftScenario<C, Parts...>& scenario,
+                                                        const CraftState<C>& start, const How& how,
+                                                        ode::Problem problem, const Solve& solve) {
+  const CraftCore& core = *scenario.craft().core();
+  problem.initial_state.assign(start.numbers().begin(), start.numbers().end());
+  problem.start = start.time().value();
+  problem.end = how.end.value();
+  problem.max_steps = how.max_steps;
+  problem.maximum_step = how.maximum_step.value();
+  for (const Quantity<si::time>& time : how.output_times) problem.output_times.push_back(time.value());
+  problem.caller = action + (" " + core.plain.hub);
+  problem.component_names = core.component_names;
+  if (!(problem.end > problem.start && std::isfinite(problem.end))) {
+    throw BadInput(problem.caller + ": the end is " + text(problem.end) + " s, the start " +
+                   text(problem.start) + " s");
+  }
+  Flight<C, Parts...> flight(scenario, problem.start, problem.end);
+  problem.breakpoints = flight.breakpoints(problem.start, problem.end);
+  problem.roots = flight.roots();
+  problem.at_segment_start = [&](double t, std::span<double> y, std::span<const ode::Event> ended_by) {
+    flight.change(t, y, ended_by);
+  };
+  try {
+    ode::Solution solution = solve(problem, flight);
+    return {trusted, std::move(solution), flight.take_history()};
+  } catch (const ode::Failure& failure) {
+    std::throw_with_nested(typename TrajectoryOf<C, HeldTypes<Parts...>>::failure{
+        failure, {trusted, failure.solution(), flight.take_history()}});
+  }
+}
+
 }  // namespace detail
 
 /// The motion of the craft of a scenario from a state on. No step crosses a change, so that the order of the
@@ -65,48 +100,25 @@ template <CraftType C> struct GyroscopicTorque {
 template <CraftType C, class... Parts>
 typename detail::TrajectoryOf<C, detail::HeldTypes<Parts...>>::type propagate(
     const CraftScenario<C, Parts...>& scenario, const CraftState<C>& start, const CraftPropagation& how) {
-  using Trajectory = detail::TrajectoryOf<C, detail::HeldTypes<Parts...>>;
-  constexpr std::size_t N = C::state_size;
-  const C& craft = scenario.craft();
+  const PlainSpacecraft& craft = scenario.craft().core()->plain;
   ode::Problem problem;
-  problem.initial_state.assign(start.numbers().begin(), start.numbers().end());
-  problem.start = start.time().value();
-  problem.end = how.end.value();
   problem.relative_tolerance = how.relative_tolerance;
-  problem.absolute_tolerances = absolute_tolerances(plain(craft), how.absolute_tolerances);
+  problem.absolute_tolerances = absolute_tolerances(craft, how.absolute_tolerances);
   problem.method = how.method;
-  problem.max_steps = how.max_steps;
-  problem.maximum_step = how.maximum_step.value();
-  for (const Quantity<si::time>& time : how.output_times) problem.output_times.push_back(time.value());
   problem.dense_output = how.dense_output;
-  problem.caller = "propagate " + plain(craft).hub;
-  problem.component_names = craft.core()->component_names;
-  if (!(problem.end > problem.start && std::isfinite(problem.end))) {
-    throw BadInput(problem.caller + ": the end is " + detail::text(problem.end) + " s, the start " +
-                   detail::text(problem.start) + " s");
-  }
-  detail::Flight<C, Parts...> flight(scenario, problem.start, problem.end);
-  problem.breakpoints = flight.breakpoints(problem.start, problem.end);
-  problem.roots = flight.roots();
-  problem.at_segment_start = [&](double t, std::span<double> y, std::span<const ode::Event> ended_by) {
-    flight.change(t, y, ended_by);
-  };
-  const PlainSpacecraft& numbers = craft.core()->plain;
-  const detail::GyroscopicTorque<C> gyroscopic{numbers, numbers.J_c_h.trace(), problem.end - problem.start};
-  auto rhs = [&flight, gyroscopic](double, double t, auto y, auto ydot) {
-    gyroscopic.require(y.data() + 4);
-    flight.rates(t, y.data(), ydot.data());
-  };
-  try {
+  const detail::GyroscopicTorque<C> gyroscopic{craft, craft.J_c_h.trace(),
+                                               how.end.value() - start.time().value()};
+  const auto solve = [&](ode::Problem& run, detail::Flight<C, Parts...>& flight) {
+    auto rhs = [&flight, gyroscopic](double, double t, auto y, auto ydot) {
+      gyroscopic.require(y.data() + 4);
+      flight.rates(t, y.data(), ydot.data());
+    };
     const bool as_dcm = how.attitude == AttitudeState::dcm;
-    if (as_dcm || !ode::is_inlined(how.method)) problem.rhs = rhs;
-    if (as_dcm) problem = detail::with_dcm(std::move(problem));
-    ode::Solution solution = problem.rhs ? ode::solve(problem) : ode::solve<N>(problem, rhs);
-    return {detail::trusted, std::move(solution), flight.take_history()};
-  } catch (const ode::Failure& failure) {
-    std::throw_with_nested(
-        typename Trajectory::failure{failure, {detail::trusted, failure.solution(), flight.take_history()}});
-  }
+    if (as_dcm || !ode::is_inlined(how.method)) run.rhs = rhs;
+    if (as_dcm) run = detail::with_dcm(std::move(run));
+    return run.rhs ? ode::solve(run) : ode::solve<C::state_size>(run, rhs);
+  };
+  return detail::fly("propagate", scenario, start, how, std::move(problem), solve);
 }
 
 template <CraftType C, class... Parts, CraftType GivenC>

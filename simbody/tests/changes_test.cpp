@@ -1,0 +1,223 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <exception>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <vectrix/simbody.hpp>
+
+#include "craft/random_spacecraft.hpp"
+
+// What our loop does around Simbody: held values, ticks, zeros, locks, friction; failures and refusals.
+namespace vectrix_test::spacecraft_test::simbody_changes_test {
+namespace {
+
+using namespace vectrix;
+using spacecraft_test::Gcrf;
+
+/// The accuracy of these runs, and what their differences may be: some hundred steps that each add it.
+constexpr double accuracy = 1e-9, close = 1e-6;
+
+const Turning craft;
+using Sat = Turning;
+
+auto start() {
+  const auto still = moving_dcm(
+      aligned(to<Gcrf>, from<Hub>),
+      angular_velocity(of<Hub>, relative_to<Gcrf>, vector(in<Hub>, 0.1 * rad_s, -0.2 * rad_s, 0.05 * rad_s)));
+  return state(craft, 1.0 * s, still, starts(of<Boom>, 0.2 * rad, 0.4 * rad_s),
+               spins(of<WheelOfHub>, 20.0 * rad_s));
+}
+CraftPropagation ours_until(double end) {
+  return {.end = end * s,
+          .relative_tolerance = 1e-12,
+          .absolute_tolerances = {1e-12 * rad, 1e-12 * rad_s, 1e-12 * m, 1e-12 * m_s, 1e-12}};
+}
+SimbodyPropagation until(double end) {
+  return {.end = end * s, .accuracy = accuracy};
+}
+void expect_close(const CraftComparison<Sat>& found) {
+  EXPECT_LT(found.attitude(of<Hub>).size.value(), close);
+  EXPECT_LT(found.rate(of<Hub>).size.value(), close);
+  EXPECT_LT(found.coordinate(of<Boom>).size.value(), close);
+  EXPECT_LT(found.speed(of<Boom>).size.value(), close);
+  EXPECT_LT(found.spin(of<WheelOfHub>).size.value(), close);
+}
+
+struct Command {
+  double torque;
+};
+const auto turn_wheel = [](const Now<Sat>&, Forces<Sat>& forces, const Command& command) {
+  forces.motor(of<WheelOfHub>, command.torque * N_m);
+};
+const auto damp = [](const Now<Sat>& now, Forces<Sat>& forces) {
+  forces.effort(of<Boom>, -0.5 * now.coordinate(of<Boom>).value() * N_m);
+};
+const auto controller = every(0.25 * s, [](const Now<Sat>& now, const Command&) {
+  return Command{0.3 * now.angular_velocity(of<Hub>, relative_to<Gcrf>, in<Hub>).z().value()};
+});
+
+TEST(SimbodyRun, ticks_when_ours_does_and_holds_the_same) {
+  const auto flight = scenario(craft, turn_wheel, damp, held(Command{0.0}), controller);
+  const auto ours = propagate(flight, start(), ours_until(5.1));
+  const auto theirs = propagate_with_simbody(flight, start(), until(5.1));
+  expect_close(compare(craft, ours, theirs));
+  for (const double t : {1.0, 1.2, 1.25, 3.6, 5.1})
+    EXPECT_NEAR(theirs.held<Command>(t * s).torque, ours.held<Command>(t * s).torque, close) << t;
+  EXPECT_NE(theirs.held<Command>(5.0 * s).torque, 0.0);
+  EXPECT_EQ(theirs.solution().segment_count(), ours.solution().segment_count());
+}
+
+TEST(SimbodyRun, finds_the_zeros_of_ours_and_stops_at_them) {
+  const auto angle = [](const Now<Sat>& now) { return now.coordinate(of<Boom>); };
+  const auto flight = scenario(
+      craft, turn_wheel, damp, held(Command{0.0}),
+      when("boom at zero", angle, ode::Direction::any, becomes(Command{0.4})),
+      when(
+          "boom far", [](const Now<Sat>& now) { return std::abs(now.coordinate(of<Boom>).value()) - 0.8; },
+          ode::Direction::rising, stop));
+  const auto ours = propagate(flight, start(), ours_until(60.0));
+  const auto theirs = propagate_with_simbody(flight, start(), until(60.0));
+  EXPECT_TRUE(ours.stopped());
+  EXPECT_TRUE(theirs.stopped());
+  const auto found = compare(craft, ours, theirs);
+  expect_close(found);
+  ASSERT_TRUE(found.events());
+  EXPECT_LT(found.events()->size.value(), close);
+}
+
+struct Lock {
+  bool on;
+};
+TEST(SimbodyRun, locks_a_joint_and_a_rotor_while_ours_does) {
+  const auto flight = scenario(
+      craft, damp,
+      [](const Now<Sat>&, Forces<Sat>& forces, const Lock& lock) {
+        forces.motor(of<WheelOfHub>, 0.3 * N_m);
+        if (lock.on) {
+          forces.lock(of<Boom>);
+          forces.lock(of<WheelOfHub>);
+        }
+      },
+      held(Lock{false}), at_times({2.0 * s}, becomes(Lock{true})), at_times({3.0 * s}, becomes(Lock{false})));
+  const auto ours = propagate(flight, start(), ours_until(4.0));
+  const auto theirs = propagate_with_simbody(flight, start(), until(4.0));
+  expect_close(compare(craft, ours, theirs));
+  const auto spin = [&](double t) { return theirs.at(t * s).spin(of<WheelOfHub>).value(); };
+  EXPECT_NEAR(spin(3.0), spin(2.0), 1e-12);
+  EXPECT_GT(std::abs(spin(4.0) - spin(3.0)), close);
+  const auto speed = [&](double t) { return theirs.at(t * s).speed(of<Boom>).value(); };
+  EXPECT_NEAR(speed(2.9), speed(2.0), 1e-12);
+}
+
+TEST(SimbodyRun, sticks_and_slips_as_ours) {
+  const auto flight = scenario(
+      craft, damp,
+      friction(craft, of<Boom>, 0.05 * N_m, 0.08 * N_m, 0.01 * rad_s, 0.0 * (si::newton_metre / rad_s)));
+  const auto ours = propagate(flight, start(), ours_until(20.0));
+  const auto theirs = propagate_with_simbody(flight, start(), {.end = 20.0 * s, .accuracy = 0.1 * accuracy});
+  const auto found = compare(craft, ours, theirs);
+  expect_close(found);
+  ASSERT_TRUE(found.events());
+  EXPECT_GT(ours.events().size(), 1U);
+  EXPECT_EQ(theirs.at(20.0 * s).speed(of<Boom>).value(), ours.at(20.0 * s).speed(of<Boom>).value());
+}
+
+template <class F> std::string message_of(const F& run) {
+  try {
+    run();
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+  return "nothing was thrown";
+}
+void expect_says(const std::string& message, const std::string& part) {
+  EXPECT_NE(message.find(part), std::string::npos) << message;
+}
+
+TEST(SimbodyRun, that_fails_keeps_the_trajectory_and_what_was_thrown) {
+  const auto flight = scenario(craft, [](const Now<Sat>& now, Forces<Sat>&) {
+    if (now.time() > 3.0 * s) throw std::domain_error("beyond the table");
+  });
+  try {
+    (void)propagate_with_simbody(flight, start(), until(5.0));
+    FAIL();
+  } catch (const CraftFailure<Sat>& failure) {
+    EXPECT_GT(failure.trajectory().end(), 2.0 * s);
+    EXPECT_LE(failure.trajectory().end(), 3.0 * s);
+    EXPECT_EQ(failure.flag(), -8);
+    expect_says(failure.what(), "propagate_with_simbody");
+    expect_says(failure.what(), "beyond the table");
+  }
+}
+
+TEST(SimbodyRun, says_which_load_is_no_number) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const auto run = [&](const auto& load) {
+    return message_of([&] { (void)propagate_with_simbody(scenario(craft, load), start(), until(5.0)); });
+  };
+  const auto about = [&](const auto& f) {
+    return
+        [nan, f](const Now<Sat>& now, Forces<Sat>& forces) { f(forces, now.time() > 2.0 * s ? nan : 0.0); };
+  };
+  expect_says(run(about([](Forces<Sat>& f, double x) { f.motor(of<WheelOfHub>, x * N_m); })),
+              "the motor torque of vectrix_test");
+  expect_says(run(about([](Forces<Sat>& f, double x) { f.effort(of<Boom>, x * N_m); })), "the effort of");
+  expect_says(run([](const Now<Sat>&, Forces<Sat>& f) {
+                const auto most = vector(in<Hub>, 1.5e308 * N, 0.0 * N, 0.0 * N);
+                f.force(of<Boom>, most);
+                f.force(of<Boom>, most);
+              }),
+              "the force on");
+}
+
+TEST(SimbodyRun, refuses_a_lock_that_changes_within_a_segment) {
+  const auto flight = scenario(craft, [](const Now<Sat>& now, Forces<Sat>& forces) {
+    if (now.time() > 3.0 * s) forces.lock(of<Boom>);
+  });
+  expect_says(message_of([&] { (void)propagate_with_simbody(flight, start(), until(5.0)); }),
+              "a load locks or frees a joint within a smooth segment");
+}
+
+TEST(SimbodyRun, ends_after_the_most_steps) {
+  auto how = until(5.0);
+  how.max_steps = 7;
+  expect_says(message_of([&] { (void)propagate_with_simbody(scenario(craft), start(), how); }),
+              "max_steps = 7");
+}
+
+TEST(SimbodyRun, refuses_what_is_no_run) {
+  const auto says = [&](const SimbodyPropagation& how, const char* part) {
+    EXPECT_THROW((void)propagate_with_simbody(scenario(craft), start(), how), BadInput);
+    expect_says(message_of([&] { (void)propagate_with_simbody(scenario(craft), start(), how); }), part);
+  };
+  for (const double bad : {0.0, 1.0, -1e-6, std::numeric_limits<double>::quiet_NaN()})
+    says({.end = 5.0 * s, .accuracy = bad}, "the accuracy must be between 0 and 1");
+  for (const double bad : {0.0, -1.0, std::numeric_limits<double>::infinity()})
+    says({.end = 5.0 * s, .accuracy = 1e-6, .time_scale = bad * s}, "the time scale");
+  says({.end = 1.0 * s, .accuracy = 1e-6}, "the end is 1 s, the start 1 s");
+  says({.end = 5.0 * s, .accuracy = 1e-6, .maximum_step = 0.0 * s}, "maximum_step");
+  says({.end = 5.0 * s, .accuracy = 1e-6, .output_times = {6.0 * s}}, "output time 6");
+}
+
+TEST(SimbodyRun, refuses_what_simbody_has_not_by_name) {
+  RandomCraft random(11);
+  const Every every_kind(random);
+  const auto run = [&] {
+    (void)propagate_with_simbody(scenario(every_kind), random_state(every_kind, random), until(5.0));
+  };
+  EXPECT_THROW(run(), BadInput);
+  expect_says(message_of(run), "Simbody has no modes, and the craft has 3");
+  expect_says(message_of(run), "Blanket");
+
+  PlainSpacecraft skew = plain(every_kind);
+  skew.modes.clear();
+  const auto lower = [&] { (void)detail::simbody_craft("propagate_with_simbody", skew); };
+  EXPECT_THROW(lower(), BadInput);
+  expect_says(message_of(lower), "Simbody's gimbal has orthogonal axes; between those of");
+  expect_says(message_of(lower), "Antenna");
+}
+
+}  // namespace
+}  // namespace vectrix_test::spacecraft_test::simbody_changes_test
