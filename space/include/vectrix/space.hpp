@@ -16,6 +16,7 @@
 #include <vectrix/space/fields/harris_priester.hpp>
 #include <vectrix/space/fields/magnetic_field.hpp>
 #include <vectrix/space/files/attitude_ephemeris_message.hpp>
+#include <vectrix/space/files/attitude_parameter_message.hpp>
 #include <vectrix/space/files/csv_table.hpp>
 #include <vectrix/space/files/orbit_ephemeris_message.hpp>
 #include <vectrix/space/orbit/elements.hpp>

@@ -15,8 +15,7 @@ namespace {
 
 using detail::KvnEntries, detail::KvnLine, detail::KvnReader;
 
-constexpr const detail::MessageKind& kind = detail::attitude_ephemeris;
-constexpr double most_norm_error = 0.01;  // of quaternions with two decimals
+constexpr const detail::MessageKind& aem = detail::attitude_ephemeris;
 
 /// One of two words, whatever their capitals.
 bool is_first(const KvnEntries& entries, const KvnLine& line, const char* first, const char* second) {
@@ -42,11 +41,9 @@ void read_rate_frame(const KvnEntries& entries, const std::string& version, deta
   const KvnLine* line = entries.find(keyword);
   if (!line && lines.type == AttitudeType::quaternion_rate) line = &entries.line(keyword);
   if (!line) return;
-  const std::string word = detail::upper_case(line->value);
-  const bool in_a = word == "REF_FRAME_A" || word == detail::upper_case(lines.ref_frame_a);
-  if (!in_a && word != "REF_FRAME_B" && word != detail::upper_case(lines.ref_frame_b))
-    entries.fail(*line, "it is REF_FRAME_A or REF_FRAME_B");
-  lines.rate_frame = in_a ? detail::RateFrame::a : detail::RateFrame::b;
+  const auto frame = detail::rate_frame_named(lines, line->value);
+  if (!frame) entries.fail(*line, "it is REF_FRAME_A or REF_FRAME_B");
+  lines.rate_frame = *frame;
 }
 
 /// What the metadata say of the data lines.
@@ -85,9 +82,9 @@ std::string_view column(const detail::AttitudeLines& lines, std::size_t number) 
 }
 
 /// One segment after the other.
-class SegmentReader {
+class AttitudeSegmentReader {
  public:
-  SegmentReader(KvnReader& reader, const std::string& version) : reader_(reader), version_(version) {}
+  AttitudeSegmentReader(KvnReader& reader, const std::string& version) : reader_(reader), version_(version) {}
 
   /// The reader is at META_START, and then at the next one or at the end, which gives false.
   bool read() {
@@ -95,7 +92,7 @@ class SegmentReader {
     EphemerisMetadata metadata;
     metadata.comments = std::exchange(between_, {});
     const KvnEntries entries =
-        detail::read_metadata(reader_, kind, version_, detail::attitude_interpolation, metadata);
+        detail::read_metadata(reader_, aem, version_, detail::attitude_interpolation, metadata);
     if (!segments_.empty()) detail::require_same_system(entries, metadata, segments_.front().metadata());
     detail::AttitudeLines lines = read_type(entries, version_);
     lines.place = reader_.place() + ", the segment from line " + detail::text(start) + " on";
@@ -144,10 +141,8 @@ class SegmentReader {
     const double* q = lines.numbers.data() + lines.numbers.size() - numbers;
     const double norm = detail::scaled_norm(Eigen::Map<const Eigen::Vector4d>(q));
     const double error = std::abs(norm - 1.0);
-    if (!(error <= most_norm_error))
-      reader_.fail(first, column(lines, 0),
-                   "of a quaternion whose norm is " + detail::text(norm) + "; it may differ from 1 by " +
-                       detail::text(most_norm_error));
+    if (const std::string fault = detail::norm_fault(norm); !fault.empty())
+      reader_.fail(first, column(lines, 0), fault);
     if (error <= lines.norm_error) return;
     lines.norm_error = error;
     lines.norm_line = reader_.line();
@@ -167,13 +162,17 @@ class SegmentReader {
   std::vector<AttitudeEphemerisSegment> segments_;
 };
 
+AttitudeEphemerisMessage read_aem(KvnReader& reader) {
+  return detail::read_segments<AttitudeEphemerisMessage, AttitudeSegmentReader>(reader, aem);
+}
+
 }  // namespace
 
 AttitudeEphemerisMessage::AttitudeEphemerisMessage(MessageHeader header,
                                                    std::vector<AttitudeEphemerisSegment> segments)
     : header_(std::move(header)), segments_(std::move(segments)) {
-  detail::require_header(header_, kind);
-  if (segments_.empty()) throw BadInput(std::string{kind.name} + ": there are no segments");
+  detail::require_header(header_, aem);
+  if (segments_.empty()) throw BadInput(std::string{aem.name} + ": there are no segments");
   for (const AttitudeEphemerisSegment& segment : segments_) {
     const detail::AttitudeLines& lines = segment.lines(detail::trusted);
     detail::require_same_system(lines.place, segment.metadata(), segments_.front().metadata());
@@ -185,11 +184,11 @@ AttitudeEphemerisMessage::AttitudeEphemerisMessage(MessageHeader header,
 }
 
 AttitudeEphemerisMessage AttitudeEphemerisMessage::parse(std::string_view text) {
-  return detail::parse_message<AttitudeEphemerisMessage, SegmentReader>(text, kind);
+  return detail::parse_message(text, aem, read_aem);
 }
 
 AttitudeEphemerisMessage AttitudeEphemerisMessage::read(const std::filesystem::path& file) {
-  return detail::read_message<AttitudeEphemerisMessage, SegmentReader>(file, kind);
+  return detail::read_message(file, aem, read_aem);
 }
 
 }  // namespace vectrix

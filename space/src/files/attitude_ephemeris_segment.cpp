@@ -60,16 +60,22 @@ void AttitudeEphemerisSegment::require_unit_norms() const {
                    ", tolerance " + detail::text(unit_norm_tolerance) + "; nearest_samples() projects");
 }
 
+void AttitudeEphemerisSegment::require_attitude() const {
+  if (lines_.type == AttitudeType::angular_velocity)
+    throw BadInput(lines_.place + ": there is an angular velocity, but no attitude");
+}
+
 bool AttitudeEphemerisSegment::is_reversed(const detail::FrameClaim& a, const detail::FrameClaim& b) const {
+  const std::string frame_a = lines_.frame_keyword + "_A", frame_b = lines_.frame_keyword + "_B";
   const bool straight = detail::names(a, ref_frame_a()) && detail::names(b, ref_frame_b());
   if (!straight && !(detail::names(a, ref_frame_b()) && detail::names(b, ref_frame_a())))
-    throw BadInput(lines_.place + ": REF_FRAME_A is '" + detail::excerpt(ref_frame_a()) +
-                   "', REF_FRAME_B is '" + detail::excerpt(ref_frame_b()) + "'; asked for " +
-                   detail::shown(b) + " relative to " + detail::shown(a));
-  detail::require_named(lines_.place, straight ? "REF_FRAME_A" : "REF_FRAME_B",
-                        straight ? ref_frame_a() : ref_frame_b(), a);
-  detail::require_named(lines_.place, straight ? "REF_FRAME_B" : "REF_FRAME_A",
-                        straight ? ref_frame_b() : ref_frame_a(), b);
+    throw BadInput(lines_.place + ": " + frame_a + " is '" + detail::excerpt(ref_frame_a()) + "', " +
+                   frame_b + " is '" + detail::excerpt(ref_frame_b()) + "'; asked for " + detail::shown(b) +
+                   " relative to " + detail::shown(a));
+  detail::require_named(lines_.place, straight ? frame_a : frame_b, straight ? ref_frame_a() : ref_frame_b(),
+                        a);
+  detail::require_named(lines_.place, straight ? frame_b : frame_a, straight ? ref_frame_b() : ref_frame_a(),
+                        b);
   return !straight;
 }
 
@@ -82,7 +88,7 @@ Eigen::Quaterniond AttitudeEphemerisSegment::quaternion(std::size_t line, bool r
 std::vector<Eigen::Vector3d> AttitudeEphemerisSegment::rates(const detail::FrameClaim& a,
                                                              const detail::FrameClaim& b, bool in_a) const {
   const bool reversed = is_reversed(a, b);
-  if (lines_.type != AttitudeType::quaternion_rate)
+  if (lines_.type != AttitudeType::quaternion_rate && lines_.type != AttitudeType::angular_velocity)
     throw BadInput(lines_.place + ": ATTITUDE_TYPE is " + detail::type_name(lines_.type, "2.0") +
                    ", which has no rates");
   if (lines_.is_b_to_a)
@@ -97,7 +103,7 @@ std::vector<Eigen::Vector3d> AttitudeEphemerisSegment::rates(const detail::Frame
   all.reserve(size());
   const double scale = reversed ? -degree : degree;  // w_ba = -w_ab
   for (std::size_t line = 0; line < size(); ++line) {
-    const double* w = lines_.numbers.data() + line * detail::numbers_in_line(lines_.type) + 4;
+    const double* w = lines_.numbers.data() + (line + 1) * detail::numbers_in_line(lines_.type) - 3;
     all.emplace_back(scale * w[0], scale * w[1], scale * w[2]);
   }
   return all;

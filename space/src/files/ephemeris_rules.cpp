@@ -65,7 +65,7 @@ std::string other_fault(const MessageKind& kind, std::string_view keyword) {
     fewest = std::min(fewest, count);
   };
   compare(kind.version_keyword);
-  for (const EphemerisKeyword& known : kind.keywords) compare(known.name);
+  for (const MessageKeyword& known : kind.keywords) compare(known.name);
   for (const std::string_view word : words) compare(word);
   if (fewest == 0) return "the keyword has its place in another part of the message";
   if (fewest <= most_of_a_slip)

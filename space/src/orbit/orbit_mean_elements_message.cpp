@@ -146,26 +146,26 @@ namespace {
 
 using detail::OrbitMeanElementsReader;
 
-std::vector<OrbitMeanElementsMessage> messages(const std::string& place,
-                                               const std::vector<std::string>& lines) {
+std::vector<OrbitMeanElementsMessage> messages(detail::KvnReader lines) {
   std::vector<OrbitMeanElementsMessage> all;
   std::optional<OrbitMeanElementsReader> reader;
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    if (!reader && detail::trimmed(lines[i]).starts_with('<'))
-      throw BadInput(place + ", line " + detail::text(i + 1) +
-                     ": XML is not supported, only keyword = value");
-    auto line = detail::read_kvn_line(place, i + 1, lines[i]);
-    if (!line) continue;
-    if (line->keyword == version_keyword) {
+  while (lines.next()) {
+    if (lines.is_comment()) {
+      static_cast<void>(lines.comment());
+      continue;
+    }
+    if (!reader && lines.is_xml()) lines.fail("XML is not supported, only keyword = value");
+    detail::KvnLine line = lines.keyword();
+    if (line.keyword == version_keyword) {
       if (reader) all.push_back(reader->message());
-      reader.emplace(place, std::move(*line));
+      reader.emplace(lines.place(), std::move(line));
     } else if (reader) {
-      reader->add(std::move(*line));
+      reader->add(std::move(line));
     } else {
-      detail::refuse(place, *line, "a message begins with " + std::string{version_keyword});
+      detail::refuse(lines.place(), line, "a message begins with " + std::string{version_keyword});
     }
   }
-  if (!reader) throw BadInput(place + ": there is no message");
+  if (!reader) throw BadInput(lines.place() + ": there is no message");
   all.push_back(reader->message());
   return all;
 }
@@ -174,18 +174,16 @@ std::vector<OrbitMeanElementsMessage> messages(const std::string& place,
 
 OrbitMeanElementsMessage OrbitMeanElementsMessage::parse(std::string_view text) {
   const std::string place = "orbit mean-elements message";
-  auto all = messages(place, detail::lines_of(text).lines);
+  auto all = messages(detail::KvnReader(place, text, true));
   if (all.size() > 1) throw BadInput(place + ": there are " + detail::text(all.size()) + " messages");
   return std::move(all.front());
 }
 
 std::vector<OrbitMeanElementsMessage> OrbitMeanElementsMessage::read(const std::filesystem::path& file) {
   const std::string place = "orbit mean-elements message " + file.string();
-  const auto content = detail::read_lines(file);
-  if (!content) throw BadInput(place + ": cannot be read");
-  if (!content->whole)
-    throw BadInput(place + ", line " + detail::text(content->lines.size()) + ": " + detail::truncated);
-  return messages(place, content->lines);
+  const auto bytes = detail::read_bytes(file);
+  if (!bytes) throw BadInput(place + ": cannot be read");
+  return messages(detail::KvnReader(place, *bytes, detail::is_whole(*bytes)));
 }
 
 }  // namespace vectrix

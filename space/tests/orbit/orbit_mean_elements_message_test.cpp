@@ -265,7 +265,8 @@ TEST(OrbitMeanElementsMessage, LinesThatAreNone) {
             "orbit mean-elements message, line 1, column 15 (OBJECT_NAME): 'X': a message begins with "
             "CCSDS_OMM_VERS");
   EXPECT_EQ(complaint_of("\n <?xml version=\"1.0\"?>\n"),
-            "orbit mean-elements message, line 2: XML is not supported, only keyword = value");
+            "orbit mean-elements message, line 2, column 2: '<?xml version=\"1.0\"?>': XML is not supported, "
+            "only keyword = value");
   EXPECT_EQ(complaint_of(""), "orbit mean-elements message: there is no message");
   EXPECT_EQ(complaint_of(iss + iss), "orbit mean-elements message: there are 2 messages");
 }

@@ -17,8 +17,8 @@
 namespace vectrix {
 
 /// The attitude types that are read: QUATERNION, QUATERNION/RATE (in version 2.0 QUATERNION/ANGVEL) and
-/// EULER_ANGLE.
-enum class AttitudeType { quaternion, quaternion_rate, euler_angle };
+/// EULER_ANGLE; in parameter messages also an angular velocity without attitude.
+enum class AttitudeType { quaternion, quaternion_rate, euler_angle, angular_velocity };
 
 /// Samples of unit quaternions, and the largest | |q| - 1 | before the projection.
 template <Frame A, Frame B> struct NearestSamples {
@@ -31,9 +31,10 @@ namespace detail {
 /// The frame of the rates in the data lines.
 enum class RateFrame { none, a, b };
 
-/// The data lines as the file has them, in its order and units: 4, 7 or 3 numbers in each.
+/// The data lines as the file has them, in its order and units: 4, 7, 3 or 3 numbers in each.
 struct AttitudeLines {
-  std::string place{};  // begins messages
+  std::string place{};                      // begins messages
+  std::string frame_keyword = "REF_FRAME";  // followed by _A or _B
   std::string ref_frame_a{}, ref_frame_b{};
   AttitudeType type = AttitudeType::quaternion;
   bool is_b_to_a = false, is_scalar_first = false;
@@ -94,10 +95,11 @@ class VECTRIX_EXPORT AttitudeEphemerisSegment {
   [[nodiscard]] const std::vector<std::string>& comments() const { return lines_.comments; }
 
   /// q_b^a of every line. Throws BadInput that names both frames if the file has others, or the line if
-  /// | |q| - 1 | exceeds unit_norm_tolerance there: nearest_samples() projects.
+  /// | |q| - 1 | exceeds unit_norm_tolerance there: nearest_samples() projects; and if there is no attitude.
   template <Frame A, Frame B, class... Given>
   [[nodiscard]] detail::ClaimedPair<A, B, Samples<A, B>, Given...> samples(const Given&... called) const {
     const bool reversed = is_reversed(detail::claim_among<A>(called...), detail::claim_among<B>(called...));
+    require_attitude();
     require_unit_norms();
     return samples_of<A, B>([&](std::size_t line) { return quaternion(line, reversed); });
   }
@@ -110,6 +112,7 @@ class VECTRIX_EXPORT AttitudeEphemerisSegment {
   [[nodiscard]] detail::ClaimedPair<A, B, NearestSamples<A, B>, Given...> nearest_samples(
       const Given&... called) const {
     const bool reversed = is_reversed(detail::claim_among<A>(called...), detail::claim_among<B>(called...));
+    require_attitude();
     return {samples_of<A, B>([&](std::size_t line) { return quaternion(line, reversed).normalized(); }),
             lines_.norm_error};
   }
@@ -176,6 +179,7 @@ class VECTRIX_EXPORT AttitudeEphemerisSegment {
   }
 
   void require_unit_norms() const;
+  void require_attitude() const;
   /// Whether the first claim is of REF_FRAME_B. Throws BadInput if they are other frames.
   [[nodiscard]] bool is_reversed(const detail::FrameClaim& a, const detail::FrameClaim& b) const;
   /// q_b^a of the claims.
