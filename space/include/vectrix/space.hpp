@@ -19,6 +19,7 @@
 #include <vectrix/space/files/attitude_parameter_message.hpp>
 #include <vectrix/space/files/csv_table.hpp>
 #include <vectrix/space/files/orbit_ephemeris_message.hpp>
+#include <vectrix/space/files/orbit_parameter_message.hpp>
 #include <vectrix/space/orbit/elements.hpp>
 #include <vectrix/space/orbit/kepler_equation.hpp>
 #include <vectrix/space/orbit/mean_elements.hpp>

@@ -1,11 +1,11 @@
 #include <vectrix/space/orbit/orbit_mean_elements_message.hpp>
 
 #include <algorithm>
-#include <array>
 #include <set>
 
 #include <vectrix/frames/errors.hpp>
 
+#include "../files/covariance_keyword.hpp"
 #include "../files/kvn_entries.hpp"
 #include "../files/text_file.hpp"
 #include "mean_motion.hpp"
@@ -55,12 +55,10 @@ const std::set<std::string_view> keywords{"CLASSIFICATION",
                                           "AGOM",
                                           "COV_REF_FRAME"};
 
-// CX_X, CY_X, ..., CZ_DOT_Z_DOT: the row, then a column that is not behind it.
 bool of_covariance(std::string_view keyword) {
-  constexpr std::array<std::string_view, 6> names{"X", "Y", "Z", "X_DOT", "Y_DOT", "Z_DOT"};
-  for (std::size_t row = 0; row < names.size(); ++row) {
+  for (std::size_t row = 0; row < detail::state_components.size(); ++row) {
     for (std::size_t column = 0; column <= row; ++column) {
-      if (keyword == "C" + std::string{names[row]} + "_" + std::string{names[column]}) return true;
+      if (keyword == detail::covariance_keyword(row, column)) return true;
     }
   }
   return false;

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string>
+
+namespace vectrix::detail {
+
+/// The components of a state, in their order.
+inline constexpr std::array<const char*, 6> state_components{"X", "Y", "Z", "X_DOT", "Y_DOT", "Z_DOT"};
+
+/// CX_X, CY_X, ..., CZ_DOT_Z_DOT: an entry of the covariance of a state, where the column is not behind the
+/// row.
+inline std::string covariance_keyword(std::size_t row, std::size_t column) {
+  return "C" + std::string{state_components[row]} + "_" + std::string{state_components[column]};
+}
+
+}  // namespace vectrix::detail
