@@ -18,6 +18,7 @@
 #include <vectrix/space/files/attitude_ephemeris_message.hpp>
 #include <vectrix/space/files/attitude_parameter_message.hpp>
 #include <vectrix/space/files/csv_table.hpp>
+#include <vectrix/space/files/navigation_data_message.hpp>
 #include <vectrix/space/files/orbit_ephemeris_message.hpp>
 #include <vectrix/space/files/orbit_parameter_message.hpp>
 #include <vectrix/space/orbit/elements.hpp>

@@ -9,6 +9,7 @@
 
 #include "attitude_lines.hpp"
 #include "ephemeris_reader.hpp"
+#include "message_readers.hpp"
 
 namespace vectrix {
 namespace {
@@ -162,11 +163,11 @@ class AttitudeSegmentReader {
   std::vector<AttitudeEphemerisSegment> segments_;
 };
 
-AttitudeEphemerisMessage read_aem(KvnReader& reader) {
+}  // namespace
+
+AttitudeEphemerisMessage detail::read_aem(KvnReader& reader) {
   return detail::read_segments<AttitudeEphemerisMessage, AttitudeSegmentReader>(reader, aem);
 }
-
-}  // namespace
 
 AttitudeEphemerisMessage::AttitudeEphemerisMessage(MessageHeader header,
                                                    std::vector<AttitudeEphemerisSegment> segments)
@@ -184,11 +185,11 @@ AttitudeEphemerisMessage::AttitudeEphemerisMessage(MessageHeader header,
 }
 
 AttitudeEphemerisMessage AttitudeEphemerisMessage::parse(std::string_view text) {
-  return detail::parse_message(text, aem, read_aem);
+  return detail::parse_message(text, aem, detail::read_aem);
 }
 
 AttitudeEphemerisMessage AttitudeEphemerisMessage::read(const std::filesystem::path& file) {
-  return detail::read_message(file, aem, read_aem);
+  return detail::read_message(file, aem, detail::read_aem);
 }
 
 }  // namespace vectrix

@@ -11,6 +11,7 @@
 #include "attitude_lines.hpp"
 #include "attitude_parameters.hpp"
 #include "ephemeris_writer.hpp"
+#include "message_readers.hpp"
 #include "parameter_reader.hpp"
 #include "shifted_number.hpp"
 
@@ -125,16 +126,6 @@ std::vector<AttitudeEphemerisSegment> states_of(const detail::ReadParameters& re
   return states;
 }
 
-AttitudeParameterMessage read_apm(detail::KvnReader& reader) {
-  const detail::ReadParameters read = detail::read_parameters(reader, apm);
-  const ReadBlock* epoch_block = read.find(MessagePart::epoch);
-  if (!epoch_block) throw BadInput(reader.place() + ": there is no EPOCH");
-  const Epoch epoch =
-      epoch_block->entries.epoch(epoch_block->entries.line("EPOCH"), read.metadata.time_system);
-  if (read.blocks.size() == 1) throw BadInput(reader.place() + ": there is an EPOCH, but no attitude");
-  return {detail::trusted, read.content(), epoch, states_of(read, epoch)};
-}
-
 void write_frames(std::string& out, const AttitudeLines& lines) {
   detail::write_line(out, "REF_FRAME_A", lines.ref_frame_a);
   detail::write_line(out, "REF_FRAME_B", lines.ref_frame_b);
@@ -200,6 +191,16 @@ AttitudeParameterMessage message_of(const MessageHeader& header,
 
 }  // namespace
 
+AttitudeParameterMessage detail::read_apm(detail::KvnReader& reader) {
+  const detail::ReadParameters read = detail::read_parameters(reader, apm);
+  const ReadBlock* epoch_block = read.find(MessagePart::epoch);
+  if (!epoch_block) throw BadInput(reader.place() + ": there is no EPOCH");
+  const Epoch epoch =
+      epoch_block->entries.epoch(epoch_block->entries.line("EPOCH"), read.metadata.time_system);
+  if (read.blocks.size() == 1) throw BadInput(reader.place() + ": there is an EPOCH, but no attitude");
+  return {detail::trusted, read.content(), epoch, states_of(read, epoch)};
+}
+
 AttitudeParameterMessage::AttitudeParameterMessage(const MessageHeader& header,
                                                    const std::vector<AttitudeEphemerisSegment>& states)
     : AttitudeParameterMessage(message_of(header, states)) {}
@@ -210,11 +211,11 @@ AttitudeParameterMessage::AttitudeParameterMessage(detail::Trusted, detail::Para
     : ParameterMessage(detail::trusted, apm, std::move(content), epoch), states_(std::move(states)) {}
 
 AttitudeParameterMessage AttitudeParameterMessage::parse(std::string_view text) {
-  return detail::parse_message(text, apm, read_apm);
+  return detail::parse_message(text, apm, detail::read_apm);
 }
 
 AttitudeParameterMessage AttitudeParameterMessage::read(const std::filesystem::path& file) {
-  return detail::read_message(file, apm, read_apm);
+  return detail::read_message(file, apm, detail::read_apm);
 }
 
 }  // namespace vectrix

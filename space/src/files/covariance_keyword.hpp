@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <string>
+#include <string_view>
 
 namespace vectrix::detail {
 
@@ -13,6 +14,15 @@ inline constexpr std::array<const char*, 6> state_components{"X", "Y", "Z", "X_D
 /// row.
 inline std::string covariance_keyword(std::size_t row, std::size_t column) {
   return "C" + std::string{state_components[row]} + "_" + std::string{state_components[column]};
+}
+
+inline bool is_covariance_keyword(std::string_view keyword) {
+  for (std::size_t row = 0; row < state_components.size(); ++row) {
+    for (std::size_t column = 0; column <= row; ++column) {
+      if (keyword == covariance_keyword(row, column)) return true;
+    }
+  }
+  return false;
 }
 
 }  // namespace vectrix::detail

@@ -58,7 +58,6 @@ MessageHeader read_version(KvnReader& reader, const MessageKind& kind) {
   for (; more && reader.is_comment(); more = reader.next()) header.comments.push_back(reader.comment());
   const std::string first = "a message begins with " + std::string{kind.version_keyword};
   if (!more) throw BadInput(reader.place() + ": there is no message");
-  if (reader.is_xml()) reader.fail("XML is not supported, only keyword = value");
   if (!reader.has_keyword()) reader.fail(first);
   const KvnLine version = reader.keyword();
   if (version.keyword != kind.version_keyword) refuse(reader.place(), version, first);

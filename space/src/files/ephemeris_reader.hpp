@@ -13,6 +13,8 @@
 #include "ephemeris_rules.hpp"
 #include "kvn_entries.hpp"
 #include "text_file.hpp"
+#include "xml_document.hpp"
+#include "xml_messages.hpp"
 
 namespace vectrix::detail {
 
@@ -59,18 +61,40 @@ class TimeReader {
 /// The number times 10^shift.
 double read_number(const KvnReader& reader, std::string_view word, std::string_view name, int shift = 0);
 
-/// What read(reader) makes of a text, or of a file.
-template <class Read> auto parse_message(std::string_view text, const MessageKind& kind, Read read) {
-  KvnReader reader(kind.name, text, true);
-  return read(reader);
+/// What read(reader) makes of each message of a text, which is of keywords and values, or XML.
+template <class Read>
+auto read_messages(const std::string& place, std::string_view text, bool whole, const MessageKind& kind,
+                   Read read) {
+  std::vector<decltype(read(std::declval<KvnReader&>()))> all;
+  if (is_xml(text)) {
+    for (const XmlMessage& message : messages_in_xml(place, text, kind.element())) {
+      KvnReader reader(place, message.text, message.origins);
+      all.push_back(read(reader));
+    }
+  } else {
+    KvnReader reader(place, text, whole);
+    all.push_back(read(reader));
+  }
+  return all;
 }
 template <class Read>
-auto read_message(const std::filesystem::path& file, const MessageKind& kind, Read read) {
+auto read_messages(const std::filesystem::path& file, const MessageKind& kind, Read read) {
   const std::string place = std::string{kind.name} + " " + file.string();
   const auto bytes = read_bytes(file);
   if (!bytes) throw BadInput(place + ": cannot be read");
-  KvnReader reader(place, *bytes, is_whole(*bytes));
-  return read(reader);
+  return read_messages(place, *bytes, is_whole(*bytes), kind, read);
+}
+/// The only one.
+template <class Message> Message single(const std::string& place, std::vector<Message> messages) {
+  if (messages.size() != 1) throw BadInput(place + ": there are " + text(messages.size()) + " messages");
+  return std::move(messages.front());
+}
+template <class Read> auto parse_message(std::string_view text, const MessageKind& kind, Read read) {
+  return single(kind.name, read_messages(kind.name, text, true, kind, read));
+}
+template <class Read>
+auto read_message(const std::filesystem::path& file, const MessageKind& kind, Read read) {
+  return single(std::string{kind.name} + " " + file.string(), read_messages(file, kind, read));
 }
 
 /// The ephemeris message that the reader is before. `SegmentReader(reader, version)` reads one segment with

@@ -17,6 +17,12 @@ bool MessageKind::has(const std::string& version) const {
   return std::find(versions.begin(), versions.end(), version) != versions.end();
 }
 
+std::string MessageKind::element() const {
+  std::string lower{std::string_view{version_keyword}.substr(6, 3)};  // CCSDS_AEM_VERS
+  for (char& c : lower) c = static_cast<char>(c - 'A' + 'a');
+  return lower;
+}
+
 std::string MessageKind::list() const {
   std::string list;
   for (const char* version : versions) list += (list.empty() ? "" : ", ") + std::string{version};

@@ -66,6 +66,8 @@ struct MessageKind {
   std::span<const MessageBlock> blocks{};  // of parameter messages
 
   [[nodiscard]] bool has(const std::string& version) const;
+  /// The name of the element in XML, aem.
+  [[nodiscard]] std::string element() const;
   [[nodiscard]] std::string newest() const { return *(versions.end() - 1); }
   /// 1.0, 2.0, 3.0
   [[nodiscard]] std::string list() const;

@@ -58,7 +58,6 @@ class KvnReader {
   /// What the line is: a comment, one word such as META_START, keyword = value, or data.
   [[nodiscard]] bool is_comment() const;
   [[nodiscard]] bool is(std::string_view word) const { return content_ == word; }
-  [[nodiscard]] bool is_xml() const { return content_.starts_with('<'); }
   [[nodiscard]] bool has_keyword() const { return content_.find('=') != std::string_view::npos; }
 
   /// What stands behind the word COMMENT and one blank.

@@ -8,6 +8,7 @@
 #include <vectrix/space/time/exact_text.hpp>
 
 #include "ephemeris_reader.hpp"
+#include "message_readers.hpp"
 #include "orbit_ephemeris_text.hpp"
 
 namespace vectrix {
@@ -146,11 +147,11 @@ class OrbitSegmentReader {
   std::vector<OrbitEphemerisSegment> segments_;
 };
 
-OrbitEphemerisMessage read_oem(KvnReader& reader) {
+}  // namespace
+
+OrbitEphemerisMessage detail::read_oem(KvnReader& reader) {
   return detail::read_segments<OrbitEphemerisMessage, OrbitSegmentReader>(reader, oem);
 }
-
-}  // namespace
 
 OrbitEphemerisMessage::OrbitEphemerisMessage(MessageHeader header,
                                              std::vector<OrbitEphemerisSegment> segments)
@@ -173,11 +174,11 @@ OrbitEphemerisMessage::OrbitEphemerisMessage(MessageHeader header,
 }
 
 OrbitEphemerisMessage OrbitEphemerisMessage::parse(std::string_view text) {
-  return detail::parse_message(text, oem, read_oem);
+  return detail::parse_message(text, oem, detail::read_oem);
 }
 
 OrbitEphemerisMessage OrbitEphemerisMessage::read(const std::filesystem::path& file) {
-  return detail::read_message(file, oem, read_oem);
+  return detail::read_message(file, oem, detail::read_oem);
 }
 
 }  // namespace vectrix

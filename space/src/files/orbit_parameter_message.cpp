@@ -9,6 +9,7 @@
 
 #include "covariance_keyword.hpp"
 #include "ephemeris_writer.hpp"
+#include "message_readers.hpp"
 #include "orbit_ephemeris_text.hpp"
 #include "orbit_parameters.hpp"
 #include "parameter_reader.hpp"
@@ -94,14 +95,6 @@ OrbitEphemerisSegment state_of(const detail::ReadParameters& read) {
   return {detail::trusted, read.metadata, std::move(lines)};
 }
 
-OrbitParameterMessage read_opm(detail::KvnReader& reader) {
-  const detail::ReadParameters read = detail::read_parameters(reader, opm);
-  if (!read.find(MessagePart::state)) throw BadInput(reader.place() + ": there is no state vector");
-  const ReadBlock* elements = read.find(MessagePart::elements);
-  return {detail::trusted, read.content(), state_of(read),
-          elements ? std::optional{elements_of(*elements)} : std::nullopt};
-}
-
 std::string opm_text(const MessageHeader& header, const OrbitEphemerisSegment& state) {
   const detail::OrbitLines& lines = state.lines(detail::trusted);
   const EphemerisMetadata& metadata = state.metadata();
@@ -138,6 +131,14 @@ std::string opm_text(const MessageHeader& header, const OrbitEphemerisSegment& s
 
 }  // namespace
 
+OrbitParameterMessage detail::read_opm(detail::KvnReader& reader) {
+  const detail::ReadParameters read = detail::read_parameters(reader, opm);
+  if (!read.find(MessagePart::state)) throw BadInput(reader.place() + ": there is no state vector");
+  const ReadBlock* elements = read.find(MessagePart::elements);
+  return {detail::trusted, read.content(), state_of(read),
+          elements ? std::optional{elements_of(*elements)} : std::nullopt};
+}
+
 OrbitParameterMessage::OrbitParameterMessage(const MessageHeader& header, const OrbitEphemerisSegment& state)
     : OrbitParameterMessage(parse(opm_text(header, state))) {}
 
@@ -159,11 +160,11 @@ StateDistance OrbitParameterMessage::elements_distance() const {
 }
 
 OrbitParameterMessage OrbitParameterMessage::parse(std::string_view text) {
-  return detail::parse_message(text, opm, read_opm);
+  return detail::parse_message(text, opm, detail::read_opm);
 }
 
 OrbitParameterMessage OrbitParameterMessage::read(const std::filesystem::path& file) {
-  return detail::read_message(file, opm, read_opm);
+  return detail::read_message(file, opm, detail::read_opm);
 }
 
 }  // namespace vectrix

@@ -6,7 +6,9 @@
 #include <vectrix/frames/errors.hpp>
 
 #include "../files/covariance_keyword.hpp"
-#include "../files/kvn_entries.hpp"
+#include "../files/ephemeris_reader.hpp"
+#include "../files/message_kinds.hpp"
+#include "../files/message_readers.hpp"
 #include "../files/text_file.hpp"
 #include "mean_motion.hpp"
 
@@ -16,6 +18,7 @@ namespace {
 using detail::KvnLine;
 
 constexpr std::string_view version_keyword = "CCSDS_OMM_VERS";
+constexpr const detail::MessageKind& omm = detail::orbit_mean_elements;
 
 // Without CCSDS_OMM_VERS, which begins a message, and the entries of the covariance.
 const std::set<std::string_view> keywords{"CLASSIFICATION",
@@ -55,16 +58,9 @@ const std::set<std::string_view> keywords{"CLASSIFICATION",
                                           "AGOM",
                                           "COV_REF_FRAME"};
 
-bool of_covariance(std::string_view keyword) {
-  for (std::size_t row = 0; row < detail::state_components.size(); ++row) {
-    for (std::size_t column = 0; column <= row; ++column) {
-      if (keyword == detail::covariance_keyword(row, column)) return true;
-    }
-  }
-  return false;
-}
 bool of_the_standard(std::string_view keyword) {
-  return keywords.count(keyword) > 0 || keyword.starts_with("USER_DEFINED_") || of_covariance(keyword);
+  return keywords.count(keyword) > 0 || keyword.starts_with("USER_DEFINED_") ||
+         detail::is_covariance_keyword(keyword);
 }
 
 }  // namespace
@@ -77,7 +73,7 @@ class OrbitMeanElementsReader {
   OrbitMeanElementsReader(const std::string& place, KvnLine version)
       : version_(std::move(version)),
         entries_(place, "the message from line " + detail::text(version_.line) + " on") {
-    if (version_.value != "2.0" && version_.value != "3.0") fail(version_, "the versions are 2.0 and 3.0");
+    if (!omm.has(version_.value)) fail(version_, "the versions are " + omm.list());
   }
 
   void add(KvnLine line) {
@@ -144,7 +140,15 @@ namespace {
 
 using detail::OrbitMeanElementsReader;
 
-std::vector<OrbitMeanElementsMessage> messages(detail::KvnReader lines) {
+std::vector<OrbitMeanElementsMessage> joined(std::vector<std::vector<OrbitMeanElementsMessage>> lists) {
+  std::vector<OrbitMeanElementsMessage> all;
+  for (auto& list : lists) all.insert(all.end(), list.begin(), list.end());
+  return all;
+}
+
+}  // namespace
+
+std::vector<OrbitMeanElementsMessage> detail::read_omm(detail::KvnReader& lines) {
   std::vector<OrbitMeanElementsMessage> all;
   std::optional<OrbitMeanElementsReader> reader;
   while (lines.next()) {
@@ -152,7 +156,6 @@ std::vector<OrbitMeanElementsMessage> messages(detail::KvnReader lines) {
       static_cast<void>(lines.comment());
       continue;
     }
-    if (!reader && lines.is_xml()) lines.fail("XML is not supported, only keyword = value");
     detail::KvnLine line = lines.keyword();
     if (line.keyword == version_keyword) {
       if (reader) all.push_back(reader->message());
@@ -168,20 +171,12 @@ std::vector<OrbitMeanElementsMessage> messages(detail::KvnReader lines) {
   return all;
 }
 
-}  // namespace
-
 OrbitMeanElementsMessage OrbitMeanElementsMessage::parse(std::string_view text) {
-  const std::string place = "orbit mean-elements message";
-  auto all = messages(detail::KvnReader(place, text, true));
-  if (all.size() > 1) throw BadInput(place + ": there are " + detail::text(all.size()) + " messages");
-  return std::move(all.front());
+  return detail::single(omm.name, joined(detail::read_messages(omm.name, text, true, omm, detail::read_omm)));
 }
 
 std::vector<OrbitMeanElementsMessage> OrbitMeanElementsMessage::read(const std::filesystem::path& file) {
-  const std::string place = "orbit mean-elements message " + file.string();
-  const auto bytes = detail::read_bytes(file);
-  if (!bytes) throw BadInput(place + ": cannot be read");
-  return messages(detail::KvnReader(place, *bytes, detail::is_whole(*bytes)));
+  return joined(detail::read_messages(file, omm, detail::read_omm));
 }
 
 }  // namespace vectrix

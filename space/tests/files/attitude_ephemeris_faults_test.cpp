@@ -21,9 +21,8 @@ TEST(AttitudeEphemerisMessage, EveryFaultHasALineAColumnAndAReason) {
       {gmat_quaternions, "CCSDS_AEM", "CCSDS_OEM",
        "line 1, column 18 (CCSDS_OEM_VERS): '1.0': a message begins with CCSDS_AEM_VERS"},
       {gmat_quaternions, "CCSDS_AEM_VERS = 1.0", "<!DOCTYPE a SYSTEM \"file:///etc/passwd\">",
-       "line 1, column 1: '<!DOCTYPE a SYSTEM \"file:///etc/passwd\">': XML is not supported, only keyword = "
-       "value"},
-      {gmat_quaternions, "CCSDS", "\xFF\xFE",
+       "line 1, column 11: a document type; it can name other files and entities, and is refused"},
+      {gmat_quaternions, "CCSDS", "\xFF",
        "line 1, column 1: the byte 255 is no printable character of ASCII"},
       {gmat_quaternions, "CREATION", "MESSAGE_ID = 1\nCREATION",
        "line 2, column 14 (MESSAGE_ID): '1': the keyword is of version 2.0, the message of version 1.0"},

@@ -10,7 +10,8 @@
 
 namespace vectrix {
 
-/// An attitude parameter message (APM, CCSDS 504.0-B, versions 1.0 and 2.0): attitudes at one epoch.
+/// An attitude parameter message (APM, CCSDS 504.0-B, versions 1.0 and 2.0) in keyword-value notation or XML:
+/// attitudes at one epoch.
 ///     const auto message = AttitudeParameterMessage::read("sat.apm");
 ///     const auto sample = message.states().front().samples<earth::Eme2000,
 ///     Body>(called<Body>("SC_BODY_1")).front();

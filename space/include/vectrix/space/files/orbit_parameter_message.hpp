@@ -27,8 +27,8 @@ struct StateDistance {
   Quantity<si::velocity> velocity;
 };
 
-/// An orbit parameter message (OPM, CCSDS 502.0-B, versions 1.0, 2.0 and 3.0): position and velocity at one
-/// epoch.
+/// An orbit parameter message (OPM, CCSDS 502.0-B, versions 1.0, 2.0 and 3.0) in keyword-value notation or
+/// XML: position and velocity at one epoch.
 ///     const auto message = OrbitParameterMessage::read("sat.opm");
 ///     const auto sample = message.state().samples<earth::TrueOfDate, Satellite>().front();
 /// state() is a segment of one sample; it has the covariance, if there is one, in its frame. A message may
