@@ -28,8 +28,8 @@ bool is_first(const KvnEntries& entries, const KvnLine& line, const char* first,
 AttitudeType type_of(const KvnEntries& entries, const std::string& version) {
   const KvnLine& line = entries.filled("ATTITUDE_TYPE");
   std::string names;
-  for (const AttitudeType type :
-       {AttitudeType::quaternion, AttitudeType::quaternion_rate, AttitudeType::euler_angle}) {
+  for (const AttitudeType type : {AttitudeType::quaternion, AttitudeType::quaternion_derivative,
+                                  AttitudeType::quaternion_rate, AttitudeType::euler_angle}) {
     const std::string name = detail::type_name(type, version);
     if (detail::upper_case(line.value) == name) return type;
     names += (names.empty() ? "" : ", ") + name;
@@ -76,9 +76,12 @@ detail::AttitudeLines read_type(const KvnEntries& entries, const std::string& ve
 
 std::string_view column(const detail::AttitudeLines& lines, std::size_t number) {
   static constexpr std::string_view angles[] = {"ANGLE_1", "ANGLE_2", "ANGLE_3"},
-                                    first[] = {"QC", "Q1", "Q2", "Q3", "X_RATE", "Y_RATE", "Z_RATE"},
-                                    last[] = {"Q1", "Q2", "Q3", "QC", "X_RATE", "Y_RATE", "Z_RATE"};
+                                    rates[] = {"X_RATE", "Y_RATE", "Z_RATE"},
+                                    first[] = {"QC",     "Q1",     "Q2",     "Q3",
+                                               "QC_DOT", "Q1_DOT", "Q2_DOT", "Q3_DOT"},
+                                    last[] = {"Q1", "Q2", "Q3", "QC", "Q1_DOT", "Q2_DOT", "Q3_DOT", "QC_DOT"};
   if (lines.type == AttitudeType::euler_angle) return angles[number];
+  if (lines.type == AttitudeType::quaternion_rate && number >= 4) return rates[number - 4];
   return lines.is_scalar_first ? first[number] : last[number];
 }
 

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include <vectrix/frames/errors.hpp>
+#include <vectrix/space/time/exact_text.hpp>
 
 #include "attitude_lines.hpp"
 #include "frame_claim.hpp"
@@ -85,9 +86,32 @@ Eigen::Quaterniond AttitudeEphemerisSegment::quaternion(std::size_t line, bool r
   return lines_.is_b_to_a == reversed ? q : q.conjugate();
 }
 
+Eigen::Vector3d AttitudeEphemerisSegment::rate_of_derivative(std::size_t line, bool reversed,
+                                                             bool in_a) const {
+  const double* numbers = lines_.numbers.data() + line * detail::numbers_in_line(lines_.type);
+  const Eigen::Quaterniond written = hamilton(lines_, numbers), change = hamilton(lines_, numbers + 4);
+  constexpr double most = 0.01;  // as much as a norm may be off
+  const double along = written.coeffs().dot(change.coeffs());
+  if (!(std::abs(along) <= most * change.norm()))
+    throw BadInput(lines_.place + ": the derivative of the quaternion at " +
+                   exact_text(lines_.times[line], metadata_.time_system) + " has " + detail::text(along) +
+                   " 1/s along the quaternion; it must be across it");
+  const bool straight = lines_.is_b_to_a == reversed;
+  const Eigen::Quaterniond q = straight ? written : written.conjugate(),
+                           qdot = straight ? change : change.conjugate();
+  const Eigen::Quaterniond product = in_a ? qdot * q.conjugate() : q.conjugate() * qdot;
+  return 2.0 / written.squaredNorm() * product.vec();
+}
+
 std::vector<Eigen::Vector3d> AttitudeEphemerisSegment::rates(const detail::FrameClaim& a,
                                                              const detail::FrameClaim& b, bool in_a) const {
   const bool reversed = is_reversed(a, b);
+  std::vector<Eigen::Vector3d> all;
+  all.reserve(size());
+  if (lines_.type == AttitudeType::quaternion_derivative) {
+    for (std::size_t line = 0; line < size(); ++line) all.push_back(rate_of_derivative(line, reversed, in_a));
+    return all;
+  }
   if (lines_.type != AttitudeType::quaternion_rate && lines_.type != AttitudeType::angular_velocity)
     throw BadInput(lines_.place + ": ATTITUDE_TYPE is " + detail::type_name(lines_.type, "2.0") +
                    ", which has no rates");
@@ -99,8 +123,6 @@ std::vector<Eigen::Vector3d> AttitudeEphemerisSegment::rates(const detail::Frame
     throw BadInput(lines_.place + ": the rates are in " + detail::rate_frame_name(lines_.rate_frame) + ", '" +
                    detail::excerpt(are_in_a ? ref_frame_a() : ref_frame_b()) + "'; asked for " +
                    detail::shown(in_a ? a : b));
-  std::vector<Eigen::Vector3d> all;
-  all.reserve(size());
   const double scale = reversed ? -degree : degree;  // w_ba = -w_ab
   for (std::size_t line = 0; line < size(); ++line) {
     const double* w = lines_.numbers.data() + (line + 1) * detail::numbers_in_line(lines_.type) - 3;

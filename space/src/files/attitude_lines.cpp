@@ -12,6 +12,7 @@ namespace vectrix::detail {
 
 std::string type_name(AttitudeType type, const std::string& version) {
   if (type == AttitudeType::quaternion) return "QUATERNION";
+  if (type == AttitudeType::quaternion_derivative) return "QUATERNION/DERIVATIVE";
   if (type == AttitudeType::euler_angle) return "EULER_ANGLE";
   if (type == AttitudeType::angular_velocity) return "ANGVEL";
   return has_direction(version) ? "QUATERNION/RATE" : "QUATERNION/ANGVEL";

@@ -51,7 +51,10 @@ constexpr const char* rate_frame_name(RateFrame frame) {
 }
 std::string type_name(AttitudeType type, const std::string& version);
 constexpr std::size_t numbers_in_line(AttitudeType type) {
-  return type == AttitudeType::quaternion ? 4 : type == AttitudeType::quaternion_rate ? 7 : 3;
+  return type == AttitudeType::quaternion              ? 4
+         : type == AttitudeType::quaternion_derivative ? 8
+         : type == AttitudeType::quaternion_rate       ? 7
+                                                       : 3;
 }
 
 /// Which of the frames of the lines a word means: the keyword of one of them, such as REF_FRAME_A, or its

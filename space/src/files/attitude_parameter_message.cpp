@@ -139,13 +139,16 @@ void write_numbers(std::string& out, const std::array<const char*, size>& keywor
 
 void write_state(std::string& out, const AttitudeLines& lines) {
   const double* numbers = lines.numbers.data();
-  if (lines.type == AttitudeType::quaternion || lines.type == AttitudeType::quaternion_rate) {
-    constexpr std::array last{"Q1", "Q2", "Q3", "QC"}, first{"QC", "Q1", "Q2", "Q3"};
+  if (lines.type != AttitudeType::euler_angle && lines.type != AttitudeType::angular_velocity) {
+    constexpr std::array last{"Q1", "Q2", "Q3", "QC"}, first{"QC", "Q1", "Q2", "Q3"},
+        last_dot{"Q1_DOT", "Q2_DOT", "Q3_DOT", "QC_DOT"}, first_dot{"QC_DOT", "Q1_DOT", "Q2_DOT", "Q3_DOT"};
     out.append("QUAT_START\n");
     write_frames(out, lines);
     write_numbers(out, lines.is_scalar_first ? first : last, numbers);
-    out.append("QUAT_STOP\n");
     numbers += last.size();
+    if (lines.type == AttitudeType::quaternion_derivative)
+      write_numbers(out, lines.is_scalar_first ? first_dot : last_dot, numbers);
+    out.append("QUAT_STOP\n");
   }
   if (lines.type == AttitudeType::euler_angle) {
     out.append("EULER_START\n");

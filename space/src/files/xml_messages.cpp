@@ -64,10 +64,18 @@ std::optional<std::vector<XmlColumn>> attitude_columns(const XmlDocument& docume
           {is_oldest ? std::string(1, "XYZ"[(*axes)[i]]) + "_ANGLE" : "ANGLE_" + text(i + 1), "deg"});
     return columns;
   }
-  if (type != "QUATERNION" && type != type_name(AttitudeType::quaternion_rate, version)) return std::nullopt;
-  columns = {{"Q1"}, {"Q2"}, {"Q3"}};
-  columns.insert(is_oldest && word("QUATERNION_TYPE") == "FIRST" ? columns.begin() : columns.end(), {"QC"});
-  if (type == "QUATERNION") return columns;
+  const bool has_derivative = type == "QUATERNION/DERIVATIVE";
+  if (type != "QUATERNION" && !has_derivative && type != type_name(AttitudeType::quaternion_rate, version))
+    return std::nullopt;
+  const bool is_scalar_first = is_oldest && word("QUATERNION_TYPE") == "FIRST";
+  const auto put_quaternion = [&](const std::string& ending, const std::string& unit) {
+    if (is_scalar_first) columns.push_back({"QC" + ending, unit});
+    for (const char* component : {"Q1", "Q2", "Q3"}) columns.push_back({component + ending, unit});
+    if (!is_scalar_first) columns.push_back({"QC" + ending, unit});
+  };
+  put_quaternion("", "");
+  if (has_derivative) put_quaternion("_DOT", "1/s");
+  if (has_derivative || type == "QUATERNION") return columns;
   for (const char* axis : {"X", "Y", "Z"})
     columns.push_back({is_oldest ? std::string{axis} + "_RATE" : "ANGVEL_" + std::string{axis}, "deg/s"});
   return columns;

@@ -56,10 +56,10 @@ TEST(AttitudeEphemerisMessage, EveryFaultHasALineAColumnAndAReason) {
        "the segment from line 5 on: there is no ATTITUDE_TYPE"},
       {gmat_quaternions, "= QUATERNION", "= DCM",
        "line 18, column 17 (ATTITUDE_TYPE): 'DCM': the attitude types that are read in version 1.0 are "
-       "QUATERNION, QUATERNION/RATE, EULER_ANGLE"},
+       "QUATERNION, QUATERNION/DERIVATIVE, QUATERNION/RATE, EULER_ANGLE"},
       {gmat_quaternions, "= QUATERNION", "= QUATERNION/ANGVEL",
        "line 18, column 17 (ATTITUDE_TYPE): 'QUATERNION/ANGVEL': the attitude types that are read in version "
-       "1.0 are QUATERNION, QUATERNION/RATE, EULER_ANGLE"},
+       "1.0 are QUATERNION, QUATERNION/DERIVATIVE, QUATERNION/RATE, EULER_ANGLE"},
       {gmat_quaternions, "= QUATERNION", "= QUATERNION/RATE",
        "the segment from line 5 on: there is no RATE_FRAME"},
       {gmat_quaternions, "QUATERNION_TYPE = LAST", "",
@@ -127,7 +127,7 @@ TEST(AttitudeEphemerisMessage, EveryFaultHasALineAColumnAndAReason) {
        "line of QUATERNION/ANGVEL has an epoch and 7 numbers"},
       {spin, "J2000", "J2000",
        "line 17, column 22 (ATTITUDE_TYPE): 'SPIN/NUTATION': the attitude types that are read in version 1.0 "
-       "are QUATERNION, QUATERNION/RATE, EULER_ANGLE"},
+       "are QUATERNION, QUATERNION/DERIVATIVE, QUATERNION/RATE, EULER_ANGLE"},
   };
   for (const Fault& fault : faults) {
     const std::string what = complaint_of(replaced(fault.text, fault.old, fault.by));

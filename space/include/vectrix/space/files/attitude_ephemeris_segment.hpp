@@ -16,9 +16,9 @@
 
 namespace vectrix {
 
-/// The attitude types that are read: QUATERNION, QUATERNION/RATE (in version 2.0 QUATERNION/ANGVEL) and
-/// EULER_ANGLE; in parameter messages also an angular velocity without attitude.
-enum class AttitudeType { quaternion, quaternion_rate, euler_angle, angular_velocity };
+/// The attitude types that are read: QUATERNION, QUATERNION/DERIVATIVE, QUATERNION/RATE (in version 2.0
+/// QUATERNION/ANGVEL) and EULER_ANGLE; in parameter messages also an angular velocity without attitude.
+enum class AttitudeType { quaternion, quaternion_derivative, quaternion_rate, euler_angle, angular_velocity };
 
 /// Samples of unit quaternions, and the largest | |q| - 1 | before the projection.
 template <Frame A, Frame B> struct NearestSamples {
@@ -31,7 +31,7 @@ namespace detail {
 /// The frame of the rates in the data lines.
 enum class RateFrame { none, a, b };
 
-/// The data lines as the file has them, in its order and units: 4, 7, 3 or 3 numbers in each.
+/// The data lines as the file has them, in its order and units: 4, 8, 7, 3 or 3 numbers in each.
 struct AttitudeLines {
   std::string place{};                      // begins messages
   std::string frame_keyword = "REF_FRAME";  // followed by _A or _B
@@ -122,7 +122,8 @@ class VECTRIX_EXPORT AttitudeEphemerisSegment {
 
   /// w_ab^c of every line, where c, one of the two frames, is that of RATE_FRAME or ANGVEL_FRAME. Throws
   /// BadInput if it is the other one, for files without rates, and for B2A, of which version 1.0 does not say
-  /// whose rate it has.
+  /// whose rate it has. Of QUATERNION/DERIVATIVE, in both frames and directions, w_ab^b = 2 q* dq/dt with
+  /// q = q_a^b; BadInput for a line whose derivative is not across q, to 0.01 of it.
   template <Frame A, Frame B, Frame C, class... Given>
   [[nodiscard]] detail::ClaimedPair<A, B, RatesInOne<A, B, C>, Given...> angular_velocities(
       In<C>, const Given&... called) const {
@@ -184,6 +185,8 @@ class VECTRIX_EXPORT AttitudeEphemerisSegment {
   [[nodiscard]] bool is_reversed(const detail::FrameClaim& a, const detail::FrameClaim& b) const;
   /// q_b^a of the claims.
   [[nodiscard]] Eigen::Quaterniond quaternion(std::size_t line, bool reversed) const;
+  /// 2 q* dq/dt, or in the frame of the first claim 2 dq/dt q*.
+  [[nodiscard]] Eigen::Vector3d rate_of_derivative(std::size_t line, bool reversed, bool in_a) const;
   /// w_ab in the frame of the first claim, or of the second.
   [[nodiscard]] std::vector<Eigen::Vector3d> rates(const detail::FrameClaim& a, const detail::FrameClaim& b,
                                                    bool in_a) const;
