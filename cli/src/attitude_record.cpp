@@ -118,18 +118,21 @@ AttitudeRecord read_message(const std::filesystem::path& file, std::optional<std
     const bool to_a = !lines.is_b_to_a;
     record.stated = {lines.is_scalar_first ? Convention::Scalar::first : Convention::Scalar::last,
                      to_a == a.has_value() ? Convention::Maps::to_reference : Convention::Maps::to_body};
-    const std::size_t width = part.type() == AttitudeType::quaternion_rate ? 7 : 4;
+    const std::size_t width = lines.numbers.size() / part.size();
+    const bool has_rates = part.type() == AttitudeType::quaternion_rate;
     for (std::size_t i = 0; i < part.size(); ++i) {
       const double* line = lines.numbers.data() + i * width;
       record.numbers.push_back({line[0], line[1], line[2], line[3]});
       // Of B relative to A.
-      if (width == 7 && !lines.is_b_to_a)
+      if (has_rates && !lines.is_b_to_a)
         record.rates.push_back((a ? 1.0 : -1.0) * Eigen::Vector3d(line[4], line[5], line[6]));
     }
-    if (width == 7 && lines.is_b_to_a)
+    if (has_rates && lines.is_b_to_a)
       record.no_rates =
           "The rates are not used: with ATTITUDE_DIR B2A the message does not say whether they are of " +
           part.ref_frame_a() + " or of " + part.ref_frame_b() + ".";
+    if (part.type() == AttitudeType::quaternion_derivative)
+      record.no_rates = "The derivatives of the quaternions are not used.";
     record.rates_in_degrees = true;
     if (!record.rates.empty())
       record.rate_axes =

@@ -17,12 +17,15 @@
 #include <vectrix/space/fields/magnetic_field.hpp>
 #include <vectrix/space/files/attitude_ephemeris_message.hpp>
 #include <vectrix/space/files/attitude_kernel.hpp>
+#include <vectrix/space/files/attitude_parameter_message.hpp>
 #include <vectrix/space/files/csv_table.hpp>
 #include <vectrix/space/files/daf_file.hpp>
 #include <vectrix/space/files/ephemeris_kernel.hpp>
 #include <vectrix/space/files/frame_kernel.hpp>
 #include <vectrix/space/files/leap_second_kernel.hpp>
+#include <vectrix/space/files/navigation_data_message.hpp>
 #include <vectrix/space/files/orbit_ephemeris_message.hpp>
+#include <vectrix/space/files/orbit_parameter_message.hpp>
 #include <vectrix/space/files/spacecraft_clock.hpp>
 #include <vectrix/space/files/text_kernel.hpp>
 #include <vectrix/space/orbit/elements.hpp>

@@ -9,14 +9,14 @@
 
 #include "attitude_lines.hpp"
 #include "ephemeris_reader.hpp"
+#include "message_readers.hpp"
 
 namespace vectrix {
 namespace {
 
 using detail::KvnEntries, detail::KvnLine, detail::KvnReader;
 
-constexpr const detail::MessageKind& kind = detail::attitude_ephemeris;
-constexpr double most_norm_error = 0.01;  // of quaternions with two decimals
+constexpr const detail::MessageKind& aem = detail::attitude_ephemeris;
 
 /// One of two words, whatever their capitals.
 bool is_first(const KvnEntries& entries, const KvnLine& line, const char* first, const char* second) {
@@ -28,8 +28,8 @@ bool is_first(const KvnEntries& entries, const KvnLine& line, const char* first,
 AttitudeType type_of(const KvnEntries& entries, const std::string& version) {
   const KvnLine& line = entries.filled("ATTITUDE_TYPE");
   std::string names;
-  for (const AttitudeType type :
-       {AttitudeType::quaternion, AttitudeType::quaternion_rate, AttitudeType::euler_angle}) {
+  for (const AttitudeType type : {AttitudeType::quaternion, AttitudeType::quaternion_derivative,
+                                  AttitudeType::quaternion_rate, AttitudeType::euler_angle}) {
     const std::string name = detail::type_name(type, version);
     if (detail::upper_case(line.value) == name) return type;
     names += (names.empty() ? "" : ", ") + name;
@@ -42,11 +42,9 @@ void read_rate_frame(const KvnEntries& entries, const std::string& version, deta
   const KvnLine* line = entries.find(keyword);
   if (!line && lines.type == AttitudeType::quaternion_rate) line = &entries.line(keyword);
   if (!line) return;
-  const std::string word = detail::upper_case(line->value);
-  const bool in_a = word == "REF_FRAME_A" || word == detail::upper_case(lines.ref_frame_a);
-  if (!in_a && word != "REF_FRAME_B" && word != detail::upper_case(lines.ref_frame_b))
-    entries.fail(*line, "it is REF_FRAME_A or REF_FRAME_B");
-  lines.rate_frame = in_a ? detail::RateFrame::a : detail::RateFrame::b;
+  const auto frame = detail::rate_frame_named(lines, line->value);
+  if (!frame) entries.fail(*line, "it is REF_FRAME_A or REF_FRAME_B");
+  lines.rate_frame = *frame;
 }
 
 /// What the metadata say of the data lines.
@@ -78,16 +76,19 @@ detail::AttitudeLines read_type(const KvnEntries& entries, const std::string& ve
 
 std::string_view column(const detail::AttitudeLines& lines, std::size_t number) {
   static constexpr std::string_view angles[] = {"ANGLE_1", "ANGLE_2", "ANGLE_3"},
-                                    first[] = {"QC", "Q1", "Q2", "Q3", "X_RATE", "Y_RATE", "Z_RATE"},
-                                    last[] = {"Q1", "Q2", "Q3", "QC", "X_RATE", "Y_RATE", "Z_RATE"};
+                                    rates[] = {"X_RATE", "Y_RATE", "Z_RATE"},
+                                    first[] = {"QC",     "Q1",     "Q2",     "Q3",
+                                               "QC_DOT", "Q1_DOT", "Q2_DOT", "Q3_DOT"},
+                                    last[] = {"Q1", "Q2", "Q3", "QC", "Q1_DOT", "Q2_DOT", "Q3_DOT", "QC_DOT"};
   if (lines.type == AttitudeType::euler_angle) return angles[number];
+  if (lines.type == AttitudeType::quaternion_rate && number >= 4) return rates[number - 4];
   return lines.is_scalar_first ? first[number] : last[number];
 }
 
 /// One segment after the other.
-class SegmentReader {
+class AttitudeSegmentReader {
  public:
-  SegmentReader(KvnReader& reader, const std::string& version) : reader_(reader), version_(version) {}
+  AttitudeSegmentReader(KvnReader& reader, const std::string& version) : reader_(reader), version_(version) {}
 
   /// The reader is at META_START, and then at the next one or at the end, which gives false.
   bool read() {
@@ -95,7 +96,7 @@ class SegmentReader {
     EphemerisMetadata metadata;
     metadata.comments = std::exchange(between_, {});
     const KvnEntries entries =
-        detail::read_metadata(reader_, kind, version_, detail::attitude_interpolation, metadata);
+        detail::read_metadata(reader_, aem, version_, detail::attitude_interpolation, metadata);
     if (!segments_.empty())
       if (const auto fault = detail::system_fault(metadata, segments_.front().metadata()))
         entries.fail(entries.line("TIME_SYSTEM"), *fault);
@@ -146,10 +147,8 @@ class SegmentReader {
     const double* q = lines.numbers.data() + lines.numbers.size() - numbers;
     const double norm = detail::scaled_norm(Eigen::Map<const Eigen::Vector4d>(q));
     const double error = std::abs(norm - 1.0);
-    if (!(error <= most_norm_error))
-      reader_.fail(first, column(lines, 0),
-                   "of a quaternion whose norm is " + detail::text(norm) + "; it may differ from 1 by " +
-                       detail::text(most_norm_error));
+    if (const std::string fault = detail::norm_fault(norm); !fault.empty())
+      reader_.fail(first, column(lines, 0), fault);
     if (error <= lines.norm_error) return;
     lines.norm_error = error;
     lines.norm_line = reader_.line();
@@ -171,11 +170,15 @@ class SegmentReader {
 
 }  // namespace
 
+AttitudeEphemerisMessage detail::read_aem(KvnReader& reader) {
+  return detail::read_segments<AttitudeEphemerisMessage, AttitudeSegmentReader>(reader, aem);
+}
+
 AttitudeEphemerisMessage::AttitudeEphemerisMessage(MessageHeader header,
                                                    std::vector<AttitudeEphemerisSegment> segments)
     : header_(std::move(header)), segments_(std::move(segments)) {
-  detail::require_header(header_, kind);
-  if (segments_.empty()) throw BadInput(std::string{kind.name} + ": there are no segments");
+  detail::require_header(header_, aem);
+  if (segments_.empty()) throw BadInput(std::string{aem.name} + ": there are no segments");
   for (const AttitudeEphemerisSegment& segment : segments_) {
     const detail::AttitudeLines& lines = segment.lines(detail::trusted);
     if (const auto fault = detail::system_fault(segment.metadata(), segments_.front().metadata()))
@@ -189,11 +192,11 @@ AttitudeEphemerisMessage::AttitudeEphemerisMessage(MessageHeader header,
 }
 
 AttitudeEphemerisMessage AttitudeEphemerisMessage::parse(std::string_view text) {
-  return detail::parse_message<AttitudeEphemerisMessage, SegmentReader>(text, kind);
+  return detail::parse_message(text, aem, detail::read_aem);
 }
 
 AttitudeEphemerisMessage AttitudeEphemerisMessage::read(const std::filesystem::path& file) {
-  return detail::read_message<AttitudeEphemerisMessage, SegmentReader>(file, kind);
+  return detail::read_message(file, aem, detail::read_aem);
 }
 
 }  // namespace vectrix

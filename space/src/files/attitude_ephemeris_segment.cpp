@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include <vectrix/frames/errors.hpp>
+#include <vectrix/space/time/exact_text.hpp>
 
 #include "attitude_lines.hpp"
 #include "frame_claim.hpp"
@@ -60,16 +61,22 @@ void AttitudeEphemerisSegment::require_unit_norms() const {
                    ", tolerance " + detail::text(unit_norm_tolerance) + "; nearest_samples() projects");
 }
 
+void AttitudeEphemerisSegment::require_attitude() const {
+  if (lines_.type == AttitudeType::angular_velocity)
+    throw BadInput(lines_.place + ": there is an angular velocity, but no attitude");
+}
+
 bool AttitudeEphemerisSegment::is_reversed(const detail::FrameClaim& a, const detail::FrameClaim& b) const {
+  const std::string frame_a = lines_.frame_keyword + "_A", frame_b = lines_.frame_keyword + "_B";
   const bool straight = detail::names(a, ref_frame_a()) && detail::names(b, ref_frame_b());
   if (!straight && !(detail::names(a, ref_frame_b()) && detail::names(b, ref_frame_a())))
-    throw BadInput(lines_.place + ": REF_FRAME_A is '" + detail::excerpt(ref_frame_a()) +
-                   "', REF_FRAME_B is '" + detail::excerpt(ref_frame_b()) + "'; asked for " +
-                   detail::shown(b) + " relative to " + detail::shown(a));
-  detail::require_named(lines_.place, straight ? "REF_FRAME_A" : "REF_FRAME_B",
-                        straight ? ref_frame_a() : ref_frame_b(), a);
-  detail::require_named(lines_.place, straight ? "REF_FRAME_B" : "REF_FRAME_A",
-                        straight ? ref_frame_b() : ref_frame_a(), b);
+    throw BadInput(lines_.place + ": " + frame_a + " is '" + detail::excerpt(ref_frame_a()) + "', " +
+                   frame_b + " is '" + detail::excerpt(ref_frame_b()) + "'; asked for " + detail::shown(b) +
+                   " relative to " + detail::shown(a));
+  detail::require_named(lines_.place, straight ? frame_a : frame_b, straight ? ref_frame_a() : ref_frame_b(),
+                        a);
+  detail::require_named(lines_.place, straight ? frame_b : frame_a, straight ? ref_frame_b() : ref_frame_a(),
+                        b);
   return !straight;
 }
 
@@ -79,10 +86,33 @@ Eigen::Quaterniond AttitudeEphemerisSegment::quaternion(std::size_t line, bool r
   return lines_.is_b_to_a == reversed ? q : q.conjugate();
 }
 
+Eigen::Vector3d AttitudeEphemerisSegment::rate_of_derivative(std::size_t line, bool reversed,
+                                                             bool in_a) const {
+  const double* numbers = lines_.numbers.data() + line * detail::numbers_in_line(lines_.type);
+  const Eigen::Quaterniond written = hamilton(lines_, numbers), change = hamilton(lines_, numbers + 4);
+  constexpr double most = 0.01;  // as much as a norm may be off
+  const double along = written.coeffs().dot(change.coeffs());
+  if (!(std::abs(along) <= most * change.norm()))
+    throw BadInput(lines_.place + ": the derivative of the quaternion at " +
+                   exact_text(lines_.times[line], metadata_.time_system) + " has " + detail::text(along) +
+                   " 1/s along the quaternion; it must be across it");
+  const bool straight = lines_.is_b_to_a == reversed;
+  const Eigen::Quaterniond q = straight ? written : written.conjugate(),
+                           qdot = straight ? change : change.conjugate();
+  const Eigen::Quaterniond product = in_a ? qdot * q.conjugate() : q.conjugate() * qdot;
+  return 2.0 / written.squaredNorm() * product.vec();
+}
+
 std::vector<Eigen::Vector3d> AttitudeEphemerisSegment::rates(const detail::FrameClaim& a,
                                                              const detail::FrameClaim& b, bool in_a) const {
   const bool reversed = is_reversed(a, b);
-  if (lines_.type != AttitudeType::quaternion_rate)
+  std::vector<Eigen::Vector3d> all;
+  all.reserve(size());
+  if (lines_.type == AttitudeType::quaternion_derivative) {
+    for (std::size_t line = 0; line < size(); ++line) all.push_back(rate_of_derivative(line, reversed, in_a));
+    return all;
+  }
+  if (lines_.type != AttitudeType::quaternion_rate && lines_.type != AttitudeType::angular_velocity)
     throw BadInput(lines_.place + ": ATTITUDE_TYPE is " + detail::type_name(lines_.type, "2.0") +
                    ", which has no rates");
   if (lines_.is_b_to_a)
@@ -93,11 +123,9 @@ std::vector<Eigen::Vector3d> AttitudeEphemerisSegment::rates(const detail::Frame
     throw BadInput(lines_.place + ": the rates are in " + detail::rate_frame_name(lines_.rate_frame) + ", '" +
                    detail::excerpt(are_in_a ? ref_frame_a() : ref_frame_b()) + "'; asked for " +
                    detail::shown(in_a ? a : b));
-  std::vector<Eigen::Vector3d> all;
-  all.reserve(size());
   const double scale = reversed ? -degree : degree;  // w_ba = -w_ab
   for (std::size_t line = 0; line < size(); ++line) {
-    const double* w = lines_.numbers.data() + line * detail::numbers_in_line(lines_.type) + 4;
+    const double* w = lines_.numbers.data() + (line + 1) * detail::numbers_in_line(lines_.type) - 3;
     all.emplace_back(scale * w[0], scale * w[1], scale * w[2]);
   }
   return all;

@@ -12,7 +12,7 @@
 namespace vectrix::detail {
 
 inline constexpr const char* attitude_interpolation = "INTERPOLATION_METHOD";
-inline constexpr EphemerisKeyword attitude_keywords[] = {
+inline constexpr MessageKeyword attitude_keywords[] = {
     {"CLASSIFICATION", MessagePart::header, "2.0"},
     {"CREATION_DATE", MessagePart::header},
     {"ORIGINATOR", MessagePart::header},
@@ -51,8 +51,17 @@ constexpr const char* rate_frame_name(RateFrame frame) {
 }
 std::string type_name(AttitudeType type, const std::string& version);
 constexpr std::size_t numbers_in_line(AttitudeType type) {
-  return type == AttitudeType::quaternion ? 4 : type == AttitudeType::quaternion_rate ? 7 : 3;
+  return type == AttitudeType::quaternion              ? 4
+         : type == AttitudeType::quaternion_derivative ? 8
+         : type == AttitudeType::quaternion_rate       ? 7
+                                                       : 3;
 }
+
+/// Which of the frames of the lines a word means: the keyword of one of them, such as REF_FRAME_A, or its
+/// name. Nothing if it is another word.
+std::optional<RateFrame> rate_frame_named(const AttitudeLines& lines, const std::string& word);
+/// Why a quaternion of this norm is refused; empty if it is not.
+std::string norm_fault(double norm);
 
 /// The axes, 0 to 2, of a sequence that is written as 321 or ZYX. Nothing if it is no sequence: an axis twice
 /// in a row.

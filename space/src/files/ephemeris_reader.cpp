@@ -26,18 +26,10 @@ void read_entries(KvnReader& reader, const MessageKind& kind, MessagePart part, 
       continue;
     }
     KvnLine line = reader.keyword();
-    const auto known =
-        std::find_if(kind.keywords.begin(), kind.keywords.end(), [&](const EphemerisKeyword& keyword) {
-          return keyword.name == line.keyword && keyword.part == part;
-        });
-    if (known == kind.keywords.end()) {
+    if (!known_keyword(kind, part, version, reader.place(), line)) {
       if (const std::string fault = other_fault(kind, line.keyword); !fault.empty())
         entries.fail(line, fault);
       others.push_back({line.keyword, line.value});
-    } else if (version < known->since || version > known->until) {
-      entries.fail(line, "the keyword is of version " +
-                             std::string{version < known->since ? known->since : known->until} +
-                             ", the message of version " + version);
     }
     entries.add(std::move(line));
   }
@@ -45,21 +37,36 @@ void read_entries(KvnReader& reader, const MessageKind& kind, MessagePart part, 
 
 }  // namespace
 
-MessageHeader read_header(KvnReader& reader, const MessageKind& kind) {
+const MessageKeyword* known_keyword(const MessageKind& kind, MessagePart part, const std::string& version,
+                                    const std::string& place, const KvnLine& line) {
+  const MessageKeyword* known = nullptr;
+  for (const MessageKeyword& keyword : kind.keywords) {
+    if (keyword.name != line.keyword || keyword.part != part) continue;
+    known = &keyword;
+    if (version >= known->since && version <= known->until) return known;
+  }
+  if (known)
+    refuse(place, line,
+           "the keyword is of version " + std::string{version < known->since ? known->since : known->until} +
+               ", the message of version " + version);
+  return nullptr;
+}
+
+MessageHeader read_version(KvnReader& reader, const MessageKind& kind) {
   MessageHeader header;
   bool more = reader.next();
   for (; more && reader.is_comment(); more = reader.next()) header.comments.push_back(reader.comment());
   const std::string first = "a message begins with " + std::string{kind.version_keyword};
   if (!more) throw BadInput(reader.place() + ": there is no message");
-  if (reader.is_xml()) reader.fail("XML is not supported, only keyword = value");
   if (!reader.has_keyword()) reader.fail(first);
   const KvnLine version = reader.keyword();
   if (version.keyword != kind.version_keyword) refuse(reader.place(), version, first);
   if (!kind.has(version.value)) refuse(reader.place(), version, "the versions are " + kind.list());
   header.version = version.value;
+  return header;
+}
 
-  KvnEntries entries(reader.place(), "the message from line " + text(version.line) + " on");
-  read_entries(reader, kind, MessagePart::header, header.version, entries, header.comments, header.others);
+void fill_header(const KvnEntries& entries, MessageHeader& header) {
   const auto value = [&](const char* keyword) {
     const KvnLine* line = entries.find(keyword);
     return line ? line->value : std::string{};
@@ -68,13 +75,17 @@ MessageHeader read_header(KvnReader& reader, const MessageKind& kind) {
   header.originator = value("ORIGINATOR");
   header.classification = value("CLASSIFICATION");
   header.message_id = value("MESSAGE_ID");
+}
+
+MessageHeader read_header(KvnReader& reader, const MessageKind& kind) {
+  MessageHeader header = read_version(reader, kind);
+  KvnEntries entries(reader.place(), "the message from line " + text(reader.line()) + " on");
+  read_entries(reader, kind, MessagePart::header, header.version, entries, header.comments, header.others);
+  fill_header(entries, header);
   return header;
 }
 
-KvnEntries read_metadata(KvnReader& reader, const MessageKind& kind, const std::string& version,
-                         std::string_view interpolation_keyword, EphemerisMetadata& metadata) {
-  KvnEntries entries(reader.place(), "the segment from line " + text(reader.line()) + " on");
-  read_entries(reader, kind, MessagePart::metadata, version, entries, metadata.comments, metadata.others);
+void read_object(const KvnEntries& entries, EphemerisMetadata& metadata) {
   metadata.object_name = entries.line("OBJECT_NAME").value;
   metadata.object_id = entries.line("OBJECT_ID").value;
   if (const KvnLine* center = entries.find("CENTER_NAME")) metadata.center_name = center->value;
@@ -82,12 +93,20 @@ KvnEntries read_metadata(KvnReader& reader, const MessageKind& kind, const std::
   const TimeScale* scale = scale_named(upper_case(system.value));
   if (!scale) entries.fail(system, "the time systems that are read are UTC, TAI, TT, TDB and GPS");
   metadata.time_system = *scale;
-  metadata.start_time = entries.epoch(entries.filled("START_TIME"), *scale);
-  metadata.stop_time = entries.epoch(entries.filled("STOP_TIME"), *scale);
+}
+
+KvnEntries read_metadata(KvnReader& reader, const MessageKind& kind, const std::string& version,
+                         std::string_view interpolation_keyword, EphemerisMetadata& metadata) {
+  KvnEntries entries(reader.place(), "the segment from line " + text(reader.line()) + " on");
+  read_entries(reader, kind, MessagePart::metadata, version, entries, metadata.comments, metadata.others);
+  read_object(entries, metadata);
+  const TimeScale& scale = metadata.time_system;
+  metadata.start_time = entries.epoch(entries.filled("START_TIME"), scale);
+  metadata.stop_time = entries.epoch(entries.filled("STOP_TIME"), scale);
   if (const KvnLine* start = entries.find("USEABLE_START_TIME"))
-    metadata.useable_start_time = entries.epoch(*start, *scale);
+    metadata.useable_start_time = entries.epoch(*start, scale);
   if (const KvnLine* stop = entries.find("USEABLE_STOP_TIME"))
-    metadata.useable_stop_time = entries.epoch(*stop, *scale);
+    metadata.useable_stop_time = entries.epoch(*stop, scale);
   if (const auto fault = span_fault(metadata))
     entries.fail(entries.line(fault->keyword), "it is before " + std::string{fault->before} + ", " +
                                                    exact_text(fault->limit, metadata.time_system));

@@ -13,8 +13,22 @@
 #include "ephemeris_rules.hpp"
 #include "kvn_entries.hpp"
 #include "text_file.hpp"
+#include "xml_document.hpp"
+#include "xml_messages.hpp"
 
 namespace vectrix::detail {
+
+// How messages of CCSDS are read.
+
+/// The first line of a message, CCSDS_..._VERS, and the comments before it; the header has no more then.
+MessageHeader read_version(KvnReader& reader, const MessageKind& kind);
+/// Takes the keywords of the header that are of the standard.
+void fill_header(const KvnEntries& entries, MessageHeader& header);
+/// The keyword of the kind in this part, which the version must have. Null if there is none.
+const MessageKeyword* known_keyword(const MessageKind& kind, MessagePart part, const std::string& version,
+                                    const std::string& place, const KvnLine& line);
+/// OBJECT_NAME, OBJECT_ID, CENTER_NAME and TIME_SYSTEM.
+void read_object(const KvnEntries& entries, EphemerisMetadata& metadata);
 
 // How orbit and attitude ephemeris messages are read.
 
@@ -44,25 +58,50 @@ class TimeReader {
 /// The number times 10^shift.
 double read_number(const KvnReader& reader, std::string_view word, std::string_view name, int shift = 0);
 
-/// The message that the reader is before. `SegmentReader(reader, version)` reads one segment with each call
-/// of read(), and at the last gives false.
+/// What read(reader) makes of each message of a text, which is of keywords and values, or XML.
+template <class Read>
+auto read_messages(const std::string& place, std::string_view text, bool whole, const MessageKind& kind,
+                   Read read) {
+  std::vector<decltype(read(std::declval<KvnReader&>()))> all;
+  if (is_xml(text)) {
+    for (const XmlMessage& message : messages_in_xml(place, text, kind.element())) {
+      KvnReader reader(place, message.text, message.origins);
+      all.push_back(read(reader));
+    }
+  } else {
+    KvnReader reader(place, text, whole);
+    all.push_back(read(reader));
+  }
+  return all;
+}
+template <class Read>
+auto read_messages(const std::filesystem::path& file, const MessageKind& kind, Read read) {
+  const std::string place = std::string{kind.name} + " " + file.string();
+  const auto bytes = read_bytes(file);
+  if (!bytes) throw BadInput(place + ": cannot be read");
+  return read_messages(place, *bytes, is_whole(*bytes), kind, read);
+}
+/// The only one.
+template <class Message> Message single(const std::string& place, std::vector<Message> messages) {
+  if (messages.size() != 1) throw BadInput(place + ": there are " + text(messages.size()) + " messages");
+  return std::move(messages.front());
+}
+template <class Read> auto parse_message(std::string_view text, const MessageKind& kind, Read read) {
+  return single(kind.name, read_messages(kind.name, text, true, kind, read));
+}
+template <class Read>
+auto read_message(const std::filesystem::path& file, const MessageKind& kind, Read read) {
+  return single(std::string{kind.name} + " " + file.string(), read_messages(file, kind, read));
+}
+
+/// The ephemeris message that the reader is before. `SegmentReader(reader, version)` reads one segment with
+/// each call of read(), and at the last gives false.
 template <class Message, class SegmentReader>
-Message read_message(KvnReader reader, const MessageKind& kind) {
+Message read_segments(KvnReader& reader, const MessageKind& kind) {
   MessageHeader header = read_header(reader, kind);
   SegmentReader segments(reader, header.version);
   while (segments.read()) continue;
   return {std::move(header), std::move(segments).segments()};
-}
-template <class Message, class SegmentReader>
-Message parse_message(std::string_view text, const MessageKind& kind) {
-  return read_message<Message, SegmentReader>(KvnReader(kind.name, text, true), kind);
-}
-template <class Message, class SegmentReader>
-Message read_message(const std::filesystem::path& file, const MessageKind& kind) {
-  const std::string place = std::string{kind.name} + " " + file.string();
-  const auto bytes = read_bytes(file);
-  if (!bytes) throw BadInput(place + ": cannot be read");
-  return read_message<Message, SegmentReader>(KvnReader(place, *bytes, is_whole(*bytes)), kind);
 }
 
 }  // namespace vectrix::detail

@@ -17,6 +17,12 @@ bool MessageKind::has(const std::string& version) const {
   return std::find(versions.begin(), versions.end(), version) != versions.end();
 }
 
+std::string MessageKind::element() const {
+  std::string lower{std::string_view{version_keyword}.substr(6, 3)};  // CCSDS_AEM_VERS
+  for (char& c : lower) c = static_cast<char>(c - 'A' + 'a');
+  return lower;
+}
+
 std::string MessageKind::list() const {
   std::string list;
   for (const char* version : versions) list += (list.empty() ? "" : ", ") + std::string{version};
@@ -65,7 +71,7 @@ std::string other_fault(const MessageKind& kind, std::string_view keyword) {
     fewest = std::min(fewest, count);
   };
   compare(kind.version_keyword);
-  for (const EphemerisKeyword& known : kind.keywords) compare(known.name);
+  for (const MessageKeyword& known : kind.keywords) compare(known.name);
   for (const std::string_view word : words) compare(word);
   if (fewest == 0) return "the keyword has its place in another part of the message";
   if (fewest <= most_of_a_slip)

@@ -12,24 +12,62 @@
 
 namespace vectrix::detail {
 
-// What holds for orbit and attitude ephemeris messages, whether they are read or made of samples.
+// What holds for messages of CCSDS, whether they are read or made of samples.
 
-enum class MessagePart { header, metadata };
+/// The header, the metadata, and the blocks of messages that have keywords for all data.
+enum class MessagePart {
+  header,
+  metadata,
+  epoch,
+  quaternion,
+  euler_angles,
+  angular_velocity,
+  spin,
+  inertia,
+  state,
+  elements,
+  spacecraft,
+  covariance,
+  maneuver
+};
 
-/// A keyword of a part, and the versions that have it.
-struct EphemerisKeyword {
+/// What the value of a keyword of a block is.
+enum class ValueKind { text, epoch, number };
+
+/// A keyword of a part, and the versions that have it. Of a keyword of a block also what its value is, and
+/// whether the block must have it.
+struct MessageKeyword {
   std::string_view name;
   MessagePart part = MessagePart::metadata;
   std::string_view since = "1.0", until = "9.9";
+  ValueKind value = ValueKind::text;
+  std::string_view unit{};
+  bool is_required = false;
+  bool may_repeat = false;  // within its block
+};
+
+/// A block of a parameter message. `word` gives the lines <word>_START and <word>_STOP around it in the
+/// versions that have them, from `delimited_since` on. Otherwise a block is there once, unless it has a
+/// `first` keyword, which begins another one.
+struct MessageBlock {
+  MessagePart part;
+  const char* name;
+  std::string_view first{};
+  std::string_view word{}, delimited_since = "9.9";
+
+  [[nodiscard]] bool is_delimited(const std::string& version) const { return version >= delimited_since; }
 };
 
 struct MessageKind {
   const char* name;
   const char* version_keyword;
   std::initializer_list<const char*> versions;
-  std::span<const EphemerisKeyword> keywords;
+  std::span<const MessageKeyword> keywords;
+  std::span<const MessageBlock> blocks{};  // of parameter messages
 
   [[nodiscard]] bool has(const std::string& version) const;
+  /// The name of the element in XML, aem.
+  [[nodiscard]] std::string element() const;
   [[nodiscard]] std::string newest() const { return *(versions.end() - 1); }
   /// 1.0, 2.0, 3.0
   [[nodiscard]] std::string list() const;

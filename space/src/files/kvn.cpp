@@ -1,6 +1,7 @@
 #include "kvn.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include <vectrix/frames/errors.hpp>
@@ -27,33 +28,6 @@ std::string line_place(const std::string& place, std::size_t line, std::size_t c
   return place + ", line " + text(line) + ", column " + text(column);
 }
 
-// The text is a part of the line.
-void require_characters(const std::string& place, std::size_t number, std::string_view line,
-                        std::string_view text, KvnText where) {
-  const auto wrong = first_wrong(text, where);
-  if (wrong == std::string_view::npos) return;
-  const auto first = static_cast<std::size_t>(text.data() - line.data());
-  throw BadInput(line_place(place, number, first + wrong + 1) + ": the byte " +
-                 detail::text(static_cast<int>(static_cast<unsigned char>(text[wrong]))) +
-                 " is no printable character of ASCII");
-}
-
-KvnLine keyword_line(const std::string& place, std::size_t number, std::string_view line,
-                     std::string_view content) {
-  const auto first = static_cast<std::size_t>(content.data() - line.data());
-  const std::string here = line_place(place, number, first + 1);
-  const auto equals = content.find('=');
-  if (equals == std::string_view::npos)
-    throw BadInput(here + ": '" + excerpt(content) + "': expected keyword = value");
-  const std::string_view keyword = trimmed(content.substr(0, equals));
-  if (!is_keyword(keyword)) throw BadInput(here + ": '" + excerpt(keyword) + "' is no keyword");
-
-  const std::string_view value = trimmed(content.substr(equals + 1));
-  const std::size_t column =
-      value.empty() ? first + equals + 1 : static_cast<std::size_t>(value.data() - line.data());
-  return KvnLine{std::string{keyword}, std::string{value}, number, column + 1};
-}
-
 }  // namespace
 
 bool is_keyword(std::string_view text) {
@@ -65,14 +39,6 @@ std::size_t first_wrong(std::string_view text, KvnText where) {
   const auto* const wrong =
       std::find_if_not(text.begin(), text.end(), [&](char c) { return may_stand(c, where); });
   return wrong == text.end() ? std::string_view::npos : static_cast<std::size_t>(wrong - text.begin());
-}
-
-std::optional<KvnLine> read_kvn_line(const std::string& place, std::size_t number, std::string_view line) {
-  const std::string_view content = trimmed(line);
-  const bool comment = is_comment(content);
-  require_characters(place, number, line, line, comment ? KvnText::comment : KvnText::line);
-  if (content.empty() || comment) return std::nullopt;
-  return keyword_line(place, number, line, content);
 }
 
 void refuse(const std::string& place, const KvnLine& line, const std::string& reason) {
@@ -88,7 +54,10 @@ std::string upper_case(std::string text) {
 }
 
 KvnReader::KvnReader(std::string place, std::string_view text, bool whole)
-    : place_(std::move(place)), rest_(without_byte_order_mark(text)), whole_(whole) {}
+    : place_(std::move(place)), text_(without_byte_order_mark(text)), rest_(text_), whole_(whole) {}
+
+KvnReader::KvnReader(std::string place, std::string_view text, std::span<const TextOrigin> origins)
+    : place_(std::move(place)), text_(text), rest_(text), origins_(origins), whole_(true) {}
 
 bool KvnReader::next() {
   for (content_ = {}; content_.empty(); ++number_) {
@@ -98,7 +67,7 @@ bool KvnReader::next() {
   }
   const bool may_be_cut = !is_comment() && (has_keyword() || !content_.ends_with("_STOP"));
   if (rest_.empty() && !whole_ && may_be_cut)
-    throw BadInput(place_ + ", line " + text(number_) + ": " + truncated);
+    throw BadInput(place_ + ", line " + text(line()) + ": " + truncated);
   return true;
 }
 
@@ -114,9 +83,15 @@ std::string KvnReader::comment() const {
 
 KvnLine KvnReader::keyword() const {
   require_characters(line_, KvnText::line);
-  KvnLine entry = keyword_line(place_, number_, line_, content_);
-  require_characters(line_.substr(entry.column - 1, entry.value.size()), KvnText::value);
-  return entry;
+  const auto equals = content_.find('=');
+  if (equals == std::string_view::npos) fail("expected keyword = value");
+  const std::string_view keyword = trimmed(content_.substr(0, equals));
+  if (!is_keyword(keyword))
+    throw BadInput(here(content_.data()) + ": '" + excerpt(keyword) + "' is no keyword");
+  const std::string_view value = trimmed(content_.substr(equals + 1));
+  require_characters(value, KvnText::value);
+  const auto [line, column] = position(value.empty() ? content_.data() + equals + 1 : value.data());
+  return {std::string{keyword}, std::string{value}, line, column};
 }
 
 std::size_t KvnReader::words(std::array<std::string_view, most_words>& words) const {
@@ -134,20 +109,35 @@ std::size_t KvnReader::words(std::array<std::string_view, most_words>& words) co
 
 void KvnReader::fail(const std::string& reason) const {
   require_characters(line_, KvnText::line);
-  throw BadInput(here(content_) + ": '" + excerpt(content_) + "': " + reason);
+  throw BadInput(here(content_.data()) + ": '" + excerpt(content_) + "': " + reason);
 }
 
 void KvnReader::fail(std::string_view word, std::string_view name, const std::string& reason) const {
   require_characters(line_, KvnText::line);
-  throw BadInput(here(word) + " (" + std::string{name} + "): '" + excerpt(word) + "': " + reason);
+  throw BadInput(here(word.data()) + " (" + std::string{name} + "): '" + excerpt(word) + "': " + reason);
 }
 
 void KvnReader::require_characters(std::string_view text, KvnText where) const {
-  detail::require_characters(place_, number_, line_, text, where);
+  const auto wrong = first_wrong(text, where);
+  if (wrong == std::string_view::npos) return;
+  throw BadInput(here(text.data() + wrong) + ": the byte " +
+                 detail::text(static_cast<int>(static_cast<unsigned char>(text[wrong]))) +
+                 " is no printable character of ASCII");
 }
 
-std::string KvnReader::here(std::string_view part) const {
-  return line_place(place_, number_, static_cast<std::size_t>(part.data() - line_.data()) + 1);
+TextPosition KvnReader::position(const char* at) const {
+  if (origins_.empty()) return {number_, static_cast<std::size_t>(at - line_.data()) + 1};
+  const auto offset = static_cast<std::size_t>(at - text_.data());
+  const auto next =
+      std::upper_bound(origins_.begin(), origins_.end(), offset,
+                       [](std::size_t wanted, const auto& origin) { return wanted < origin.offset; });
+  const TextOrigin& origin = *std::prev(next);
+  return {origin.position.line, origin.position.column + (offset - origin.offset)};
+}
+
+std::string KvnReader::here(const char* at) const {
+  const auto [line, column] = position(at);
+  return line_place(place_, line, column);
 }
 
 }  // namespace vectrix::detail

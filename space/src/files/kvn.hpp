@@ -2,7 +2,7 @@
 
 #include <array>
 #include <cstddef>
-#include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -16,10 +16,14 @@ struct KvnLine {
   std::size_t line, column;
 };
 
-/// The line, or nothing if it is blank or a comment. `place` begins the message. Throws
-/// BadInput with the column for a line without an equals sign, a keyword that is not of A-Z, 0-9 and _,
-/// and characters that are not printable ASCII, which a comment may contain except for control characters.
-std::optional<KvnLine> read_kvn_line(const std::string& place, std::size_t number, std::string_view line);
+/// Where a part of a text stands in the text that it was made of. Lines and columns count from 1.
+struct TextPosition {
+  std::size_t line, column;
+};
+struct TextOrigin {
+  std::size_t offset;  // in the text
+  TextPosition position;
+};
 
 /// Where a character stands, and which may: printable ASCII everywhere, tabs but in a value, and in a comment
 /// all but the other control characters.
@@ -36,14 +40,17 @@ bool is_keyword(std::string_view text);
 /// The text in capitals of A-Z.
 std::string upper_case(std::string text);
 
-/// The lines of a message that has data lines, one after the other, without blank ones. Every error is a
-/// BadInput with place, line and column. Data are read as words, in which characters that are none of ASCII
-/// are refused with the word.
+/// The lines of a message, one after the other, without blank ones. Every error is a BadInput with place,
+/// line and column. A keyword is of A-Z, 0-9 and _, its value of printable ASCII. Data are read as words, in
+/// which characters that are none of ASCII are refused with the word.
 class KvnReader {
  public:
   /// Of a text that lives as long. If it is not whole, a last line without a line end is refused, for it may
   /// have been cut within a number; a comment or a word such as DATA_STOP may stand there.
   KvnReader(std::string place, std::string_view text, bool whole);
+  /// Of a text that was made of another one, in which the errors have their lines and columns. The origins
+  /// are sorted by offset, the first of them is 0, and each holds up to the next one.
+  KvnReader(std::string place, std::string_view text, std::span<const TextOrigin> origins);
 
   /// To the next line. False at the end.
   bool next();
@@ -51,7 +58,6 @@ class KvnReader {
   /// What the line is: a comment, one word such as META_START, keyword = value, or data.
   [[nodiscard]] bool is_comment() const;
   [[nodiscard]] bool is(std::string_view word) const { return content_ == word; }
-  [[nodiscard]] bool is_xml() const { return content_.starts_with('<'); }
   [[nodiscard]] bool has_keyword() const { return content_.find('=') != std::string_view::npos; }
 
   /// What stands behind the word COMMENT and one blank.
@@ -62,7 +68,7 @@ class KvnReader {
   [[nodiscard]] std::size_t words(std::array<std::string_view, most_words>& words) const;
 
   /// The number of the line; at the end, of the last one.
-  [[nodiscard]] std::size_t line() const { return number_; }
+  [[nodiscard]] std::size_t line() const { return position(line_.data()).line; }
   [[nodiscard]] const std::string& place() const { return place_; }
   /// Refuses the line as it stands.
   [[noreturn]] void fail(const std::string& reason) const;
@@ -71,10 +77,13 @@ class KvnReader {
 
  private:
   void require_characters(std::string_view text, KvnText where) const;
-  [[nodiscard]] std::string here(std::string_view part) const;
+  /// Of a character of the line.
+  [[nodiscard]] TextPosition position(const char* at) const;
+  [[nodiscard]] std::string here(const char* at) const;
 
   std::string place_;
-  std::string_view rest_, line_, content_;
+  std::string_view text_, rest_, line_, content_;
+  std::span<const TextOrigin> origins_{};
   bool whole_;
   std::size_t number_ = 0;
 };

@@ -1,10 +1,10 @@
 #include "kvn_entries.hpp"
 
 #include <charconv>
-#include <cmath>
 
 #include <vectrix/frames/errors.hpp>
 
+#include "shifted_number.hpp"
 #include "text_file.hpp"
 
 namespace vectrix::detail {
@@ -30,7 +30,7 @@ const KvnLine& KvnEntries::filled(std::string_view keyword) const {
   return found;
 }
 
-double KvnEntries::number(const KvnLine& line, std::string_view unit) const {
+double KvnEntries::number(const KvnLine& line, std::string_view unit, int shift) const {
   std::string_view written = line.value;
   if (const auto bracket = written.find('['); bracket != std::string_view::npos) {
     if (unit.empty() ||
@@ -38,8 +38,8 @@ double KvnEntries::number(const KvnLine& line, std::string_view unit) const {
       fail(line, unit.empty() ? "it has no unit" : "the unit is [" + std::string{unit} + "]");
     written = trimmed(written.substr(0, bracket));
   }
-  const auto value = parse_number(written);
-  if (!value || !std::isfinite(*value)) fail(line, "not a finite number");
+  const auto value = parse_shifted(written, shift);
+  if (!value) fail(line, number_fault(written));
   return *value;
 }
 

@@ -44,8 +44,8 @@ class KvnEntries {
   /// The same, and it has a value.
   [[nodiscard]] const KvnLine& filled(std::string_view keyword) const;
 
-  /// The finite number, with this unit or without one.
-  [[nodiscard]] double number(const KvnLine& line, std::string_view unit) const;
+  /// The finite number times 10^shift, with this unit or without one.
+  [[nodiscard]] double number(const KvnLine& line, std::string_view unit, int shift = 0) const;
   /// The number, which is not negative.
   [[nodiscard]] std::int64_t whole(const KvnLine& line) const;
   [[nodiscard]] Epoch epoch(const KvnLine& line, const TimeScale& scale) const;

@@ -8,6 +8,7 @@
 #include <vectrix/space/time/exact_text.hpp>
 
 #include "ephemeris_reader.hpp"
+#include "message_readers.hpp"
 #include "orbit_ephemeris_text.hpp"
 
 namespace vectrix {
@@ -15,19 +16,19 @@ namespace {
 
 using detail::KvnReader, detail::kilo;
 
-constexpr const detail::MessageKind& kind = detail::orbit_ephemeris;
+constexpr const detail::MessageKind& oem = detail::orbit_ephemeris;
 
 constexpr std::array<std::string_view, 10> columns{"EPOCH", "X",     "Y",      "Z",      "X_DOT",
                                                    "Y_DOT", "Z_DOT", "X_DDOT", "Y_DDOT", "Z_DDOT"};
 
 bool is_oldest(const std::string& version) {
-  return version == *kind.versions.begin();
+  return version == *oem.versions.begin();
 }
 
 /// One segment after the other.
-class SegmentReader {
+class OrbitSegmentReader {
  public:
-  SegmentReader(KvnReader& reader, const std::string& version) : reader_(reader), version_(version) {}
+  OrbitSegmentReader(KvnReader& reader, const std::string& version) : reader_(reader), version_(version) {}
 
   /// The reader is at META_START, and then at the next one or at the end, which gives false.
   bool read() {
@@ -35,7 +36,7 @@ class SegmentReader {
     lines.place = reader_.place() + ", the segment from line " + detail::text(reader_.line()) + " on";
     EphemerisMetadata metadata;
     const detail::KvnEntries entries =
-        detail::read_metadata(reader_, kind, version_, detail::orbit_interpolation, metadata);
+        detail::read_metadata(reader_, oem, version_, detail::orbit_interpolation, metadata);
     static_cast<void>(entries.filled("CENTER_NAME"));
     lines.ref_frame = entries.filled("REF_FRAME").value;
     if (const auto* epoch = entries.find("REF_FRAME_EPOCH"))
@@ -150,11 +151,15 @@ class SegmentReader {
 
 }  // namespace
 
+OrbitEphemerisMessage detail::read_oem(KvnReader& reader) {
+  return detail::read_segments<OrbitEphemerisMessage, OrbitSegmentReader>(reader, oem);
+}
+
 OrbitEphemerisMessage::OrbitEphemerisMessage(MessageHeader header,
                                              std::vector<OrbitEphemerisSegment> segments)
     : header_(std::move(header)), segments_(std::move(segments)) {
-  detail::require_header(header_, kind);
-  if (segments_.empty()) throw BadInput(std::string{kind.name} + ": there are no segments");
+  detail::require_header(header_, oem);
+  if (segments_.empty()) throw BadInput(std::string{oem.name} + ": there are no segments");
   for (const OrbitEphemerisSegment& segment : segments_) {
     const detail::OrbitLines& lines = segment.lines(detail::trusted);
     if (const auto fault = detail::system_fault(segment.metadata(), segments_.front().metadata()))
@@ -173,11 +178,11 @@ OrbitEphemerisMessage::OrbitEphemerisMessage(MessageHeader header,
 }
 
 OrbitEphemerisMessage OrbitEphemerisMessage::parse(std::string_view text) {
-  return detail::parse_message<OrbitEphemerisMessage, SegmentReader>(text, kind);
+  return detail::parse_message(text, oem, detail::read_oem);
 }
 
 OrbitEphemerisMessage OrbitEphemerisMessage::read(const std::filesystem::path& file) {
-  return detail::read_message<OrbitEphemerisMessage, SegmentReader>(file, kind);
+  return detail::read_message(file, oem, detail::read_oem);
 }
 
 }  // namespace vectrix

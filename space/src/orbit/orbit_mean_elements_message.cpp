@@ -1,12 +1,14 @@
 #include <vectrix/space/orbit/orbit_mean_elements_message.hpp>
 
 #include <algorithm>
-#include <array>
 #include <set>
 
 #include <vectrix/frames/errors.hpp>
 
-#include "../files/kvn_entries.hpp"
+#include "../files/covariance_keyword.hpp"
+#include "../files/ephemeris_reader.hpp"
+#include "../files/message_kinds.hpp"
+#include "../files/message_readers.hpp"
 #include "../files/text_file.hpp"
 #include "mean_motion.hpp"
 
@@ -16,6 +18,7 @@ namespace {
 using detail::KvnLine;
 
 constexpr std::string_view version_keyword = "CCSDS_OMM_VERS";
+constexpr const detail::MessageKind& omm = detail::orbit_mean_elements;
 
 // Without CCSDS_OMM_VERS, which begins a message, and the entries of the covariance.
 const std::set<std::string_view> keywords{"CLASSIFICATION",
@@ -55,18 +58,9 @@ const std::set<std::string_view> keywords{"CLASSIFICATION",
                                           "AGOM",
                                           "COV_REF_FRAME"};
 
-// CX_X, CY_X, ..., CZ_DOT_Z_DOT: the row, then a column that is not behind it.
-bool of_covariance(std::string_view keyword) {
-  constexpr std::array<std::string_view, 6> names{"X", "Y", "Z", "X_DOT", "Y_DOT", "Z_DOT"};
-  for (std::size_t row = 0; row < names.size(); ++row) {
-    for (std::size_t column = 0; column <= row; ++column) {
-      if (keyword == "C" + std::string{names[row]} + "_" + std::string{names[column]}) return true;
-    }
-  }
-  return false;
-}
 bool of_the_standard(std::string_view keyword) {
-  return keywords.count(keyword) > 0 || keyword.starts_with("USER_DEFINED_") || of_covariance(keyword);
+  return keywords.count(keyword) > 0 || keyword.starts_with("USER_DEFINED_") ||
+         detail::is_covariance_keyword(keyword);
 }
 
 }  // namespace
@@ -79,7 +73,7 @@ class OrbitMeanElementsReader {
   OrbitMeanElementsReader(const std::string& place, KvnLine version)
       : version_(std::move(version)),
         entries_(place, "the message from line " + detail::text(version_.line) + " on") {
-    if (version_.value != "2.0" && version_.value != "3.0") fail(version_, "the versions are 2.0 and 3.0");
+    if (!omm.has(version_.value)) fail(version_, "the versions are " + omm.list());
   }
 
   void add(KvnLine line) {
@@ -146,46 +140,43 @@ namespace {
 
 using detail::OrbitMeanElementsReader;
 
-std::vector<OrbitMeanElementsMessage> messages(const std::string& place,
-                                               const std::vector<std::string>& lines) {
+std::vector<OrbitMeanElementsMessage> joined(std::vector<std::vector<OrbitMeanElementsMessage>> lists) {
   std::vector<OrbitMeanElementsMessage> all;
-  std::optional<OrbitMeanElementsReader> reader;
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    if (!reader && detail::trimmed(lines[i]).starts_with('<'))
-      throw BadInput(place + ", line " + detail::text(i + 1) +
-                     ": XML is not supported, only keyword = value");
-    auto line = detail::read_kvn_line(place, i + 1, lines[i]);
-    if (!line) continue;
-    if (line->keyword == version_keyword) {
-      if (reader) all.push_back(reader->message());
-      reader.emplace(place, std::move(*line));
-    } else if (reader) {
-      reader->add(std::move(*line));
-    } else {
-      detail::refuse(place, *line, "a message begins with " + std::string{version_keyword});
-    }
-  }
-  if (!reader) throw BadInput(place + ": there is no message");
-  all.push_back(reader->message());
+  for (auto& list : lists) all.insert(all.end(), list.begin(), list.end());
   return all;
 }
 
 }  // namespace
 
+std::vector<OrbitMeanElementsMessage> detail::read_omm(detail::KvnReader& lines) {
+  std::vector<OrbitMeanElementsMessage> all;
+  std::optional<OrbitMeanElementsReader> reader;
+  while (lines.next()) {
+    if (lines.is_comment()) {
+      static_cast<void>(lines.comment());
+      continue;
+    }
+    detail::KvnLine line = lines.keyword();
+    if (line.keyword == version_keyword) {
+      if (reader) all.push_back(reader->message());
+      reader.emplace(lines.place(), std::move(line));
+    } else if (reader) {
+      reader->add(std::move(line));
+    } else {
+      detail::refuse(lines.place(), line, "a message begins with " + std::string{version_keyword});
+    }
+  }
+  if (!reader) throw BadInput(lines.place() + ": there is no message");
+  all.push_back(reader->message());
+  return all;
+}
+
 OrbitMeanElementsMessage OrbitMeanElementsMessage::parse(std::string_view text) {
-  const std::string place = "orbit mean-elements message";
-  auto all = messages(place, detail::lines_of(text).lines);
-  if (all.size() > 1) throw BadInput(place + ": there are " + detail::text(all.size()) + " messages");
-  return std::move(all.front());
+  return detail::single(omm.name, joined(detail::read_messages(omm.name, text, true, omm, detail::read_omm)));
 }
 
 std::vector<OrbitMeanElementsMessage> OrbitMeanElementsMessage::read(const std::filesystem::path& file) {
-  const std::string place = "orbit mean-elements message " + file.string();
-  const auto content = detail::read_lines(file);
-  if (!content) throw BadInput(place + ": cannot be read");
-  if (!content->whole)
-    throw BadInput(place + ", line " + detail::text(content->lines.size()) + ": " + detail::truncated);
-  return messages(place, content->lines);
+  return joined(detail::read_messages(file, omm, detail::read_omm));
 }
 
 }  // namespace vectrix

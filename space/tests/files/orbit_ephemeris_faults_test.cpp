@@ -20,8 +20,6 @@ TEST(OrbitEphemerisMessage, EveryFaultHasALineAColumnAndAReason) {
        "of version 2.0"},
       {"CCSDS_OEM_VERS", "CCSDS_AEM_VERS",
        "line 1, column 18 (CCSDS_AEM_VERS): '3.0': a message begins with CCSDS_OEM_VERS"},
-      {"CCSDS_OEM_VERS = 3.0", "<?xml version=\"1.0\"?>",
-       "line 1, column 1: '<?xml version=\"1.0\"?>': XML is not supported, only keyword = value"},
       {"CCSDS_OEM_VERS = 3.0", "OEM", "line 1, column 1: 'OEM': a message begins with CCSDS_OEM_VERS"},
       {"ORIGINATOR = HERE", "ORIGINATR = HERE",
        "line 4, column 13 (ORIGINATR): 'HERE': the keyword is not of the standard, but nearly ORIGINATOR"},

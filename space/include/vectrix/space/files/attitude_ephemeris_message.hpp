@@ -10,7 +10,7 @@
 
 namespace vectrix {
 
-/// An attitude ephemeris message (AEM, CCSDS 504.0-B, versions 1.0 and 2.0) in keyword-value notation.
+/// An attitude ephemeris message (AEM, CCSDS 504.0-B, versions 1.0 and 2.0) in keyword-value notation or XML.
 ///     const auto message = AttitudeEphemerisMessage::read("sat.aem");
 ///     const auto samples =
 ///         message.segments().front().samples<earth::Eme2000, Body>(called<Body>("SC_BODY_1"));
@@ -27,7 +27,7 @@ class VECTRIX_EXPORT AttitudeEphemerisMessage {
   /// The end of the text ends its last line. Throws BadInput with line, column, what was found there and why
   /// it is wrong, or the keyword that is missing.
   static AttitudeEphemerisMessage parse(std::string_view text);
-  /// Throws BadInput with the file, too, and if the file cannot be read, is XML, or stops within a line.
+  /// Throws BadInput with the file, too, and if the file cannot be read or stops within a line.
   static AttitudeEphemerisMessage read(const std::filesystem::path& file);
 
   /// The message as text: the numbers of the file in its units, otherwise as OrbitEphemerisMessage::text().

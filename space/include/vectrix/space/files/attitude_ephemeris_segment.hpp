@@ -16,9 +16,9 @@
 
 namespace vectrix {
 
-/// The attitude types that are read: QUATERNION, QUATERNION/RATE (in version 2.0 QUATERNION/ANGVEL) and
-/// EULER_ANGLE.
-enum class AttitudeType { quaternion, quaternion_rate, euler_angle };
+/// The attitude types that are read: QUATERNION, QUATERNION/DERIVATIVE, QUATERNION/RATE (in version 2.0
+/// QUATERNION/ANGVEL) and EULER_ANGLE; in parameter messages also an angular velocity without attitude.
+enum class AttitudeType { quaternion, quaternion_derivative, quaternion_rate, euler_angle, angular_velocity };
 
 /// Samples of unit quaternions, and the largest | |q| - 1 | before the projection.
 template <Frame A, Frame B> struct NearestSamples {
@@ -31,9 +31,10 @@ namespace detail {
 /// The frame of the rates in the data lines.
 enum class RateFrame { none, a, b };
 
-/// The data lines as the file has them, in its order and units: 4, 7 or 3 numbers in each.
+/// The data lines as the file has them, in its order and units: 4, 8, 7, 3 or 3 numbers in each.
 struct AttitudeLines {
-  std::string place{};  // begins messages
+  std::string place{};                      // begins messages
+  std::string frame_keyword = "REF_FRAME";  // followed by _A or _B
   std::string ref_frame_a{}, ref_frame_b{};
   AttitudeType type = AttitudeType::quaternion;
   bool is_b_to_a = false, is_scalar_first = false;
@@ -94,10 +95,11 @@ class VECTRIX_EXPORT AttitudeEphemerisSegment {
   [[nodiscard]] const std::vector<std::string>& comments() const { return lines_.comments; }
 
   /// q_b^a of every line. Throws BadInput that names both frames if the file has others, or the line if
-  /// | |q| - 1 | exceeds unit_norm_tolerance there: nearest_samples() projects.
+  /// | |q| - 1 | exceeds unit_norm_tolerance there: nearest_samples() projects; and if there is no attitude.
   template <Frame A, Frame B, class... Given>
   [[nodiscard]] detail::ClaimedPair<A, B, Samples<A, B>, Given...> samples(const Given&... called) const {
     const bool reversed = is_reversed(detail::claim_among<A>(called...), detail::claim_among<B>(called...));
+    require_attitude();
     require_unit_norms();
     return samples_of<A, B>([&](std::size_t line) { return quaternion(line, reversed); });
   }
@@ -110,6 +112,7 @@ class VECTRIX_EXPORT AttitudeEphemerisSegment {
   [[nodiscard]] detail::ClaimedPair<A, B, NearestSamples<A, B>, Given...> nearest_samples(
       const Given&... called) const {
     const bool reversed = is_reversed(detail::claim_among<A>(called...), detail::claim_among<B>(called...));
+    require_attitude();
     return {samples_of<A, B>([&](std::size_t line) { return quaternion(line, reversed).normalized(); }),
             lines_.norm_error};
   }
@@ -119,7 +122,8 @@ class VECTRIX_EXPORT AttitudeEphemerisSegment {
 
   /// w_ab^c of every line, where c, one of the two frames, is that of RATE_FRAME or ANGVEL_FRAME. Throws
   /// BadInput if it is the other one, for files without rates, and for B2A, of which version 1.0 does not say
-  /// whose rate it has.
+  /// whose rate it has. Of QUATERNION/DERIVATIVE, in both frames and directions, w_ab^b = 2 q* dq/dt with
+  /// q = q_a^b; BadInput for a line whose derivative is not across q, to 0.01 of it.
   template <Frame A, Frame B, Frame C, class... Given>
   [[nodiscard]] detail::ClaimedPair<A, B, RatesInOne<A, B, C>, Given...> angular_velocities(
       In<C>, const Given&... called) const {
@@ -176,10 +180,13 @@ class VECTRIX_EXPORT AttitudeEphemerisSegment {
   }
 
   void require_unit_norms() const;
+  void require_attitude() const;
   /// Whether the first claim is of REF_FRAME_B. Throws BadInput if they are other frames.
   [[nodiscard]] bool is_reversed(const detail::FrameClaim& a, const detail::FrameClaim& b) const;
   /// q_b^a of the claims.
   [[nodiscard]] Eigen::Quaterniond quaternion(std::size_t line, bool reversed) const;
+  /// 2 q* dq/dt, or in the frame of the first claim 2 dq/dt q*.
+  [[nodiscard]] Eigen::Vector3d rate_of_derivative(std::size_t line, bool reversed, bool in_a) const;
   /// w_ab in the frame of the first claim, or of the second.
   [[nodiscard]] std::vector<Eigen::Vector3d> rates(const detail::FrameClaim& a, const detail::FrameClaim& b,
                                                    bool in_a) const;

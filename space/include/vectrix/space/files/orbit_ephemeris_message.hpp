@@ -10,7 +10,8 @@
 
 namespace vectrix {
 
-/// An orbit ephemeris message (OEM, CCSDS 502.0-B, versions 1.0, 2.0 and 3.0) in keyword-value notation.
+/// An orbit ephemeris message (OEM, CCSDS 502.0-B, versions 1.0, 2.0 and 3.0) in keyword-value notation or
+/// XML.
 ///     const auto message = OrbitEphemerisMessage::read("sat.oem");
 ///     const auto orbit = message.segments().front().sampled_edge<earth::Eme2000, Satellite>(gap);
 /// Time systems: UTC, TAI, TT, TDB, GPS, the same in all segments. Lines of data may have an acceleration,
@@ -26,7 +27,7 @@ class VECTRIX_EXPORT OrbitEphemerisMessage {
   /// The end of the text ends its last line. Throws BadInput with line, column, what was found there and why
   /// it is wrong, or the keyword that is missing.
   static OrbitEphemerisMessage parse(std::string_view text);
-  /// Throws BadInput with the file, too, and if the file cannot be read, is XML, or stops within a line.
+  /// Throws BadInput with the file, too, and if the file cannot be read or stops within a line.
   static OrbitEphemerisMessage read(const std::filesystem::path& file);
 
   /// The message as text. A number is the shortest text that reads back as the same one, so that
