@@ -61,8 +61,11 @@ Controllability controllability(const LinearSystem& system, double tolerance) {
     reached += rank;
   }
   const Eigen::Index left = n - reached;
-  Controllability found{static_cast<std::size_t>(reached), static_cast<std::size_t>(n),
-                        reduced(Q.rightCols(left).transpose() * in_balance), {}, system.state_names};
+  Controllability found{static_cast<std::size_t>(reached),
+                        static_cast<std::size_t>(n),
+                        reduced(Q.rightCols(left).transpose() * in_balance),
+                        {},
+                        system.state_names};
   const detail::ZerosApart apart =
       detail::zeros_apart(T.bottomRightCorner(left, left) * size, tolerance * size);
   found.unmoved_eigenvalues.assign(static_cast<std::size_t>(apart.zeros), 0.0);

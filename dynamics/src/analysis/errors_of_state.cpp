@@ -3,14 +3,15 @@
 #include <Eigen/Geometry>
 #include <array>
 #include <cmath>
+
 #include <vectrix/dynamics/craft/eigen_numbers.hpp>
 #include <vectrix/dynamics/craft/joint_counts.hpp>
-#include <vectrix/kinematics/attitude/quaternion.hpp>
+#include <vectrix/frames/errors.hpp>
 
 namespace vectrix::detail {
 namespace {
 
-constexpr std::size_t place_at = 7, velocity_at = 10;     // in the state
+constexpr std::size_t place_at = 7, velocity_at = 10;        // in the state
 constexpr Eigen::Index place_error = 6, velocity_error = 9;  // in the errors
 
 Eigen::Vector3d three(std::span<const double> y, std::size_t at) {
@@ -43,7 +44,8 @@ ErrorsOfState::ErrorsOfState(const CraftCore& core) : free_(core.plain.motion ==
     at += 4;
   };
   const auto three_numbers = [&](const char* what, const std::string& of, const char* unit) {
-    for (const std::size_t end = at + 3; at < end; ++at) numbers_.push_back({at, names_.size() + at + 3 - end});
+    for (const std::size_t end = at + 3; at < end; ++at)
+      numbers_.push_back({at, names_.size() + at + 3 - end});
     name_three(what, of, unit);
   };
   const PlainSpacecraft& craft = core.plain;
@@ -78,7 +80,16 @@ ErrorsOfState::ErrorsOfState(const CraftCore& core) : free_(core.plain.motion ==
     }
     if (is(body, JointKind::free)) three_numbers("velocity", body.name, "m/s");
   }
+  // Coordinates and speeds have one order.
+  const auto pair = [&](std::size_t error, std::size_t speed, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) coordinates_.push_back({error + i, speed + i});
+  };
+  const multibody::TreeLayout& layout = core.tree.layout();
+  pair(0, turns_.front().w, 3);
+  if (free_) pair(std::size_t{place_error}, velocity_at, 3);
+  pair(free_ ? 12 : 6, layout.speeds_begin(), layout.speeds);
   for (const PlainRotor& rotor : craft.rotors) number(), name("spin of " + rotor.name, "rad/s");
+  pair(names_.size(), layout.modes_begin() + layout.modes, layout.modes);
   for (const PlainMode& mode : craft.modes) number(), name("deflection of " + mode.name, "kg^1/2 m");
   for (const PlainMode& mode : craft.modes) number(), name("deflection rate of " + mode.name, "kg^1/2 m/s");
 }
@@ -108,40 +119,19 @@ Eigen::VectorXd ErrorsOfState::rates(std::span<const double> reference, const Ei
   for (const Number& number : numbers_) rates[index(number.error)] = ydot[number.at].derivatives();
   for (const Turn& turn : turns_) {
     const Eigen::Vector3d theta = errors.segment<3>(index(turn.error));
-    rates.segment<3>(index(turn.error)) = three_derivatives(y, turn.w) - three(reference, turn.w).cross(theta);
+    rates.segment<3>(index(turn.error)) =
+        three_derivatives(y, turn.w) - three(reference, turn.w).cross(theta);
   }
   if (free_) {
     const Eigen::Matrix3d to_hub = attitude(reference).transpose();
     const Eigen::Vector3d w = three(reference, turns_.front().w);
-    for (const auto& [at, error] : {std::pair{place_at, place_error}, std::pair{velocity_at, velocity_error}}) {
+    for (const auto& [at, error] :
+         {std::pair{place_at, place_error}, std::pair{velocity_at, velocity_error}}) {
       const Eigen::Vector3d off = errors.segment<3>(error);
       rates.segment<3>(error) = to_hub * three_derivatives(ydot, at) - w.cross(off);
     }
   }
   return rates;
-}
-
-std::vector<double> ErrorsOfState::departed(std::span<const double> reference,
-                                            const Eigen::VectorXd& errors) const {
-  std::vector<double> y(reference.begin(), reference.end());
-  for (const Number& number : numbers_) y[number.at] += errors[index(number.error)];
-  for (const Turn& turn : turns_) {
-    const Eigen::Vector3d theta = errors.segment<3>(index(turn.error));
-    const double angle = theta.norm();
-    const Eigen::Quaterniond q0(y[turn.q], y[turn.q + 1], y[turn.q + 2], y[turn.q + 3]);
-    const Eigen::Quaterniond q =
-        angle > 0.0 ? q0 * Eigen::Quaterniond(Eigen::AngleAxisd(angle, theta / angle)) : q0;
-    y[turn.q] = q.w(), y[turn.q + 1] = q.x(), y[turn.q + 2] = q.y(), y[turn.q + 3] = q.z();
-  }
-  if (free_) {
-    const Eigen::Matrix3d R = attitude(reference);
-    const Eigen::Vector3d dr = R * errors.segment<3>(place_error), dv = R * errors.segment<3>(velocity_error);
-    for (std::size_t i = 0; i < 3; ++i) {
-      y[place_at + i] += dr[index(i)];
-      y[velocity_at + i] += dv[index(i)];
-    }
-  }
-  return y;
 }
 
 void require_derivatives(const CraftCore& core, const Eigen::MatrixXd& derivatives,
@@ -150,8 +140,8 @@ void require_derivatives(const CraftCore& core, const Eigen::MatrixXd& derivativ
     for (std::size_t j = 0; j < columns.size(); ++j) {
       const double found = derivatives(index(i), index(j));
       if (!std::isfinite(found))
-        throw BadInput("linearise " + core.plain.hub + ": the derivative of " + rows[i] + " by " + columns[j] +
-                       " is " + text(found));
+        throw BadInput("linearise " + core.plain.hub + ": the derivative of " + rows[i] + " by " +
+                       columns[j] + " is " + text(found));
     }
   }
 }

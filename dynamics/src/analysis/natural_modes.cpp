@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
-#include <limits>
 #include <ostream>
 #include <sstream>
 #include <vectrix/frames/errors.hpp>
@@ -14,15 +13,16 @@
 
 namespace vectrix {
 
-NaturalModes natural_modes(const LinearSystem& system) {
+NaturalModes natural_modes(const LinearSystem& system, double rounding) {
   const Eigen::MatrixXd& A = system.A;
   if (A.rows() != A.cols())
     throw BadInput("natural_modes: A has " + detail::text(A.rows()) + " rows and " + detail::text(A.cols()) +
                    " columns");
   detail::require_finite_matrix("natural_modes", "A", A);
+  if (!(rounding > 0.0 && rounding < 1.0))
+    throw BadInput("natural_modes: the rounding is " + detail::text(rounding) + "; it must be in (0, 1)");
   const Eigen::VectorXd d = detail::balance(A);
   const Eigen::MatrixXd balanced = d.cwiseInverse().asDiagonal() * A * d.asDiagonal();
-  const double rounding = static_cast<double>(A.rows()) * std::numeric_limits<double>::epsilon();
   const detail::ZerosApart apart =
       detail::zeros_apart(balanced, rounding * detail::largest_singular_value(balanced));
   const Eigen::Index zeros = apart.zeros, left = A.rows() - zeros;
@@ -50,9 +50,8 @@ NaturalModes natural_modes(const LinearSystem& system) {
     modes.list.push_back({lambda, Quantity<si::angular_velocity>::from_value(std::abs(lambda)),
                           -lambda.real() / std::abs(lambda), v / one, part / part.sum()});
   }
-  std::stable_sort(modes.list.begin(), modes.list.end(), [](const NaturalMode& a, const NaturalMode& b) {
-    return a.frequency < b.frequency;
-  });
+  std::stable_sort(modes.list.begin(), modes.list.end(),
+                   [](const NaturalMode& a, const NaturalMode& b) { return a.frequency < b.frequency; });
   return modes;
 }
 

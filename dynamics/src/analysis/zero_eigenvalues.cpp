@@ -54,8 +54,7 @@ ZerosApart zeros_apart(const Eigen::MatrixXd& A, double least) {
 }
 
 void require_finite_matrix(const char* action, const char* name, const Eigen::MatrixXd& matrix) {
-  if (!matrix.allFinite())
-    throw BadInput(std::string{action} + ": a number of " + name + " is not finite");
+  if (!matrix.allFinite()) throw BadInput(std::string{action} + ": a number of " + name + " is not finite");
 }
 
 }  // namespace vectrix::detail

@@ -18,7 +18,6 @@ ZerosApart zeros_apart(const Eigen::MatrixXd& A, double least);
 
 double largest_singular_value(const Eigen::MatrixXd& A);
 
-
 void require_finite_matrix(const char* action, const char* name, const Eigen::MatrixXd& matrix);
 
 }  // namespace vectrix::detail

@@ -101,7 +101,7 @@ auto loads_of(const Every& craft) {
         const auto w = now.angular_velocity(of<Gyro>, relative_to<Probe>, in<Boom>).coordinates();
         forces.torque(of<spacecraft_test::Camera>, vector<si::torque>(in<Boom>, (0.3 * w).eval()));
         forces.force(of<Probe>, Quantity<si::force, S>(0.2 * si::newton) *
-                                       (now.rotation(to<Antenna>, from<Hub>) * unit_x<Hub, S>(in<Hub>)));
+                                    (now.rotation(to<Antenna>, from<Hub>) * unit_x<Hub, S>(in<Hub>)));
       }};
 }
 
@@ -117,7 +117,8 @@ TEST(Linearise, TheDerivativesAreThoseOfTheFlow) {
     const double t = start.time().value();
     const auto loads = loads_of(craft);
     const auto flight = std::apply([&](const auto&... load) { return scenario(craft, load...); }, loads);
-    const auto system = linearise(flight, start, inputs(torque_input(of<spacecraft_test::Camera>, in<Probe>)));
+    const auto system =
+        linearise(flight, start, inputs(torque_input(of<spacecraft_test::Camera>, in<Probe>)));
     ASSERT_EQ(system.A.rows(), size);
 
     auto rates = detail::rates_under(craft, loads);
@@ -135,7 +136,8 @@ TEST(Linearise, TheDerivativesAreThoseOfTheFlow) {
     };
     const MatrixXd coarse = difference(2.0 * h), fine = difference(h);
     const MatrixXd error = (coarse - fine) / 3.0;
-    const double tolerance = 0.02 * error.cwiseAbs().maxCoeff() + 1e-6 * (1.0 + system.A.cwiseAbs().maxCoeff());
+    const double tolerance =
+        0.02 * error.cwiseAbs().maxCoeff() + 1e-6 * (1.0 + system.A.cwiseAbs().maxCoeff());
     EXPECT_LE((fine - error - system.A).cwiseAbs().maxCoeff(), tolerance);
 
     const auto under = [&](const Vector3d& M) {
@@ -168,31 +170,31 @@ TEST(Linearise, WordsFindTheRows) {
   RandomCraft random(20261130);
   const Every craft(random);
   const auto start = random_state(craft, random);
-  const auto system = linearise(scenario(craft), start, inputs(motor_input(of<WheelOfHub>)),
-                                outputs(output("spin", [](const auto& at) { return at.state().spin(of<WheelOfHub>); }),
-                                        output("boom", [](const auto& at) { return at.now().speed(of<Boom>); }),
-                                        output("mass", [](const auto& at) { return at.now().coordinate(of<Mass>); }),
-                                        output("gyro", [](const auto& at) {
-                                          return at.now().angular_velocity(of<Gyro>, relative_to<Boom>, in<Gyro>);
-                                        }),
-                                        output("probe", [](const auto& at) {
-                                          return at.now().position(of<Probe>, relative_to<Box>, in<Box>);
-                                        }),
-                                        output("antenna", [](const auto& at) {
-                                          return at.now().speed(of<Antenna>)[1];
-                                        }),
-                                        output("blanket", [](const auto& at) {
-                                          return at.now().deflection_rates(of<Blanket>)[1];
-                                        })));
+  const auto system = linearise(
+      scenario(craft), start, inputs(motor_input(of<WheelOfHub>)),
+      outputs(output("spin", [](const auto& at) { return at.state().spin(of<WheelOfHub>); }),
+              output("boom", [](const auto& at) { return at.now().speed(of<Boom>); }),
+              output("mass", [](const auto& at) { return at.now().coordinate(of<Mass>); }),
+              output("gyro",
+                     [](const auto& at) {
+                       return at.now().angular_velocity(of<Gyro>, relative_to<Boom>, in<Gyro>);
+                     }),
+              output("probe",
+                     [](const auto& at) { return at.now().position(of<Probe>, relative_to<Box>, in<Box>); }),
+              output("antenna", [](const auto& at) { return at.now().speed(of<Antenna>)[1]; }),
+              output("blanket", [](const auto& at) { return at.now().deflection_rates(of<Blanket>)[1]; })));
   const auto expect_unit = [&](Index row, Index column) {
-    EXPECT_EQ(system.C.row(row), VectorXd::Unit(size, column).transpose()) << system.output_names[static_cast<std::size_t>(row)];
+    EXPECT_EQ(system.C.row(row), VectorXd::Unit(size, column).transpose())
+        << system.output_names[static_cast<std::size_t>(row)];
   };
   expect_unit(0, system.spin(of<WheelOfHub>));
   expect_unit(1, system.speed(of<Boom>));
   expect_unit(2, system.coordinate(of<Mass>));
   for (Index i = 0; i < 3; ++i) {
-    EXPECT_LE((system.C.row(3 + i) - VectorXd::Unit(size, system.rate(of<Gyro>)[i]).transpose()).norm(), 1e-14);
-    EXPECT_LE((system.C.row(6 + i) - VectorXd::Unit(size, system.place(of<Probe>)[i]).transpose()).norm(), 1e-14);
+    EXPECT_LE((system.C.row(3 + i) - VectorXd::Unit(size, system.rate(of<Gyro>)[i]).transpose()).norm(),
+              1e-14);
+    EXPECT_LE((system.C.row(6 + i) - VectorXd::Unit(size, system.place(of<Probe>)[i]).transpose()).norm(),
+              1e-14);
   }
   expect_unit(9, system.speed(of<Antenna>)[1]);
   expect_unit(10, system.deflection_rates(of<Blanket>)[1]);
@@ -218,11 +220,11 @@ constexpr double J_s = 0.3;
 const Vector3d n = Vector3d(2.0, -1.0, 2.0) / 3.0;
 
 auto make_gyrostat() {
-  return spacecraft(
-      body(mass_properties(5.0 * si::kilogram, coincident(of<CentreOfMassOf<Body>>, relative_to<Body>, in<Body>),
-                           inertia_from_tensor(in<Body>, J)),
-           turning_in<Star>),
-      rotor(of<Wheel>, vector<si::dimensionless>(in<Body>, n), J_s * kg_m2));
+  return spacecraft(body(mass_properties(5.0 * si::kilogram,
+                                         coincident(of<CentreOfMassOf<Body>>, relative_to<Body>, in<Body>),
+                                         inertia_from_tensor(in<Body>, J)),
+                         turning_in<Star>),
+                    rotor(of<Wheel>, vector<si::dimensionless>(in<Body>, n), J_s * kg_m2));
 }
 using Gyrostat = decltype(make_gyrostat());
 
@@ -237,10 +239,11 @@ TEST(Linearise, AGyrostatHasItsClosedForm) {
   const Gyrostat craft = make_gyrostat();
   const Vector3d w(0.3, -0.8, 0.5);
   constexpr double Omega = 40.0;
-  const auto start = state(craft, 0.0 * s,
-                           moving_dcm(turned_x(to<Star>, from<Body>, 0.4 * rad),
-                                      angular_velocity(of<Body>, relative_to<Star>, vector<si::angular_velocity>(in<Body>, w))),
-                           spins(of<Wheel>, Omega * rad_s));
+  const auto start = state(
+      craft, 0.0 * s,
+      moving_dcm(turned_x(to<Star>, from<Body>, 0.4 * rad),
+                 angular_velocity(of<Body>, relative_to<Star>, vector<si::angular_velocity>(in<Body>, w))),
+      spins(of<Wheel>, Omega * rad_s));
   const auto accelerometer = [](const auto& at) { return at.angular_acceleration(of<Body>, in<Body>); };
   const auto system = linearise(scenario(craft), start, inputs(motor_input(of<Wheel>)),
                                 outputs(output("acceleration", accelerometer)));
@@ -271,9 +274,10 @@ TEST(Linearise, AGyrostatHasItsClosedForm) {
 TEST(Linearise, FrictionHasTheStateInWhichARunStarts) {
   const Gyrostat craft = make_gyrostat();
   const auto at = [&](double Omega) {
-    const auto start = state(craft, 0.0 * s,
-                             moving_dcm(aligned(to<Star>, from<Body>), at_rest(of<Body>, relative_to<Star>, in<Body>)),
-                             spins(of<Wheel>, Omega * rad_s));
+    const auto start =
+        state(craft, 0.0 * s,
+              moving_dcm(aligned(to<Star>, from<Body>), at_rest(of<Body>, relative_to<Star>, in<Body>)),
+              spins(of<Wheel>, Omega * rad_s));
     const auto rub = friction(craft, of<Wheel>, 0.1 * N_m, 0.1 * N_m, 1.0 * rad_s, 0.02 * (N_m / rad_s));
     return linearise(scenario(craft, rub), start, inputs(motor_input(of<Wheel>)));
   };
@@ -286,15 +290,15 @@ TEST(Linearise, FrictionHasTheStateInWhichARunStarts) {
 
 TEST(Linearise, RefusesDerivativesThatAreNotFinite) {
   const Gyrostat craft = make_gyrostat();
-  const auto start = state(craft, 0.0 * s,
-                           moving_dcm(aligned(to<Star>, from<Body>), at_rest(of<Body>, relative_to<Star>, in<Body>)),
-                           spins(of<Wheel>, 0.0 * rad_s));
+  const auto start =
+      state(craft, 0.0 * s,
+            moving_dcm(aligned(to<Star>, from<Body>), at_rest(of<Body>, relative_to<Star>, in<Body>)),
+            spins(of<Wheel>, 0.0 * rad_s));
   const auto root = []<class S>(const Now<Gyrostat, S>& now, Forces<Gyrostat, S>& forces) {
     using std::sqrt;
     forces.motor(of<Wheel>, Quantity<si::torque, S>::from_value(sqrt(now.spin(of<Wheel>).value())));
   };
-  const std::string text =
-      vectrix_test::message<BadInput>([&] { linearise(scenario(craft, root), start); });
+  const std::string text = vectrix_test::message<BadInput>([&] { linearise(scenario(craft, root), start); });
   EXPECT_NE(text.find("linearise"), std::string::npos);
   EXPECT_NE(text.find("by spin of " + frame_name<Wheel>() + " [rad/s] is "), std::string::npos) << text;
 }

@@ -24,25 +24,33 @@ class VECTRIX_EXPORT ErrorsOfState {
   /// "attitude error x of Hub [rad]"
   [[nodiscard]] const std::vector<std::string>& names() const { return names_; }
 
+  /// A coordinate: its place in the errors, and that of its speed in the state.
+  struct Coordinate {
+    std::size_t error, speed;
+  };
+  [[nodiscard]] const std::vector<Coordinate>& coordinates() const { return coordinates_; }
+  /// Where each quaternion begins in the state, and the errors that replace it; that of the hub is the first.
+  struct Turn {
+    std::size_t q, w, error;
+  };
+  [[nodiscard]] const std::vector<Turn>& turns() const { return turns_; }
+  /// A number of the state that is neither of a quaternion nor of the hub's place and velocity.
+  struct Number {
+    std::size_t at, error;
+  };
+  [[nodiscard]] const std::vector<Number>& numbers() const { return numbers_; }
+
   /// The state that is off the reference by the errors times e, or with no derivative if they are zero.
   void depart(std::span<const double> reference, const Eigen::VectorXd& errors, std::span<Dual> y) const;
   /// The derivatives of the errors' rates along these errors; ydot is the derivative of y by the time.
   [[nodiscard]] Eigen::VectorXd rates(std::span<const double> reference, const Eigen::VectorXd& errors,
                                       std::span<const Dual> y, std::span<const Dual> ydot) const;
-  /// The state with these errors, which need not be small.
-  [[nodiscard]] std::vector<double> departed(std::span<const double> reference,
-                                             const Eigen::VectorXd& errors) const;
 
  private:
-  struct Turn {
-    std::size_t q, w, error;  ///< where they begin, in the state and in the errors
-  };
-  struct Number {
-    std::size_t at, error;
-  };
   bool free_;
-  std::vector<Turn> turns_;      // that of the hub is the first
-  std::vector<Number> numbers_;  // all that are neither quaternions nor place and velocity of the hub
+  std::vector<Turn> turns_;
+  std::vector<Coordinate> coordinates_;
+  std::vector<Number> numbers_;
   std::vector<std::string> names_;
 };
 

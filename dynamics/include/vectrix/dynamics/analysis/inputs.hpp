@@ -50,8 +50,7 @@ namespace detail {
 template <class C, class Input> struct InputOn { static constexpr std::size_t size = 0; };
 
 template <class C, class W>
-  requires C::shape::template has_rotor<W>
-struct InputOn<C, MotorInput<W>> {
+requires C::shape::template has_rotor<W> struct InputOn<C, MotorInput<W>> {
   static constexpr std::size_t size = 1;
   static std::vector<std::string> names() { return {"motor of " + frame_name<W>() + " [N m]"}; }
   template <class S> static void act(Forces<C, S>& forces, const S* u) {

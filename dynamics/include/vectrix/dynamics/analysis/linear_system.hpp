@@ -94,24 +94,25 @@ template <CraftType Craft, class... Input> class LinearCraft : public LinearSyst
   }
   /// Of a hinge, a slider or a gimbal.
   template <class B>
-    requires Shape::template has_axes<B>
-  static auto coordinate(Of<B>) { return sequence<position<B>(), Shape::template Part<B>::counts.speeds>(); }
+  requires Shape::template has_axes<B> static auto coordinate(Of<B>) {
+    return sequence<position<B>(), Shape::template Part<B>::counts.speeds>();
+  }
   template <class B>
-    requires Shape::template has_axes<B>
-  static auto speed(Of<B>) { return sequence<speed_of<B>(), Shape::template Part<B>::counts.speeds>(); }
+  requires Shape::template has_axes<B> static auto speed(Of<B>) {
+    return sequence<speed_of<B>(), Shape::template Part<B>::counts.speeds>();
+  }
   /// Of a rotor.
   template <class W>
-    requires Shape::template has_rotor<W>
-  static auto spin(Of<W>) { return sequence<Shape::template spin_at<W> - all_turning(), 1>(); }
+  requires Shape::template has_rotor<W> static auto spin(Of<W>) {
+    return sequence<Shape::template spin_at<W> - all_turning(), 1>();
+  }
   /// Of the modes of an appendage.
   template <class M>
-    requires Shape::template has_modes<M>
-  static auto deflections(Of<M>) {
+  requires Shape::template has_modes<M> static auto deflections(Of<M>) {
     return sequence<Shape::template modes_at<M> - all_turning(), Shape::template Part<M>::counts.modes>();
   }
   template <class M>
-    requires Shape::template has_modes<M>
-  static auto deflection_rates(Of<M>) {
+  requires Shape::template has_modes<M> static auto deflection_rates(Of<M>) {
     return sequence<Shape::template modes_at<M> - all_turning() + Shape::total.modes,
                     Shape::template Part<M>::counts.modes>();
   }
@@ -122,15 +123,16 @@ template <CraftType Craft, class... Input> class LinearCraft : public LinearSyst
     return sequence<detail::input_at<Craft, Wanted, Input...>(), detail::InputOn<Craft, Wanted>::size>();
   }
 
-  template <class B> static auto attitude_error(Of<B>) -> Refused = delete;  // of the hub, a ball or free joint
-  template <class B> static auto rate(Of<B>) -> Refused = delete;            // of the hub, a ball or free joint
-  template <class B> static auto place(Of<B>) -> Refused = delete;     // of a free hub, or on a free joint
-  template <class B> static auto velocity(Of<B>) -> Refused = delete;  // of a free hub, or on a free joint
-  template <class B> static auto coordinate(Of<B>) -> Refused = delete;  // of a hinge, a slider or a gimbal
-  template <class B> static auto speed(Of<B>) -> Refused = delete;       // of a hinge, a slider or a gimbal
-  template <class W> static auto spin(Of<W>) -> Refused = delete;        // of a rotor of the craft
-  template <class M> static auto deflections(Of<M>) -> Refused = delete;       // of modes of the craft
-  template <class M> static auto deflection_rates(Of<M>) -> Refused = delete;  // of modes of the craft
+  template <class B>
+  static auto attitude_error(Of<B>) -> Refused = delete;                  // of the hub, a ball or free joint
+  template <class B> static auto rate(Of<B>) -> Refused = delete;         // of the hub, a ball or free joint
+  template <class B> static auto place(Of<B>) -> Refused = delete;        // of a free hub, or on a free joint
+  template <class B> static auto velocity(Of<B>) -> Refused = delete;     // of a free hub, or on a free joint
+  template <class B> static auto coordinate(Of<B>) -> Refused = delete;   // of a hinge, a slider or a gimbal
+  template <class B> static auto speed(Of<B>) -> Refused = delete;        // of a hinge, a slider or a gimbal
+  template <class W> static auto spin(Of<W>) -> Refused = delete;         // of a rotor of the craft
+  template <class M> static auto deflections(Of<M>) -> Refused = delete;  // of modes of the craft
+  template <class M> static auto deflection_rates(Of<M>) -> Refused = delete;    // of modes of the craft
   template <class Wanted> static auto input(const Wanted&) -> Refused = delete;  // one that was given
 };
 

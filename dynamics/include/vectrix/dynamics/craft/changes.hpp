@@ -49,7 +49,9 @@ template <class F> struct UpdateOf {
   using arguments = Arguments<F>;
 };
 template <class F>
-  requires requires { &F::template operator()<double>; }
+  requires requires {
+    &F::template operator()<double>;
+  }
 struct UpdateOf<F> : SignatureOfMember<decltype(&F::template operator()<double>)> {};
 template <class X> struct UpdateOf<Becomes<X>> {
   using result = X;

@@ -42,7 +42,7 @@ template <class Derived, class C, class S> class CraftNumbers {
   requires Shape::template has_axes<B> auto coordinate(Of<B>) const {
     constexpr JointKind kind = Shape::template Part<B>::joint;
     return AxisNumbers<typename JointUnits<kind>::coordinate, kind, S>::read(y() +
-                                                                          Shape::template position_at<B>);
+                                                                             Shape::template position_at<B>);
   }
   template <class B>
   auto coordinate(  // of a hinge, a slider or a gimbal: of a body of the craft C that hangs on one

@@ -11,8 +11,7 @@ namespace vectrix {
 namespace detail {
 
 /// What acts is a number of the craft's scalar, or a double.
-template <class T, class S>
-inline constexpr bool acts_in = std::is_same_v<T, S> || std::is_same_v<T, double>;
+template <class T, class S> inline constexpr bool acts_in = std::is_same_v<T, S> || std::is_same_v<T, double>;
 
 /// Whether a value is a torque that can act on b, and its frame.
 template <class B, class S, class Given> struct TorqueOn {

@@ -51,7 +51,8 @@ template <class C, class S, class... Loads> class CraftRatesIn {
 
  private:
   template <std::size_t... i>
-  [[gnu::always_inline]] void add(const Now<C, S>& now, Forces<C, S>& forces, std::index_sequence<i...>) const {
+  [[gnu::always_inline]] void add(const Now<C, S>& now, Forces<C, S>& forces,
+                                  std::index_sequence<i...>) const {
     (std::get<i>(loads_)(now, forces), ...);
   }
 
@@ -76,8 +77,9 @@ template <CraftType C, class S = double> class CraftMotion {
 
  public:
   CraftMotion() = delete;  // motion(craft, state, loads...)
-  CraftMotion(detail::Trusted, std::shared_ptr<const detail::CraftCoreIn<S>> core, const CraftState<C, S>& state,
-              const typename CraftState<C, S>::Numbers& rates, multibody::Work<S> work)
+  CraftMotion(detail::Trusted, std::shared_ptr<const detail::CraftCoreIn<S>> core,
+              const CraftState<C, S>& state, const typename CraftState<C, S>::Numbers& rates,
+              multibody::Work<S> work)
       : core_(std::move(core)), state_(state), rates_(rates), work_(std::move(work)) {}
 
   /// Places and velocities. It must not outlive the motion.
@@ -108,7 +110,9 @@ template <CraftType C, class S = double> class CraftMotion {
   template <class B, class D>
     requires(Shape::template has_body<B>&& turns<D>)
   Acceleration<I, B, ObservedFrom<I>, In<D>, S> acceleration(Of<B>, In<D>)
-  const { return Acceleration<I, B, ObservedFrom<I>, In<D>, S>{detail::trusted, in<D>(accelerations<B>().a)}; }
+  const {
+    return Acceleration<I, B, ObservedFrom<I>, In<D>, S>{detail::trusted, in<D>(accelerations<B>().a)};
+  }
   template <class B, class D>
   auto angular_acceleration(  // of a body of the craft C, in a frame of C; of other frames: a frame graph
       Of<B>, In<D>) const -> Refused = delete;
@@ -134,7 +138,8 @@ template <CraftType C, class S = double> class CraftMotion {
 
  private:
   template <class D> Eigen::Matrix<S, 3, 1> in(const multibody::Column<S>& v_h) const {
-    return detail::eigen(detail::CraftInstant<Shape, S>{*core_, state_.data(), work_}.template from_hub<D>(v_h));
+    return detail::eigen(
+        detail::CraftInstant<Shape, S>{*core_, state_.data(), work_}.template from_hub<D>(v_h));
   }
   template <class B> static constexpr int link = static_cast<int>(Shape::template link_of<B>());
   template <class B> auto accelerations() const { return core_->tree.accelerations(link<B>, work_); }

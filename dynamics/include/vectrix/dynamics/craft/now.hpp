@@ -41,7 +41,7 @@ template <CraftType C, class S = double> class Now : public detail::CraftNumbers
   AngularVelocity<A, B, In<D>, S> angular_velocity(Of<B>, RelativeTo<A>, In<D>)
   const {
     return AngularVelocity<A, B, In<D>, S>{detail::trusted,
-                                        in<D>(at_.template turning<B>() - at_.template turning<A>())};
+                                           in<D>(at_.template turning<B>() - at_.template turning<A>())};
   }
   template <class B, class A, class D>
   auto angular_velocity(  // frames of the craft C, its bodies, mounts and inertial frame
@@ -53,7 +53,7 @@ template <CraftType C, class S = double> class Now : public detail::CraftNumbers
   Displacement<A, B, In<D>, S> position(Of<B>, RelativeTo<A>, In<D>)
   const {
     return Displacement<A, B, In<D>, S>{detail::trusted,
-                                     in<D>(at_.template position<B>() - at_.template position<A>())};
+                                        in<D>(at_.template position<B>() - at_.template position<A>())};
   }
   template <class B, class A, class D>
   auto position(  // frames of the craft C; relative to the inertial one if the hub is free_in<I>
@@ -77,7 +77,9 @@ template <CraftType C, class S = double> class Now : public detail::CraftNumbers
   Quantity<si::energy, S> energy() const { return Quantity<si::energy, S>::from_value(conserved().energy); }
   /// The angular momentum is about the inertial origin; of a turning hub about the centre of mass, where the
   /// momentum is zero.
-  Vector<I, si::momentum, S> momentum() const { return {detail::trusted, detail::eigen(conserved().momentum)}; }
+  Vector<I, si::momentum, S> momentum() const {
+    return {detail::trusted, detail::eigen(conserved().momentum)};
+  }
   Vector<I, si::angular_momentum, S> angular_momentum() const {
     return {detail::trusted, detail::eigen(conserved().angular_momentum)};
   }

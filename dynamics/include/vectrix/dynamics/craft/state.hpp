@@ -50,7 +50,9 @@ class CraftState : public detail::CraftNumbers<CraftState<C, S>, C, S> {
   auto hub_motion() const -> Refused = delete;  // the hub is turning_in<I>: where it is is not a state
 
  private:
-  Eigen::Matrix<S, 3, 1> column(std::size_t at) const { return {numbers_[at], numbers_[at + 1], numbers_[at + 2]}; }
+  Eigen::Matrix<S, 3, 1> column(std::size_t at) const {
+    return {numbers_[at], numbers_[at + 1], numbers_[at + 2]};
+  }
 
   Quantity<si::time> time_;
   Numbers numbers_;

@@ -89,7 +89,7 @@ template <CraftType C, class On, class D> struct ThrusterLoad {
   template <std::size_t> auto parts() const {
     using State = Firing<On>;
     const auto load = [full_d = full_d]<class S>(const Now<C, S>& now, Forces<C, S>& forces,
-                                               const State& firing) {
+                                                 const State& firing) {
       forces.force(of<On>, firing.level(now.time()) * full_d);
     };
     const auto at_first = [thruster = *this](const Now<C>& now) { return thruster.before(now.time()); };

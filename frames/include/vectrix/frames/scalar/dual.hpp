@@ -70,8 +70,7 @@ class Dual {
   }
   friend Dual atan2(const Dual& y, const Dual& x) {
     const double square = x.value_ * x.value_ + y.value_ * y.value_;
-    return {std::atan2(y.value_, x.value_),
-            (x.value_ * y.derivative_ - y.value_ * x.derivative_) / square};
+    return {std::atan2(y.value_, x.value_), (x.value_ * y.derivative_ - y.value_ * x.derivative_) / square};
   }
   friend Dual exp(const Dual& x) {
     const double e = std::exp(x.value_);
@@ -106,7 +105,15 @@ template <> struct NumTraits<vectrix::Dual> : NumTraits<double> {
   using NonInteger = vectrix::Dual;
   using Nested = vectrix::Dual;
   using Literal = double;
-  enum { IsComplex = 0, IsInteger = 0, IsSigned = 1, RequireInitialization = 1, ReadCost = 2, AddCost = 2, MulCost = 6 };
+  enum {
+    IsComplex = 0,
+    IsInteger = 0,
+    IsSigned = 1,
+    RequireInitialization = 1,
+    ReadCost = 2,
+    AddCost = 2,
+    MulCost = 6
+  };
 };
 template <class Operation> struct ScalarBinaryOpTraits<vectrix::Dual, double, Operation> {
   using ReturnType = vectrix::Dual;
