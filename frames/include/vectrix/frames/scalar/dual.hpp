@@ -4,6 +4,7 @@
 #include <cmath>
 #include <concepts>
 #include <ostream>
+#include <type_traits>
 
 namespace vectrix {
 
