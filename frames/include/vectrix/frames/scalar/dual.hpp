@@ -5,13 +5,14 @@
 #include <concepts>
 #include <ostream>
 #include <type_traits>
+#include <vectrix/frames/export.hpp>
 
 namespace vectrix {
 
 /// A number and its derivative along one direction, x + x' e with e^2 = 0: what a function of duals gives is
 /// its value and its exact derivative. Each operation has its result at once, so that `auto` is safe, which
 /// it is not with the expressions of Eigen::AutoDiffScalar. Comparisons are those of the values.
-class Dual {
+class VECTRIX_EXPORT Dual {
  public:
   constexpr Dual() = default;
   template <class T>
