@@ -24,7 +24,7 @@ LAYERS = ("frames", "kinematics", "space", "dynamics", "simbody")
 ABOVE = ("cli", "examples", "pictures", "validation", "accuracy")
 
 ERFA = "erfa"
-SOLVERS = "sundials/|cvode/|arkode/|nvector/|sunmatrix/|sunlinsol/|sunnonlinsol/"
+SOLVERS = "sundials/|cvode/|arkode/|kinsol/|nvector/|sunmatrix/|sunlinsol/|sunnonlinsol/"
 SIMBODY = "Simbody|SimTK|simbody/|simmath/|SimTKcommon/"
 KNOWS_ITS_PEER = re.compile(r"(simbody/src/simbody_engine\.cpp|validation/(tests/)?simbody_[^/]*|validation/erfa\.cpp"
                             r"|bench/peer_simbody\.cpp)$")
@@ -43,7 +43,7 @@ FORBIDDEN = (
 )
 
 ENGINE_NAME = re.compile(
-    r"\b(?:CVode|CV_|ARK[oS]|ARK_|ERKStep|SUN[A-Z]|sun[a-z]+type|sundials|N_V|realtype|era[A-Z]|SimTK)[A-Za-z_]*")
+    r"\b(?:CVode|CV_|ARK[oS]|ARK_|ERKStep|KIN[A-Z_]|SUN[A-Z]|sun[a-z]+type|sundials|N_V|realtype|era[A-Z]|SimTK)[A-Za-z_]*")
 
 # The headers of the standard library, and the names that we use of each.
 STANDARD = {
@@ -55,7 +55,7 @@ STANDARD = {
     "charconv": "to_chars from_chars",
     "chrono": "chrono",
     "cmath": "abs sqrt sin cos tan asin acos atan atan2 exp log log10 pow hypot isfinite isnan isinf signbit copysign "
-             "nextafter expm1 floor ceil round fmod remainder ldexp frexp cbrt fma trunc lround",
+             "nextafter expm1 sinh cosh tanh floor ceil round fmod remainder ldexp frexp cbrt fma trunc lround",
     "compare": "strong_ordering weak_ordering partial_ordering",
     "complex": "complex",
     "concepts": "same_as integral floating_point invocable convertible_to derived_from constructible_from "
@@ -119,7 +119,7 @@ BRINGS = {
 }
 EIGEN = {
     "Core": "PropagateNaN Matrix MatrixBase DenseBase Index NumTraits GenericNumTraits Vector3d Vector4d Vector2d Matrix3d Matrix4d "
-            "Matrix2d VectorXd MatrixXd Map Array Array2d Array3d ArrayBase Success Dynamic EigenBase Ref Block "
+            "Matrix2d VectorXd VectorXcd MatrixXd seqN fix Map Array Array2d Array3d ArrayBase Success Dynamic EigenBase Ref Block "
             "ComputeFullU ComputeFullV ComputeEigenvectors EigenvaluesOnly internal RowMajor ColMajor Infinity",
     "Geometry": "Quaternion Quaterniond Quaternionf QuaternionBase AngleAxis AngleAxisd",
     "Eigenvalues": "SelfAdjointEigenSolver EigenSolver",

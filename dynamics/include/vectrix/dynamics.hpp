@@ -1,5 +1,9 @@
 #pragma once
 
+#include <vectrix/dynamics/analysis/controllability.hpp>
+#include <vectrix/dynamics/analysis/equilibrium.hpp>
+#include <vectrix/dynamics/analysis/linearise.hpp>
+#include <vectrix/dynamics/analysis/natural_modes.hpp>
 #include <vectrix/dynamics/craft/attitude_state.hpp>
 #include <vectrix/dynamics/craft/changes.hpp>
 #include <vectrix/dynamics/craft/comparison.hpp>

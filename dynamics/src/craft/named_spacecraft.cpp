@@ -26,13 +26,13 @@ PlainSpacecraft plain_of(const NamedHub& hub, const std::vector<NamedBody>& bodi
 }
 
 /// A joint that is held, resolved to a link and its place among the speeds.
-struct Held {
+struct HeldLink {
   NamedHeld how;
   std::size_t first_link, links, first_speed, speeds;
 };
 
-std::vector<Held> resolved(const NamedCraftCore& core, const std::vector<NamedHeld>& held) {
-  std::vector<Held> list;
+std::vector<HeldLink> resolved(const NamedCraftCore& core, const std::vector<NamedHeld>& held) {
+  std::vector<HeldLink> list;
   for (const NamedHeld& how : held) {
     const auto joint = core.joint(how.body());
     const JointKind kind = joint.body->joint;
@@ -40,7 +40,7 @@ std::vector<Held> resolved(const NamedCraftCore& core, const std::vector<NamedHe
       throw BadInput("prescribed(" + in_quotes(how.body()) + "): its joint is a " + detail::name_of(kind) +
                      ", and the acceleration that of a " + detail::name_of(*how.joint()));
     }
-    for (const Held& other : list)
+    for (const HeldLink& other : list)
       if (other.how.body() == how.body())
         throw BadInput("the joint of " + in_quotes(how.body()) + " is held twice");
     const detail::JointCounts counts = detail::counts_of(kind);
@@ -53,7 +53,7 @@ std::vector<Held> resolved(const NamedCraftCore& core, const std::vector<NamedHe
 struct Evaluation {
   std::shared_ptr<const NamedCraftCore> core;
   NamedLoads loads;
-  std::vector<Held> held;
+  std::vector<HeldLink> held;
   multibody::Work<double> work;
 
   Evaluation(std::shared_ptr<const NamedCraftCore> of, NamedLoads given, const std::vector<NamedHeld>& joints)
@@ -61,12 +61,12 @@ struct Evaluation {
         loads(std::move(given)),
         held(resolved(*core, joints)),
         work(core->tree().work()) {
-    for (const Held& joint : held)
+    for (const HeldLink& joint : held)
       std::fill_n(work.held.begin() + static_cast<std::ptrdiff_t>(joint.first_link), joint.links, char{1});
   }
 
   void operator()(double segment_start, double t, const double* y, double* ydot) {
-    for (const Held& joint : held)
+    for (const HeldLink& joint : held)
       std::fill_n(work.given.begin() + static_cast<std::ptrdiff_t>(joint.first_speed), joint.speeds,
                   joint.how.acceleration(t));
     core->tree().place(y, work);

@@ -2,12 +2,13 @@
 #include <exception>
 #include <iostream>
 #include <vector>
+#include <vectrix/dynamics/analysis/equilibrium.hpp>
 #include <vectrix/dynamics/craft/propagate.hpp>
 #include <vectrix/simbody.hpp>
 
-// SUNDIALS (CVODE and ARKODE, inside Vectrix) and Simbody, which exports an old CVODE under the same names,
-// in one process. Each must still follow an exact motion. Built twice, with the libraries in both orders.
-// Returns the number of engines that fail.
+// SUNDIALS (CVODE, ARKODE and KINSOL, inside Vectrix) and Simbody, which exports an old CVODE under the same
+// names, in one process. Each must still follow an exact motion, KINSOL find where its torques vanish. Built
+// twice, with the libraries in both orders. Returns the number of engines that fail.
 namespace {
 
 using namespace vectrix;
@@ -62,6 +63,31 @@ Eigen::Matrix3d by_vectrix(ode::Method method) {
   return trajectory(trajectory.end()).rotation.matrix();
 }
 
+/// Where a torsion wire, which pulls towards the exact attitude, is at rest.
+Eigen::Matrix3d by_kinsol() {
+  const auto kg_m2 = si::kilogram_square_metre;
+  const auto craft = spacecraft(body(
+      mass_properties(1.0 * si::kilogram, coincident(of<CentreOfMassOf<Body>>, relative_to<Body>, in<Body>),
+                      inertia_from_principal_moments(in<Body>, a * kg_m2, a * kg_m2, c * kg_m2)),
+      turning_in<Inertial>));
+  const Eigen::Matrix3d R_i_from_w = exact();
+  const auto wire = [&]<class Now, class Forces>(const Now& now, Forces& forces) {
+    const auto R = now.rotation(to<Inertial>, from<Body>).matrix().eval();
+    using S = typename decltype(R)::Scalar;
+    const Eigen::Matrix<S, 3, 3> T = R_i_from_w.transpose().cast<S>() * R;
+    forces.torque(of<Body>,
+                  vector<si::torque>(in<Body>, Eigen::Matrix<S, 3, 1>(T(1, 2) - T(2, 1), T(2, 0) - T(0, 2),
+                                                                      T(0, 1) - T(1, 0))));
+  };
+  const auto near = Eigen::Matrix3d(R_i_from_w * Eigen::AngleAxisd(0.4, Eigen::Vector3d::UnitX()));
+  const auto guess = state(
+      craft, 0.0 * si::second,
+      moving_dcm(dcm(to<Inertial>, from<Body>, near), at_rest(of<Body>, relative_to<Inertial>, in<Body>)));
+  const EquilibriumTolerances fine{1e-10 * (si::radian / (si::second * si::second)),
+                                   1e-10 * (si::metre / (si::second * si::second)), 1e-10};
+  return equilibrium(scenario(craft, wire), guess, fine).turning().rotation.matrix();
+}
+
 Eigen::Matrix3d by_simbody() {
   const Top craft = make_top();
   const auto trajectory =
@@ -87,6 +113,7 @@ int main() {
   for (int round = 0; round < 2; ++round) {  // so that each engine also runs after each other one
     wrong += check("Vectrix, CVODE", [] { return by_vectrix(ode::Method::cvode_adams); });
     wrong += check("Simbody", by_simbody);
+    wrong += check("Vectrix, KINSOL", by_kinsol);
     wrong += check("Vectrix, ARKODE", [] { return by_vectrix(ode::Method::arkode_fehlberg_8); });
   }
   return wrong;

@@ -11,19 +11,21 @@
 namespace vectrix::detail {
 
 /// A mount c on a body b: X_c^b in plain numbers.
-struct PlainMount {
-  multibody::Square<double> R_b_from_c;
-  multibody::Column<double> r_bc_b;
+template <class S> struct MountNumbers {
+  multibody::Square<S> R_b_from_c;
+  multibody::Column<S> r_bc_b;
 };
+using PlainMount = MountNumbers<double>;
 
 /// What a spacecraft is when its names are lost: the same of a Spacecraft and of a NamedSpacecraft of the
-/// same parts, but for the mounts, which only the first has.
-struct CraftCore {
+/// same parts, but for the mounts, which only the first has. In the scalar in which its motion is asked.
+template <class S> struct CraftCoreIn {
   PlainSpacecraft plain;
-  multibody::Tree<double> tree;
+  multibody::Tree<S> tree;
   std::vector<std::string> component_names;
-  std::vector<PlainMount> mounts;
+  std::vector<MountNumbers<S>> mounts;
 };
+using CraftCore = CraftCoreIn<double>;
 
 /// Throws BadInput as NamedSpacecraft does, with "Spacecraft" before the message.
 VECTRIX_EXPORT std::shared_ptr<const CraftCore> make_craft_core(PlainSpacecraft plain,

@@ -21,19 +21,19 @@ template <> struct JointUnits<JointKind::slider> {
 };
 
 /// One quantity of a hinge or slider; two of a gimbal.
-template <class U, JointKind kind> struct AxisNumbers {
-  using type = Quantity<U>;
-  static type read(const double* numbers) { return type::from_value(numbers[0]); }
+template <class U, JointKind kind, class S> struct AxisNumbers {
+  using type = Quantity<U, S>;
+  static type read(const S* numbers) { return type::from_value(numbers[0]); }
 };
-template <class U> struct AxisNumbers<U, JointKind::gimbal> {
-  using type = std::array<Quantity<U>, 2>;
-  static type read(const double* numbers) {
-    return {Quantity<U>::from_value(numbers[0]), Quantity<U>::from_value(numbers[1])};
+template <class U, class S> struct AxisNumbers<U, JointKind::gimbal, S> {
+  using type = std::array<Quantity<U, S>, 2>;
+  static type read(const S* numbers) {
+    return {Quantity<U, S>::from_value(numbers[0]), Quantity<U, S>::from_value(numbers[1])};
   }
 };
 
 /// Typed access to the numbers of a state of the craft C. A joint has the name of the body that hangs on it.
-template <class Derived, class C> class CraftNumbers {
+template <class Derived, class C, class S> class CraftNumbers {
   using Shape = typename C::shape;
 
  public:
@@ -41,8 +41,8 @@ template <class Derived, class C> class CraftNumbers {
   template <class B>
   requires Shape::template has_axes<B> auto coordinate(Of<B>) const {
     constexpr JointKind kind = Shape::template Part<B>::joint;
-    return AxisNumbers<typename JointUnits<kind>::coordinate, kind>::read(y() +
-                                                                          Shape::template position_at<B>);
+    return AxisNumbers<typename JointUnits<kind>::coordinate, kind, S>::read(y() +
+                                                                             Shape::template position_at<B>);
   }
   template <class B>
   auto coordinate(  // of a hinge, a slider or a gimbal: of a body of the craft C that hangs on one
@@ -52,7 +52,7 @@ template <class Derived, class C> class CraftNumbers {
   template <class B>
   requires Shape::template has_axes<B> auto speed(Of<B>) const {
     constexpr JointKind kind = Shape::template Part<B>::joint;
-    return AxisNumbers<typename JointUnits<kind>::speed, kind>::read(y() + Shape::template speed_at<B>);
+    return AxisNumbers<typename JointUnits<kind>::speed, kind, S>::read(y() + Shape::template speed_at<B>);
   }
   template <class B>
   auto speed(  // of a hinge, a slider or a gimbal: of a body of the craft C that hangs on one
@@ -60,8 +60,8 @@ template <class Derived, class C> class CraftNumbers {
 
   /// The speed of a rotor relative to its body.
   template <class W>
-  requires Shape::template has_rotor<W> Quantity<si::angular_velocity> spin(Of<W>) const {
-    return Quantity<si::angular_velocity>::from_value(y()[Shape::template spin_at<W>]);
+  requires Shape::template has_rotor<W> Quantity<si::angular_velocity, S> spin(Of<W>) const {
+    return Quantity<si::angular_velocity, S>::from_value(y()[Shape::template spin_at<W>]);
   }
   template <class W> auto spin(Of<W>) const -> Refused = delete;  // of a rotor of the craft C
 
@@ -78,9 +78,9 @@ template <class Derived, class C> class CraftNumbers {
   template <class A> auto deflection_rates(Of<A>) const -> Refused = delete;  // of modes of the craft C
 
  private:
-  const double* y() const { return static_cast<const Derived&>(*this).data(); }
+  const S* y() const { return static_cast<const Derived&>(*this).data(); }
   template <class A> auto modal(std::size_t at) const {
-    std::array<double, Shape::template Part<A>::counts.modes> numbers;
+    std::array<S, Shape::template Part<A>::counts.modes> numbers;
     std::copy(y() + at, y() + at + numbers.size(), numbers.begin());
     return numbers;
   }

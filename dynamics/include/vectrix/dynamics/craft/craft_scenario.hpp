@@ -222,7 +222,8 @@ template <class... X, class Function, class HeldTuple, class... Before>
 template <class Load, class HeldTuple> struct HeldLoad {
   Load load;
   const HeldTuple* values;
-  template <class C> [[gnu::always_inline]] void operator()(const Now<C>& now, Forces<C>& forces) const {
+  template <class C, class S>
+  [[gnu::always_inline]] void operator()(const Now<C, S>& now, Forces<C, S>& forces) const {
     with_held(std::type_identity<Taken<2, Load>>{}, load, *values, now, forces);
   }
 };

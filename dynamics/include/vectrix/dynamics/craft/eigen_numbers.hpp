@@ -10,7 +10,7 @@ namespace vectrix::detail {
 using Column3 = multibody::Column<double>;
 using Square3 = multibody::Square<double>;
 
-inline Column3 numbers(const Eigen::Vector3d& v) {
+template <class S> multibody::Column<S> numbers(const Eigen::Matrix<S, 3, 1>& v) {
   return {v.x(), v.y(), v.z()};
 }
 inline Square3 numbers(const Eigen::Matrix3d& m) {
@@ -21,22 +21,23 @@ inline Square3 numbers(const Eigen::Matrix3d& m) {
 inline multibody::Symmetric<double> symmetric(const Eigen::Matrix3d& m) {
   return {m(0, 0), m(1, 1), m(2, 2), m(0, 1), m(0, 2), m(1, 2)};
 }
-inline Eigen::Vector3d eigen(const Column3& v) {
+template <class S> Eigen::Matrix<S, 3, 1> eigen(const multibody::Column<S>& v) {
   return {v.x, v.y, v.z};
 }
-inline Eigen::Matrix3d eigen(const Square3& m) {
-  Eigen::Matrix3d matrix;
+template <class S> Eigen::Matrix<S, 3, 3> eigen(const multibody::Square<S>& m) {
+  Eigen::Matrix<S, 3, 3> matrix;
   matrix << m.x.x, m.y.x, m.z.x, m.x.y, m.y.y, m.z.y, m.x.z, m.y.z, m.z.z;
   return matrix;
 }
 inline void append(std::vector<double>& numbers, const Eigen::Vector3d& v) {
   numbers.insert(numbers.end(), {v.x(), v.y(), v.z()});
 }
-inline Square3 transposed(const Square3& m) {
+template <class S> multibody::Square<S> transposed(const multibody::Square<S>& m) {
   return {{m.x.x, m.y.x, m.z.x}, {m.x.y, m.y.y, m.z.y}, {m.x.z, m.y.z, m.z.z}};
 }
 /// a^T b
-inline Square3 transposed_times(const Square3& a, const Square3& b) {
+template <class S>
+multibody::Square<S> transposed_times(const multibody::Square<S>& a, const multibody::Square<S>& b) {
   return {multibody::transposed_times(a, b.x), multibody::transposed_times(a, b.y),
           multibody::transposed_times(a, b.z)};
 }

@@ -130,6 +130,7 @@ template <CraftType C, class... Parts> class Flight {
       settle(t, y);
     }
   }
+  const HeldTuple& values() const { return values_; }
   /// What was held, taken out of here when the run has ended.
   typename HistoryOf<HeldTuple>::type take_history() { return std::move(history_); }
 

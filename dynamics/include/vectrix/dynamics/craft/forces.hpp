@@ -3,7 +3,6 @@
 #include <array>
 #include <concepts>
 #include <cstddef>
-#include <tuple>
 #include <type_traits>
 #include <vectrix/dynamics/craft/now.hpp>
 #include <vectrix/dynamics/force/wrench.hpp>
@@ -11,41 +10,52 @@
 namespace vectrix {
 namespace detail {
 
+/// What acts is a number of the craft's scalar, or a double.
+template <class T, class S> inline constexpr bool acts_in = std::is_same_v<T, S> || std::is_same_v<T, double>;
+
 /// Whether a value is a torque that can act on b, and its frame.
-template <class B, class Given> struct TorqueOn {
+template <class B, class S, class Given> struct TorqueOn {
   using frame = void;
   static constexpr bool about = false;
 };
-template <class B, class D> struct TorqueOn<B, Vector<D, si::torque>> {
+template <class B, class S, class D, class T>
+  requires acts_in<T, S>
+struct TorqueOn<B, S, Vector<D, si::torque, T>> {
   using frame = D;
   static constexpr bool about = true;
 };
-template <class B, class P, class D> struct TorqueOn<B, Torque<P, In<D>>> {
+template <class B, class S, class P, class D, class T>
+  requires acts_in<T, S>
+struct TorqueOn<B, S, Torque<P, In<D>, T>> {
   using frame = D;
   static constexpr bool about = std::is_same_v<B, P>;
 };
 
-template <class Shape, class B, class... Given> struct ForceOn : std::false_type {};
-template <class Shape, class B, class D>
-struct ForceOn<Shape, B, Vector<D, si::force>> : std::bool_constant<Shape::template has_frame<D>> {};
-template <class Shape, class B, class Q, class E, class D>
-struct ForceOn<Shape, B, Displacement<B, Q, In<E>>, Vector<D, si::force>>
-    : std::bool_constant<Shape::template has_frame<E> && Shape::template has_frame<D>> {};
+template <class Shape, class S, class B, class... Given> struct ForceOn : std::false_type {};
+template <class Shape, class S, class B, class D, class T>
+struct ForceOn<Shape, S, B, Vector<D, si::force, T>>
+    : std::bool_constant<acts_in<T, S> && Shape::template has_frame<D>> {};
+template <class Shape, class S, class B, class Q, class E, class D, class R, class T>
+struct ForceOn<Shape, S, B, Displacement<B, Q, In<E>, R>, Vector<D, si::force, T>>
+    : std::bool_constant<acts_in<R, S> && acts_in<T, S> && Shape::template has_frame<E> &&
+                         Shape::template has_frame<D>> {};
+
+template <class U, class S, class Given> inline constexpr bool acts_as_quantity = false;
+template <class U, class S, class T>
+inline constexpr bool acts_as_quantity<U, S, Quantity<U, T>> = acts_in<T, S>;
 
 /// Whether values are the effort of the joint of b.
-template <class Shape, class B, class Given> constexpr bool is_effort_on() {
+template <class Shape, class S, class B, class... Given> constexpr bool is_effort_on() {
   if constexpr (Shape::template has_joint_of<B, JointKind::hinge>) {
-    return std::is_same_v<Given, std::tuple<Quantity<si::torque>>>;
+    return sizeof...(Given) == 1 && (acts_as_quantity<si::torque, S, Given> && ...);
   } else if constexpr (Shape::template has_joint_of<B, JointKind::slider>) {
-    return std::is_same_v<Given, std::tuple<Quantity<si::force>>>;
+    return sizeof...(Given) == 1 && (acts_as_quantity<si::force, S, Given> && ...);
   } else if constexpr (Shape::template has_joint_of<B, JointKind::gimbal>) {
-    return std::is_same_v<Given, std::tuple<Quantity<si::torque>, Quantity<si::torque>>>;
+    return sizeof...(Given) == 2 && (acts_as_quantity<si::torque, S, Given> && ...);
   } else if constexpr (Shape::template has_joint_of<B, JointKind::ball> ||
                        Shape::template has_joint_of<B, JointKind::free>) {
-    if constexpr (std::tuple_size_v<Given> == 1) {
-      using Frame = typename TorqueOn<void, std::tuple_element_t<0, Given>>::frame;
-      return Shape::template has_frame<Frame>;
-    }
+    if constexpr (sizeof...(Given) == 1)
+      return (Shape::template has_frame<typename TorqueOn<void, S, Given>::frame> && ...);
   }
   return false;
 }
@@ -54,30 +64,30 @@ template <class Shape, class B, class Given> constexpr bool is_effort_on() {
 
 /// Where a load puts its forces; those of several loads add up. Vectors may be expressed in any frame of the
 /// craft. What acts on a mount acts on its body.
-template <CraftType C> class Forces {
+template <CraftType C, class S = double> class Forces {
   using Shape = typename C::shape;
-  template <class Given> using FrameOf = typename detail::TorqueOn<void, Given>::frame;
+  template <class Given> using FrameOf = typename detail::TorqueOn<void, S, Given>::frame;
   template <class F> static constexpr bool turns = Shape::template has_frame<F>;
   template <class F> static constexpr bool placed = Shape::template has_place<F>;
   template <class B, class Given>
-  static constexpr bool is_torque = detail::TorqueOn<B, Given>::about&& turns<FrameOf<Given>>;
+  static constexpr bool is_torque = detail::TorqueOn<B, S, Given>::about&& turns<FrameOf<Given>>;
   template <class B, class... Given>
-  static constexpr bool is_force = detail::ForceOn<Shape, B, Given...>::value;
+  static constexpr bool is_force = detail::ForceOn<Shape, S, B, Given...>::value;
   template <class B, class... Given>
-  static constexpr bool is_effort = detail::is_effort_on<Shape, B, std::tuple<Given...>>();
+  static constexpr bool is_effort = detail::is_effort_on<Shape, S, B, Given...>();
   template <class B>
   static constexpr bool can_lock =
       Shape::template is<B, detail::PartRole::body> || Shape::template has_rotor<B>;
 
  public:
-  Forces(detail::Trusted, const Now<C>& now, multibody::Work<double>& work)
+  Forces(detail::Trusted, const Now<C, S>& now, multibody::Work<S>& work)
       : at_(now.instant()), work_(&work) {}
 
   /// A torque on a body: a Vector, a couple; or a Torque about b's origin.
   template <class B, class Given>
     requires(placed<B>&& is_torque<B, Given>)
   void torque(Of<B>, const Given& M_d) {
-    add<B>(multibody::zero_column<double>(), hub<FrameOf<Given>>(M_d.coordinates()));
+    add<B>(multibody::zero_column<S>(), hub<FrameOf<Given>>(M_d.coordinates()));
   }
   template <class B, class Given>
   auto torque(  // on a body or mount b of the craft C: a torque, about b if it says so, in a frame of C
@@ -93,9 +103,9 @@ template <CraftType C> class Forces {
       Of<B>, const Given&...) -> Refused = delete;
 
   /// A force and a torque about b's origin.
-  template <class B, class D>
-    requires(placed<B>&& turns<D>)
-  void wrench(Of<B>, const Wrench<B, In<D>>& W_b_d) {
+  template <class B, class D, class T>
+    requires(placed<B>&& turns<D>&& detail::acts_in<T, S>)
+  void wrench(Of<B>, const Wrench<B, In<D>, T>& W_b_d) {
     force(of<B>, W_b_d.force());
     torque(of<B>, W_b_d.torque());
   }
@@ -112,7 +122,7 @@ template <CraftType C> class Forces {
     constexpr std::size_t first = Shape::template speed_at<B> - Shape::speeds_begin;
     if constexpr (Shape::template has_axes<B>) {
       std::size_t at = first;
-      ((work_->efforts[at++] += given.value()), ...);
+      ((work_->efforts[at++] += S(given.value())), ...);
     } else {
       const auto M_b = at_.template from_hub<B>(hub<FrameOf<Given>...>(given.coordinates()...));
       work_->efforts[first] += M_b.x, work_->efforts[first + 1] += M_b.y, work_->efforts[first + 2] += M_b.z;
@@ -124,9 +134,9 @@ template <CraftType C> class Forces {
 
   /// A torque of the body on its rotor.
   template <class W, class Given>
-    requires(Shape::template has_rotor<W>&& std::is_same_v<Given, Quantity<si::torque>>)
+    requires(Shape::template has_rotor<W>&& detail::acts_as_quantity<si::torque, S, Given>)
   void motor(Of<W>, const Given& torque) {
-    work_->motors[Shape::template spin_at<W> - Shape::rotors_begin] += torque.value();
+    work_->motors[Shape::template spin_at<W> - Shape::rotors_begin] += S(torque.value());
   }
   template <class W, class Given>
   auto motor(Of<W>, const Given&) -> Refused = delete;  // on a rotor of the craft C, in N m
@@ -150,7 +160,7 @@ template <CraftType C> class Forces {
   /// Forces on the modes of an appendage, kg^1/2 m/s^2.
   template <class A>
   requires Shape::template has_modes<A> void modal(
-      Of<A>, const std::array<double, Shape::template Part<A>::counts.modes>& forces) {
+      Of<A>, const std::array<S, Shape::template Part<A>::counts.modes>& forces) {
     for (std::size_t i = 0; i < forces.size(); ++i)
       work_->modal[Shape::template modes_at<A> - Shape::modes_begin + i] += forces[i];
   }
@@ -158,35 +168,36 @@ template <CraftType C> class Forces {
   auto modal(Of<A>, const Given&) -> Refused = delete;  // on the modes of an appendage of the craft C
 
   /// A uniform field: the same acceleration for every mass.
-  template <class D>
-    requires turns<D>
-  void field(const Vector<D, si::acceleration>& g_d) {
+  template <class D, class T>
+    requires(turns<D>&& detail::acts_in<T, S>)
+  void field(const Vector<D, si::acceleration, T>& g_d) {
     work_->field += work_->R_i_from_h * hub<D>(g_d.coordinates());
   }
   template <class Given> auto field(const Given&) -> Refused = delete;  // an acceleration in a frame of C
 
  private:
-  template <class D> [[gnu::always_inline]] detail::Column3 hub(const Eigen::Vector3d& v_d) const {
-    return at_.template to_hub<D>(detail::numbers(v_d));
+  using Column = multibody::Column<S>;
+  template <class D, class T> [[gnu::always_inline]] Column hub(const Eigen::Matrix<T, 3, 1>& v_d) const {
+    return at_.template to_hub<D>(Column{S(v_d.x()), S(v_d.y()), S(v_d.z())});
   }
-  template <class B, class D> void push(Of<B>, const Vector<D, si::force>& F_d) {
+  template <class B, class D, class T> void push(Of<B>, const Vector<D, si::force, T>& F_d) {
     const auto F = hub<D>(F_d.coordinates());
     add<B>(F, multibody::cross(at_.template arm<B>(), F));
   }
-  template <class B, class Q, class E, class D>
-  void push(Of<B>, const Displacement<B, Q, In<E>>& r_bq_e, const Vector<D, si::force>& F_d) {
+  template <class B, class Q, class E, class D, class R, class T>
+  void push(Of<B>, const Displacement<B, Q, In<E>, R>& r_bq_e, const Vector<D, si::force, T>& F_d) {
     const auto F = hub<D>(F_d.coordinates());
     add<B>(F, multibody::cross(at_.template arm<B>() + hub<E>(r_bq_e.coordinates()), F));
   }
-  template <class B> [[gnu::always_inline]] void add(const detail::Column3& F, const detail::Column3& M) {
+  template <class B> [[gnu::always_inline]] void add(const Column& F, const Column& M) {
     constexpr std::size_t link = Shape::template link_of<B>();
     auto& I = link == 0 ? work_->hub : work_->links[link == 0 ? 0 : link - 1].I;
     I.n -= M;
     I.f -= F;
   }
 
-  detail::CraftInstant<Shape> at_;
-  multibody::Work<double>* work_;
+  detail::CraftInstant<Shape, S> at_;
+  multibody::Work<S>* work_;
 };
 
 }  // namespace vectrix

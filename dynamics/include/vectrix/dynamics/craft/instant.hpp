@@ -17,19 +17,22 @@ template <> struct EngineKind<JointKind::fixed> : std::type_identity<multibody::
 
 /// Where the frames of a craft are at one instant, in plain numbers in the hub's axes. The links are found at
 /// compile time.
-template <class Shape> class CraftInstant {
+template <class Shape, class S = double> class CraftInstant {
+  using Column3 = multibody::Column<S>;
+  using Square3 = multibody::Square<S>;
+
   template <class F> using CarrierOf = typename Shape::template Part<F>::carrier;
   template <class F> static constexpr bool is_inertial = std::is_same_v<F, typename Shape::inertial>;
   template <class F> static constexpr bool is_hub = std::is_same_v<F, typename Shape::hub>;
   template <class F> static constexpr bool is_mount = Shape::template is<F, PartRole::mount>;
 
  public:
-  CraftInstant(const CraftCore& core, const double* y, const multibody::Work<double>& work)
+  CraftInstant(const CraftCoreIn<S>& core, const S* y, const multibody::Work<S>& work)
       : core_(&core), y_(y), work_(&work) {}
 
-  const CraftCore& core() const { return *core_; }
-  const double* y() const { return y_; }
-  const multibody::Work<double>& work() const { return *work_; }
+  const CraftCoreIn<S>& core() const { return *core_; }
+  const S* y() const { return y_; }
+  const multibody::Work<S>& work() const { return *work_; }
 
   /// R_f^h v and (R_f^h)^T v.
   template <class F> [[gnu::always_inline]] Column3 to_hub(const Column3& v_f) const {
@@ -68,7 +71,7 @@ template <class Shape> class CraftInstant {
   /// w_if
   template <class F> [[gnu::always_inline]] Column3 turning() const {
     if constexpr (is_inertial<F>)
-      return multibody::zero_column<double>();
+      return multibody::zero_column<S>();
     else if constexpr (is_hub<F>)
       return work_->w;
     else if constexpr (is_mount<F>)
@@ -81,7 +84,7 @@ template <class Shape> class CraftInstant {
     if constexpr (is_inertial<F>)
       return -multibody::transposed_times(work_->R_i_from_h, hub_column(7));
     else if constexpr (is_hub<F>)
-      return multibody::zero_column<double>();
+      return multibody::zero_column<S>();
     else if constexpr (is_mount<F>)
       return position<CarrierOf<F>>() + arm<F>();
     else
@@ -92,7 +95,7 @@ template <class Shape> class CraftInstant {
     if constexpr (is_inertial<F>) {
       return -multibody::transposed_times(work_->R_i_from_h, hub_column(10));
     } else if constexpr (is_hub<F>) {
-      return multibody::zero_column<double>();
+      return multibody::zero_column<S>();
     } else {
       using P = CarrierOf<F>;
       if constexpr (is_mount<F>) {
@@ -111,11 +114,11 @@ template <class Shape> class CraftInstant {
     if constexpr (is_mount<F>)
       return to_hub<CarrierOf<F>>(mount<F>().r_bc_b);
     else
-      return multibody::zero_column<double>();
+      return multibody::zero_column<S>();
   }
 
  private:
-  template <class F> [[gnu::always_inline]] const multibody::Moving<double>& link() const {
+  template <class F> [[gnu::always_inline]] const multibody::Moving<S>& link() const {
     constexpr std::size_t number = Shape::template link_of<F>();
     return work_->links[number - 1];
   }
@@ -128,7 +131,7 @@ template <class Shape> class CraftInstant {
     else
       return (link<F>().R);
   }
-  template <class F> [[gnu::always_inline]] const PlainMount& mount() const {
+  template <class F> [[gnu::always_inline]] const MountNumbers<S>& mount() const {
     return core_->mounts[Shape::template mount_at<F>];
   }
   /// From the parent's origin; a gimbal's body is at the origin of its ring, which is the link before.
@@ -139,9 +142,9 @@ template <class Shape> class CraftInstant {
   }
   Column3 hub_column(std::size_t at) const { return {y_[at], y_[at + 1], y_[at + 2]}; }
 
-  const CraftCore* core_;
-  const double* y_;
-  const multibody::Work<double>* work_;
+  const CraftCoreIn<S>* core_;
+  const S* y_;
+  const multibody::Work<S>* work_;
 };
 
 }  // namespace vectrix::detail

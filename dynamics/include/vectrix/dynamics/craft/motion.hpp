@@ -33,49 +33,55 @@ using CheckedLoads = std::tuple<std::type_identity<decltype(std::declval<const L
     std::declval<const Now<C>&>(), std::declval<Forces<C>&>()))>...>;
 
 /// ydot = f(t, y) of a craft with its loads, in the order given. One for each thread.
-template <class C, class... Loads> class CraftRates {
+template <class C, class S, class... Loads> class CraftRatesIn {
  public:
-  explicit CraftRates(const C& craft, const Loads&... loads)
-      : core_(craft.core()), work_(core_->tree.work()), loads_(loads...) {}
+  explicit CraftRatesIn(std::shared_ptr<const CraftCoreIn<S>> core, const Loads&... loads)
+      : core_(std::move(core)), work_(core_->tree.work()), loads_(loads...) {}
 
-  void operator()(double t, const double* y, double* ydot) {
+  void operator()(double t, const S* y, S* ydot) {
     core_->tree.place(y, work_);
     add_loads(t, y);
     core_->tree.solve(y, ydot, work_);
   }
   /// The loads alone, for another engine: the (n, f) of each body are those of its loads, with the opposite
   /// sign.
-  const multibody::Work<double>& loads(double t, const double* y) {
+  const multibody::Work<S>& loads(double t, const S* y) {
     core_->tree.place(y, work_);
-    work_.hub.n = work_.hub.f = multibody::zero_column<double>();
-    for (auto& link : work_.links) link.I.n = link.I.f = multibody::zero_column<double>();
+    work_.hub.n = work_.hub.f = multibody::zero_column<S>();
+    for (auto& link : work_.links) link.I.n = link.I.f = multibody::zero_column<S>();
     add_loads(t, y);
     return work_;
   }
-  multibody::Work<double>& work() { return work_; }
+  multibody::Work<S>& work() { return work_; }
 
  private:
-  [[gnu::always_inline]] void add_loads(double t, const double* y) {
+  [[gnu::always_inline]] void add_loads(double t, const S* y) {
     if constexpr (sizeof...(Loads) > 0) {
-      const Now<C> now{trusted, *core_, t, y, work_};
-      Forces<C> forces{trusted, now, work_};
+      const Now<C, S> now{trusted, *core_, t, y, work_};
+      Forces<C, S> forces{trusted, now, work_};
       add(now, forces, std::index_sequence_for<Loads...>{});
     }
   }
   template <std::size_t... i>
-  [[gnu::always_inline]] void add(const Now<C>& now, Forces<C>& forces, std::index_sequence<i...>) const {
+  [[gnu::always_inline]] void add(const Now<C, S>& now, Forces<C, S>& forces,
+                                  std::index_sequence<i...>) const {
     (std::get<i>(loads_)(now, forces), ...);
   }
 
-  std::shared_ptr<const CraftCore> core_;
-  multibody::Work<double> work_;
+  std::shared_ptr<const CraftCoreIn<S>> core_;
+  multibody::Work<S> work_;
   std::tuple<Loads...> loads_;
+};
+template <class C, class... Loads> class CraftRates : public CraftRatesIn<C, double, Loads...> {
+ public:
+  explicit CraftRates(const C& craft, const Loads&... loads)
+      : CraftRatesIn<C, double, Loads...>(craft.core(), loads...) {}
 };
 
 }  // namespace detail
 
 /// A state with its accelerations and what its joints transmit. Made by motion().
-template <CraftType C> class CraftMotion {
+template <CraftType C, class S = double> class CraftMotion {
   using Shape = typename C::shape;
   using I = typename Shape::inertial;
   template <class F> static constexpr bool turns = Shape::template has_frame<F>;
@@ -83,39 +89,42 @@ template <CraftType C> class CraftMotion {
 
  public:
   CraftMotion() = delete;  // motion(craft, state, loads...)
-  CraftMotion(detail::Trusted, std::shared_ptr<const detail::CraftCore> core, const CraftState<C>& state,
-              const typename CraftState<C>::Numbers& rates, multibody::Work<double> work)
+  CraftMotion(detail::Trusted, std::shared_ptr<const detail::CraftCoreIn<S>> core,
+              const CraftState<C, S>& state, const typename CraftState<C, S>::Numbers& rates,
+              multibody::Work<S> work)
       : core_(std::move(core)), state_(state), rates_(rates), work_(std::move(work)) {}
 
   /// Places and velocities. It must not outlive the motion.
-  Now<C> now() const& {
+  Now<C, S> now() const& {
     const double t = state_.time().value();
     return {detail::trusted, *core_, t, state_.data(), work_};
   }
-  Now<C> now() && = delete;  // the view refers to the motion: give the motion a name first
+  Now<C, S> now() && = delete;  // the view refers to the motion: give the motion a name first
 
   /// As Now has them.
-  Quantity<si::energy> energy() const { return now().energy(); }
-  Vector<I, si::momentum> momentum() const { return now().momentum(); }
-  Vector<I, si::angular_momentum> angular_momentum() const { return now().angular_momentum(); }
+  Quantity<si::energy, S> energy() const { return now().energy(); }
+  Vector<I, si::momentum, S> momentum() const { return now().momentum(); }
+  Vector<I, si::angular_momentum, S> angular_momentum() const { return now().angular_momentum(); }
 
-  const CraftState<C>& state() const& { return state_; }
-  CraftState<C> state() && { return state_; }
-  operator const CraftState<C>&() const& { return state_; }
+  const CraftState<C, S>& state() const& { return state_; }
+  CraftState<C, S> state() && { return state_; }
+  operator const CraftState<C, S>&() const& { return state_; }
   operator Quantity<si::time>() const { return state_.time(); }
   /// The derivative of the state.
-  const typename CraftState<C>::Numbers& rates() const& { return rates_; }
-  typename CraftState<C>::Numbers rates() && { return rates_; }
+  const typename CraftState<C, S>::Numbers& rates() const& { return rates_; }
+  typename CraftState<C, S>::Numbers rates() && { return rates_; }
 
   /// alpha_ib^c and a_ib|i^c of the body's origin, relative to the inertial frame.
   template <class B, class D>
     requires(Shape::template has_body<B>&& turns<D>)
-  AngularAcceleration<I, B, In<D>> angular_acceleration(Of<B>, In<D>)
-  const { return AngularAcceleration<I, B, In<D>>{detail::trusted, in<D>(accelerations<B>().alpha)}; }
+  AngularAcceleration<I, B, In<D>, S> angular_acceleration(Of<B>, In<D>)
+  const { return AngularAcceleration<I, B, In<D>, S>{detail::trusted, in<D>(accelerations<B>().alpha)}; }
   template <class B, class D>
     requires(Shape::template has_body<B>&& turns<D>)
-  Acceleration<I, B, ObservedFrom<I>, In<D>> acceleration(Of<B>, In<D>)
-  const { return Acceleration<I, B, ObservedFrom<I>, In<D>>{detail::trusted, in<D>(accelerations<B>().a)}; }
+  Acceleration<I, B, ObservedFrom<I>, In<D>, S> acceleration(Of<B>, In<D>)
+  const {
+    return Acceleration<I, B, ObservedFrom<I>, In<D>, S>{detail::trusted, in<D>(accelerations<B>().a)};
+  }
   template <class B, class D>
   auto angular_acceleration(  // of a body of the craft C, in a frame of C; of other frames: a frame graph
       Of<B>, In<D>) const -> Refused = delete;
@@ -126,12 +135,12 @@ template <CraftType C> class CraftMotion {
   /// What the joint of b transmits to b: a force, and a torque about b's origin, with the effort.
   template <class B, class D>
     requires(hangs<B>&& turns<D>)
-  Vector<D, si::force> joint_force(Of<B>, In<D>)
+  Vector<D, si::force, S> joint_force(Of<B>, In<D>)
   const { return {detail::trusted, in<D>(reaction<B>().force)}; }
   template <class B, class D>
     requires(hangs<B>&& turns<D>)
-  Torque<B, In<D>> joint_torque(Of<B>, In<D>)
-  const { return Torque<B, In<D>>{detail::trusted, in<D>(reaction<B>().torque)}; }
+  Torque<B, In<D>, S> joint_torque(Of<B>, In<D>)
+  const { return Torque<B, In<D>, S>{detail::trusted, in<D>(reaction<B>().torque)}; }
   template <class B, class D>
   auto joint_force(  // of a body of the craft C that hangs on a joint, in a frame of C
       Of<B>, In<D>) const -> Refused = delete;
@@ -140,17 +149,18 @@ template <CraftType C> class CraftMotion {
       Of<B>, In<D>) const -> Refused = delete;
 
  private:
-  template <class D> Eigen::Vector3d in(const detail::Column3& v_h) const {
-    return detail::eigen(detail::CraftInstant<Shape>{*core_, state_.data(), work_}.template from_hub<D>(v_h));
+  template <class D> Eigen::Matrix<S, 3, 1> in(const multibody::Column<S>& v_h) const {
+    return detail::eigen(
+        detail::CraftInstant<Shape, S>{*core_, state_.data(), work_}.template from_hub<D>(v_h));
   }
   template <class B> static constexpr int link = static_cast<int>(Shape::template link_of<B>());
   template <class B> auto accelerations() const { return core_->tree.accelerations(link<B>, work_); }
   template <class B> auto reaction() const { return core_->tree.reaction(link<B>, work_); }
 
-  std::shared_ptr<const detail::CraftCore> core_;
-  CraftState<C> state_;
-  typename CraftState<C>::Numbers rates_;
-  multibody::Work<double> work_;
+  std::shared_ptr<const detail::CraftCoreIn<S>> core_;
+  CraftState<C, S> state_;
+  typename CraftState<C, S>::Numbers rates_;
+  multibody::Work<S> work_;
 };
 
 /// The accelerations in a state under loads: functions of const Now<C>& and Forces<C>&. Throws BadInput if a

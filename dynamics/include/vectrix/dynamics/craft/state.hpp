@@ -15,13 +15,14 @@ namespace vectrix {
 /// turning; the joints in the order of the bodies, each as JointKind says; the speeds of the rotors relative
 /// to their bodies, rad/s; the modes, kg^1/2 m and kg^1/2 m/s. An edge of a frame graph that is a function of
 /// time takes a state, too. Made by state().
-template <CraftType C> class CraftState : public detail::CraftNumbers<CraftState<C>, C> {
+template <CraftType C, class S = double>
+class CraftState : public detail::CraftNumbers<CraftState<C, S>, C, S> {
   using Shape = typename C::shape;
   using I = typename Shape::inertial;
   using H = typename Shape::hub;
 
  public:
-  using Numbers = std::array<double, C::state_size>;
+  using Numbers = std::array<S, C::state_size>;
 
   CraftState() = delete;  // state(craft, t, X_i_from_hub, starts...)
   CraftState(detail::Trusted, const Quantity<si::time>& time, const Numbers& numbers)
@@ -31,25 +32,27 @@ template <CraftType C> class CraftState : public detail::CraftNumbers<CraftState
   operator Quantity<si::time>() const { return time_; }
   const Numbers& numbers() const& { return numbers_; }
   Numbers numbers() && { return numbers_; }
-  const double* data() const { return numbers_.data(); }
+  const S* data() const { return numbers_.data(); }
 
   /// R_h^i, the nearest rotation to the integrated numbers, and w_ih^h.
-  MovingDcm<I, H> turning() const {
-    return {Dcm<I, H>{detail::trusted, detail::eigen(multibody::matrix_of_quaternion(data()))},
-            AngularVelocity<I, H, In<H>>{detail::trusted, column(4)}};
+  MovingDcm<I, H, S> turning() const {
+    return {Dcm<I, H, S>{detail::trusted, detail::eigen(multibody::matrix_of_quaternion(data()))},
+            AngularVelocity<I, H, In<H>, S>{detail::trusted, column(4)}};
   }
   /// With r_ih^i and v_ih|i^i.
-  template <class S = Shape>
-    requires S::free MovingTransform<I, H> hub_motion()
+  template <class Place = Shape>
+    requires Place::free MovingTransform<I, H, S> hub_motion()
   const {
-    return {turning(), Displacement<I, H, In<I>>{detail::trusted, column(7)},
-            Velocity<I, H, ObservedFrom<I>, In<I>>{detail::trusted, column(10)}};
+    return {turning(), Displacement<I, H, In<I>, S>{detail::trusted, column(7)},
+            Velocity<I, H, ObservedFrom<I>, In<I>, S>{detail::trusted, column(10)}};
   }
-  template <class S = Shape>
+  template <class Place = Shape>
   auto hub_motion() const -> Refused = delete;  // the hub is turning_in<I>: where it is is not a state
 
  private:
-  Eigen::Vector3d column(std::size_t at) const { return {numbers_[at], numbers_[at + 1], numbers_[at + 2]}; }
+  Eigen::Matrix<S, 3, 1> column(std::size_t at) const {
+    return {numbers_[at], numbers_[at + 1], numbers_[at + 2]};
+  }
 
   Quantity<si::time> time_;
   Numbers numbers_;

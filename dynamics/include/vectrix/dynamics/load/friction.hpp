@@ -30,7 +30,7 @@ template <class C, class On, class Effort, class Speed, class Damping> constexpr
   return false;
 }
 
-template <class C, class On> double speed_of(const Now<C>& now) {
+template <class C, class On, class S> S speed_of(const Now<C, S>& now) {
   if constexpr (C::shape::template has_rotor<On>)
     return now.spin(of<On>).value();
   else
@@ -76,11 +76,12 @@ template <CraftType C, class On, class Effort, class Speed, class Damping> struc
   Quantity<Damping> viscous;
 
   /// At rest exactly M_s.
-  Quantity<Effort> effort(int slips, double speed) const {
-    const double of_stribeck = speed / stribeck_speed.value();
-    const double level =
-        breakaway.value() + (breakaway.value() - coulomb.value()) * std::expm1(-of_stribeck * of_stribeck);
-    return Quantity<Effort>::from_value(-slips * level - viscous.value() * speed);
+  template <class S> Quantity<Effort, S> effort(int slips, const S& speed) const {
+    using std::expm1;
+    const S of_stribeck = speed / stribeck_speed.value();
+    const S level =
+        breakaway.value() + (breakaway.value() - coulomb.value()) * expm1(-of_stribeck * of_stribeck);
+    return Quantity<Effort, S>::from_value(-slips * level - viscous.value() * speed);
   }
 
   using State = StickSlip<On>;
@@ -104,7 +105,7 @@ template <CraftType C, class On, class Effort, class Speed, class Damping> struc
 
   template <std::size_t> auto parts() const {
     const auto speed = [](const Now<C>& now) { return detail::speed_of<C, On>(now); };
-    const auto load = [law = *this](const Now<C>& now, Forces<C>& forces, const State& state) {
+    const auto load = [law = *this]<class S>(const Now<C, S>& now, Forces<C, S>& forces, const State& state) {
       if (state.slips == 0)
         forces.lock(of<On>);
       else

@@ -13,13 +13,13 @@ template <Frame B> struct Dipole { Vector<B, si::magnetic_dipole_moment> m_b; };
 namespace detail {
 
 template <class Value> struct FluxFrame { using type = void; };
-template <class D> struct FluxFrame<Vector<D, si::magnetic_flux_density>> { using type = D; };
+template <class D, class S> struct FluxFrame<Vector<D, si::magnetic_flux_density, S>> { using type = D; };
 
 /// Whether F gives the magnetic flux density at an instant in a frame of the craft.
-template <class C, class F> constexpr bool gives_field() {
-  if constexpr (std::invocable<const F&, const Now<C>&>)
+template <class C, class F, class S = double> constexpr bool gives_field() {
+  if constexpr (std::invocable<const F&, const Now<C, S>&>)
     return C::shape::template has_frame<
-        typename FluxFrame<std::remove_cvref_t<std::invoke_result_t<const F&, const Now<C>&>>>::type>;
+        typename FluxFrame<std::remove_cvref_t<std::invoke_result_t<const F&, const Now<C, S>&>>>::type>;
   else
     return false;
 }
@@ -30,13 +30,17 @@ template <class C, class F> constexpr bool gives_field() {
 template <CraftType C, class B, class F> struct MagnetorquerLoad {
   F field;
 
-  void operator()(const Now<C>& now, Forces<C>& forces, const Dipole<B>& dipole) const {
+  template <class S>
+    requires(detail::gives_field<C, F, S>())
+  void operator()(const Now<C, S>& now, Forces<C, S>& forces, const Dipole<B>& dipole) const {
     const auto B_d = field(now);
     using D = typename detail::FluxFrame<std::remove_cvref_t<decltype(B_d)>>::type;
+    const Vector<B, si::magnetic_dipole_moment, S> m_b{detail::trusted,
+                                                       dipole.m_b.coordinates().template cast<S>()};
     if constexpr (std::is_same_v<B, D>)
-      forces.torque(of<B>, cross(dipole.m_b, B_d));
+      forces.torque(of<B>, cross(m_b, B_d));
     else
-      forces.torque(of<B>, cross(dipole.m_b, now.rotation(to<B>, from<D>) * B_d));
+      forces.torque(of<B>, cross(m_b, now.rotation(to<B>, from<D>) * B_d));
   }
 };
 

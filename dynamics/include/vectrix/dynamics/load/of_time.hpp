@@ -9,7 +9,7 @@ namespace vectrix {
 /// A load that is a smooth function of time, on a body, a joint or a rotor. Made by of_time().
 template <CraftType C, class On, class F> struct OfTime {
   F function;
-  void operator()(const Now<C>& now, Forces<C>& forces) const {
+  template <class S> void operator()(const Now<C, S>& now, Forces<C, S>& forces) const {
     detail::act<On>(forces, function(now.time()));
   }
 };

@@ -9,6 +9,7 @@
 #include <vectrix/dynamics/craft/forces.hpp>
 #include <vectrix/dynamics/force/gravity.hpp>
 #include <vectrix/dynamics/load/finite.hpp>
+#include <vectrix/dynamics/multibody/converted.hpp>
 
 namespace vectrix {
 
@@ -41,11 +42,12 @@ template <CraftType C> class PointMassAttraction {
     }
   }
 
-  void operator()(const Now<C>& now, Forces<C>& forces) const {
-    const detail::Column3 r = -now.instant().template position<typename Shape::inertial>();
-    const double distance = std::sqrt(multibody::dot(r, r));
-    const double pull = detail::attraction(detail::gravity_at<H>("point_mass"), mu_.value(), distance);
-    forces.field(Vector<H, si::acceleration>{detail::trusted, detail::eigen(r * -pull)});
+  template <class S> void operator()(const Now<C, S>& now, Forces<C, S>& forces) const {
+    using std::sqrt;
+    const multibody::Column<S> r = -now.instant().template position<typename Shape::inertial>();
+    const S distance = sqrt(multibody::dot(r, r));
+    const S pull = detail::attraction<S>(detail::gravity_at<H>("point_mass"), mu_.value(), distance);
+    forces.field(Vector<H, si::acceleration, S>{detail::trusted, detail::eigen(r * S(-pull))});
     each_part([&]<class Part>(std::type_identity<Part>) {
       using B = typename Part::frame;
       if constexpr (Shape::template has_body<B>) attract<B>(now.instant(), r, forces);
@@ -66,32 +68,36 @@ template <CraftType C> class PointMassAttraction {
   }
 
   /// All in the hub's axes.
-  template <class B>
-  void attract(const detail::CraftInstant<Shape>& at, const detail::Column3& r, Forces<C>& forces) const {
-    using multibody::cross, multibody::dot;
+  template <class B, class S>
+  void attract(const detail::CraftInstant<Shape, S>& at, const multibody::Column<S>& r,
+               Forces<C, S>& forces) const {
+    using multibody::cross, multibody::dot, multibody::converted;
+    using std::sqrt;
+    using Column = multibody::Column<S>;
     const BodyNumbers& body = bodies_[number_of<B>()];
-    const detail::Column3 c = at.template to_hub<B>(body.centre_b);
-    const detail::Column3 d = at.template position<B>() + c;
-    const detail::Column3 r_c = r + d;
-    const double distance = std::sqrt(dot(r_c, r_c));
-    const double pull =
-        detail::attraction(detail::gravity_at<H>("point_mass"), mu_.value(), distance);  // mu/|r_c|^3
+    const multibody::Symmetric<S> J_c_b = converted<S>(body.J_c_b);
+    const Column c = at.template to_hub<B>(converted<S>(body.centre_b));
+    const Column d = at.template position<B>() + c;
+    const Column r_c = r + d;
+    const S distance = sqrt(dot(r_c, r_c));
+    const S pull =
+        detail::attraction<S>(detail::gravity_at<H>("point_mass"), mu_.value(), distance);  // mu/|r_c|^3
 
     // r_c - r (1 + q)^(3/2), q = |r_c|^2/|r|^2 - 1
-    const double q = dot(d, d + r * 2.0) / dot(r, r);
-    const double cube = (1.0 + q) * std::sqrt(1.0 + q);
-    const detail::Column3 difference = d - r * (q * (3.0 + q * (3.0 + q)) / (1.0 + cube));
+    const S q = dot(d, d + r * S(2.0)) / dot(r, r);
+    const S cube = (1.0 + q) * sqrt(S(1.0 + q));
+    const Column difference = d - r * S(q * (3.0 + q * (3.0 + q)) / (1.0 + cube));
 
-    const detail::Column3 u = r_c * (1.0 / distance);
-    const detail::Column3 Ju = at.template to_hub<B>(body.J_c_b * at.template from_hub<B>(u));
-    const double trace = body.J_c_b.xx + body.J_c_b.yy + body.J_c_b.zz;
-    const detail::Column3 of_size = (u * (trace - 5.0 * dot(u, Ju)) + Ju * 2.0) * (1.5 / distance);
-    const detail::Column3 F = (difference * body.m + of_size) * -pull;
-    const detail::Column3 M = cross(u, Ju) * (3.0 * pull);
+    const Column u = r_c * S(1.0 / distance);
+    const Column Ju = at.template to_hub<B>(J_c_b * at.template from_hub<B>(u));
+    const S trace = J_c_b.xx + J_c_b.yy + J_c_b.zz;
+    const Column of_size = (u * S(trace - 5.0 * dot(u, Ju)) + Ju * S(2.0)) * S(1.5 / distance);
+    const Column F = (difference * S(body.m) + of_size) * S(-pull);
+    const Column M = cross(u, Ju) * S(3.0 * pull);
 
-    forces.force(of<B>, Displacement<B, CentreOfMassOf<B>, In<H>>{detail::trusted, detail::eigen(c)},
-                 Vector<H, si::force>{detail::trusted, detail::eigen(F)});
-    forces.torque(of<B>, Vector<H, si::torque>{detail::trusted, detail::eigen(M)});
+    forces.force(of<B>, Displacement<B, CentreOfMassOf<B>, In<H>, S>{detail::trusted, detail::eigen(c)},
+                 Vector<H, si::force, S>{detail::trusted, detail::eigen(F)});
+    forces.torque(of<B>, Vector<H, si::torque, S>{detail::trusted, detail::eigen(M)});
   }
 
   Quantity<si::gravitational_parameter> mu_;

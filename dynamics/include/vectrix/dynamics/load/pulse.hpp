@@ -23,7 +23,7 @@ template <CraftType C, class On, class Given> struct Pulse {
 
   template <std::size_t number> auto parts() const {
     using Acts = detail::PulseActs<number>;
-    const auto load = [given = given](const Now<C>&, Forces<C>& forces, const Acts& acts) {
+    const auto load = [given = given]<class S>(const Now<C, S>&, Forces<C, S>& forces, const Acts& acts) {
       if (acts.value) detail::act<On>(forces, given);
     };
     const auto acts_already = [from = start, until = end](const Now<C>& now) {

@@ -10,14 +10,14 @@ namespace vectrix {
 template <CraftType C, class B, class K, class Q> struct JointSpring {
   Quantity<K> stiffness;
   Quantity<Q> at_rest;
-  void operator()(const Now<C>& now, Forces<C>& forces) const {
-    forces.effort(of<B>, stiffness * (at_rest - now.coordinate(of<B>)));
+  template <class S> void operator()(const Now<C, S>& now, Forces<C, S>& forces) const {
+    forces.effort(of<B>, -(stiffness * (now.coordinate(of<B>) - at_rest)));
   }
 };
 /// A load: the effort -c u on a hinge or slider.
 template <CraftType C, class B, class D> struct JointDamper {
   Quantity<D> damping;
-  void operator()(const Now<C>& now, Forces<C>& forces) const {
+  template <class S> void operator()(const Now<C, S>& now, Forces<C, S>& forces) const {
     forces.effort(of<B>, -(damping * now.speed(of<B>)));
   }
 };

@@ -24,22 +24,22 @@ template <CraftType C, class B, class K, class D, class Q> struct JointStops {
   Quantity<D> damping;
 
   /// How far the joint is beyond the stop of a side.
-  double beyond(int side, const Now<C>& now) const {
-    const double q = now.coordinate(of<B>).value();
-    return side > 0 ? q - upper.value() : lower.value() - q;
+  template <class S> S beyond(int side, const Now<C, S>& now) const {
+    const S q = now.coordinate(of<B>).value();
+    return side > 0 ? S(q - upper.value()) : S(lower.value() - q);
   }
   /// Smaller than any p > 0: while a stop does not push, its zero is not reached, also where p is 0.
   static constexpr double least = std::numeric_limits<double>::min();
 
   /// k p + c p'
-  double push(int side, const Now<C>& now) const {
+  template <class S> S push(int side, const Now<C, S>& now) const {
     return stiffness.value() * beyond(side, now) + damping.value() * side * now.speed(of<B>).value();
   }
 
   template <std::size_t> auto parts() const {
     using State = AtStop<B>;
-    const auto load = [stops = *this](const Now<C>& now, Forces<C>& forces, const State& at) {
-      using Effort = decltype(stops.stiffness * stops.upper);
+    const auto load = [stops = *this]<class S>(const Now<C, S>& now, Forces<C, S>& forces, const State& at) {
+      using Effort = Quantity<typename decltype(stops.stiffness * stops.upper)::unit, S>;
       if (at.side != 0) forces.effort(of<B>, Effort::from_value(-at.side * stops.push(at.side, now)));
     };
     const auto at_first = [stops = *this](const Now<C>& now) {

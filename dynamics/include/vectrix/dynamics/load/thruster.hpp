@@ -88,7 +88,8 @@ template <CraftType C, class On, class D> struct ThrusterLoad {
 
   template <std::size_t> auto parts() const {
     using State = Firing<On>;
-    const auto load = [full_d = full_d](const Now<C>& now, Forces<C>& forces, const State& firing) {
+    const auto load = [full_d = full_d]<class S>(const Now<C, S>& now, Forces<C, S>& forces,
+                                                 const State& firing) {
       forces.force(of<On>, firing.level(now.time()) * full_d);
     };
     const auto at_first = [thruster = *this](const Now<C>& now) { return thruster.before(now.time()); };

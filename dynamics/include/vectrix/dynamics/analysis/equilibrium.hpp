@@ -1,0 +1,51 @@
+#pragma once
+
+#include <algorithm>
+#include <concepts>
+#include <vectrix/dynamics/analysis/linearise.hpp>
+#include <vectrix/dynamics/analysis/steady_state.hpp>
+
+namespace vectrix {
+
+/// The state near a guess in which a craft turns as one rigid body, with the angular velocity of the guess,
+/// which is constant in the inertial frame: at rest if it is zero, with a craft in a circular orbit if it is
+/// the orbital rate. All speeds of joints and modes are zero, and their accelerations vanish; so does that of
+/// the hub in its own axes. A free hub moves about the inertial origin, v = w x r. Rotors keep their speeds,
+/// and locked joints their places. What no acceleration depends on stays as in the guess; in a family of
+/// equilibria it is that nearest to the guess. Found by KINSOL, Newton's method with line search, with exact
+/// derivatives; each acceleration that is left is below its tolerance. Throws BadInput for a tolerance that
+/// is not positive, NoEquilibrium if none is found.
+template <CraftType C, class... Parts>
+  requires std::is_same_v<
+      typename detail::LinearFault<C, CraftScenario<C, Parts...>, CraftInputs<>, CraftOutputs<>>::type,
+      Nothing>
+      CraftState<C> equilibrium(const CraftScenario<C, Parts...>& scenario, const CraftState<C>& guess,
+                                const EquilibriumTolerances& tolerances) {
+    const auto start = detail::start_of_run(scenario, guess);
+    const detail::CraftCore& core = *scenario.craft().core();
+    auto rates =
+        detail::dual_rates<C>(detail::in_duals(core), detail::held_loads(scenario.parts(), start.held),
+                              detail::InputLoad<C, Dual>{nullptr});
+    const double t = guess.time().value();
+    const auto y =
+        detail::steady_state({core, start.y, [&](const Dual* state, Dual* ydot) { rates(t, state, ydot); },
+                              rates.work(), tolerances});
+    typename CraftState<C>::Numbers numbers;
+    std::copy(y.begin(), y.end(), numbers.begin());
+    return {detail::trusted, guess.time(), numbers};
+  }
+
+template <CraftType C, class... Parts, CraftType GivenC>
+  requires(!std::is_same_v<C, GivenC>)
+auto equilibrium(  // equilibrium(scenario, guess, tolerances): a state of the scenario's craft
+    const CraftScenario<C, Parts...>&, const CraftState<GivenC>&, const EquilibriumTolerances&)
+    -> Refused = delete;
+template <CraftType C, class... Parts,
+          class Fault = typename detail::LinearFault<C, CraftScenario<C, Parts...>, CraftInputs<>,
+                                                     CraftOutputs<>>::type>
+  requires(!std::is_same_v<Fault, Nothing>)
+auto equilibrium(  // loads of any scalar: []<class S>(const Now<C, S>&, Forces<C, S>&)
+    const CraftScenario<C, Parts...>&, const CraftState<C>&, const EquilibriumTolerances&)
+    -> Refused = delete;
+
+}  // namespace vectrix
