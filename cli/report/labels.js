@@ -2,8 +2,9 @@ import { Vector3 } from 'three';
 
 const GAP = 8; // pixels from the tip of an arrow
 const STEP = 3;
+const MARGIN = 4; // between two names, to the sides
 
-const overlap = (a, b) => a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
+const overlap = (a, b) => a.left < b.right + MARGIN && b.left < a.right + MARGIN && a.top < b.bottom && b.top < a.bottom;
 
 // The names at the tips of arrows: HTML above the canvas, moved down until none covers another.
 export class Labels {

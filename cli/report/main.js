@@ -35,7 +35,7 @@ class Player {
   text() {
     const passed = `${number(this.t / data.unit.seconds, 5)} ${data.unit.name}`;
     if (data.utc === null) return passed;
-    return `${new Date(data.utc + 1000 * this.t).toISOString().replace(/\.(\d).*/, '.$1')} UTC \u00b7 ${passed}`;
+    return `${new Date(Date.parse(data.utc) + 1000 * this.t).toISOString().replace(/\.(\d).*/, '.$1')} UTC \u00b7 ${passed}`;
   }
 
   toggle() {

@@ -1,7 +1,7 @@
 import uPlot from 'uplot';
 import { place } from './data.js';
 
-const HEIGHT = 210;
+const HEIGHT = 220;
 
 const colour = (name) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 const curveColour = (i) => () => colour(`--c${i % 8}`);
@@ -33,6 +33,14 @@ function drawLimits(limits) {
     ctx.setLineDash([6 * dot, 4 * dot]);
     ctx.font = `${12 * dot}px ${getComputedStyle(document.body).fontFamily}`;
     ctx.textAlign = 'right';
+    const write = (text, x, y) => {
+      ctx.save();
+      Object.assign(ctx, { strokeStyle: colour('--paper'), lineWidth: 4 * dot, lineJoin: 'round' });
+      ctx.setLineDash([]);
+      ctx.strokeText(text, x, y);
+      ctx.restore();
+      ctx.fillText(text, x, y);
+    };
     for (const { name, value } of limits) {
       const y = u.valToPos(value, 'y', true);
       ctx.beginPath();
@@ -40,7 +48,7 @@ function drawLimits(limits) {
       ctx.lineTo(bbox.left + bbox.width, y);
       ctx.stroke();
       const above = y - 5 * dot;
-      ctx.fillText(name, bbox.left + bbox.width - 4 * dot, above > bbox.top + 12 * dot ? above : y + 15 * dot);
+      write(name, bbox.left + bbox.width - 4 * dot, above > bbox.top + 12 * dot ? above : y + 15 * dot);
     }
     ctx.restore();
   };
@@ -48,7 +56,7 @@ function drawLimits(limits) {
 
 // One plot in its figure. `zoomed` is called with the first and the last second that are shown.
 class Plot {
-  constructor(figure, data, unit, { clicked, zoomed }) {
+  constructor(figure, data, { name: unitName, seconds: unit }, { clicked, zoomed }) {
     this.data = data;
     this.unit = unit;
     this.host = figure.querySelector('.live');
@@ -69,7 +77,7 @@ class Plot {
         cursor: { sync: { key: 'time', scales: ['x', null] }, drag: { x: true, y: false }, points: { size: 6 } },
         scales: { x: { time: false }, y: { range: valueRange(data.limits) } },
         axes: [
-          { ...axis, size: 30, space: 70 },
+          { ...axis, size: 26, space: 70, label: `time, ${unitName}`, labelSize: 18, labelFont: axis.font },
           { ...axis, size: 72, values: (u, ticks) => ticks.map((x) => number(x)) },
         ],
         series: [
@@ -144,7 +152,7 @@ export class Plots {
   constructor(figures, data, clicked) {
     this.whole = [data.first, data.last > data.first ? data.last : data.first + data.unit.seconds];
     const hooks = { clicked, zoomed: (from, to) => this.zoom(from, to) };
-    this.all = data.plots.map((plot, i) => new Plot(figures[i], plot, data.unit.seconds, hooks));
+    this.all = data.plots.map((plot, i) => new Plot(figures[i], plot, data.unit, hooks));
     this.zoom(...this.whole);
     matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () =>
       this.all.forEach(({ u }) => u.redraw(false)),

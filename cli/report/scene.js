@@ -95,7 +95,7 @@ export class Scene {
   build() {
     const { data } = this;
     const sphere = this.part('sphere', new Group());
-    const grid = (axis, angle) => sphere.add(this.line(circle(axis, angle), '--grid'));
+    const grid = (axis, angle) => sphere.add(this.line(circle(axis, angle), '--line'));
     [30, 60, 90, 120, 150].forEach((angle) => grid(unit(2), angle * DEGREE));
     for (let a = 0; a < 180; a += 30) grid(new Vector3(Math.cos(a * DEGREE), Math.sin(a * DEGREE), 0), 90 * DEGREE);
     this.fixed = this.part('axes of the frame it is seen from', new Group());
@@ -127,7 +127,7 @@ export class Scene {
     });
     if (data.limb) this.limb = this.part('limb of the Earth', this.line(circle(UP, 1), '--earth'));
     this.trailAxes = [...data.axes.map(({ axis }) => new Vector3(...axis)), unit(0), unit(1), unit(2)];
-    this.path = this.trailLine(0.35);
+    this.path = this.trailLine(0.5);
     this.past = this.trailLine(1);
     this.follow(0);
   }
@@ -255,7 +255,7 @@ export class Scene {
   render() {
     const { clientWidth: width, clientHeight: height } = this.host;
     if (!width || !height) return;
-    const half = 1.4 / this.zoom;
+    const half = 1.22 / this.zoom;
     const wide = Math.max(1, width / height);
     const high = Math.max(1, height / width);
     Object.assign(this.camera, { left: -half * wide, right: half * wide, top: half * high, bottom: -half * high });

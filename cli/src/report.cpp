@@ -108,25 +108,23 @@ std::string attitude_caption(const Report::Scene& scene, const std::string& star
   }
   return detail::text(places.size()) + " of " + counted(scene.seconds.size(), "sample") +
          "; from one to the next the body turns by at most " + shown(degrees * largest) +
-         " deg. The drawing without a script, and on paper, is of the first time, " +
+         " deg. On paper, and in a browser without WebGL, the drawing is of the first time, " +
          start + ".";
 }
 
-std::string scene(const Report& report) {
-  if (!report.scene) return "";
-  const auto& scene = *report.scene;
-  std::string text =
-      element("figure", {{"id", "scene"}},
-              element("figcaption", element("b", escaped(scene.body + " relative to " + scene.reference))) +
-                  "<div id=\"canvas\" hidden tabindex=\"0\" role=\"img\" aria-label=\"three-dimensional view; "
-                  "the arrow keys turn it, plus and minus change its size\"></div>" +
-                  scene_svg(scene) +
-                  element("p", {{"class", "note"}}, escaped(attitude_caption(scene, start_text(report)))) +
-                  element("details", {{"id", "shown"}, {"hidden", ""}}, element("summary", "What is shown")));
-  if (!scene.ground_track.empty())
-    text += element("figure", {{"id", "ground"}},
-                    element("figcaption", element("b", "Ground track")) + ground_track_svg(scene.ground_track));
-  return element("div", {{"id", "space"}}, text);
+std::string scene(const Report::Scene& scene, const std::string& start) {
+  return element("figure", {{"id", "scene"}},
+                 element("figcaption", element("b", escaped(scene.body + " relative to " + scene.reference))) +
+                     "<div id=\"canvas\" hidden tabindex=\"0\" role=\"img\" aria-label=\"three-dimensional view; "
+                     "the arrow keys turn it, plus and minus change its size\"></div>" +
+                     scene_svg(scene) + element("p", {{"class", "note"}}, escaped(attitude_caption(scene, start))) +
+                     element("details", {{"id", "shown"}, {"hidden", ""}}, element("summary", "What is shown")));
+}
+
+std::string ground_track(const Report::Scene& scene) {
+  if (scene.ground_track.empty()) return "";
+  return element("figure", {{"id", "ground"}},
+                 element("figcaption", element("b", "Ground track")) + ground_track_svg(scene.ground_track));
 }
 
 std::string plot(const Report::Plot& plot, const Report& report, const TimeAxis& axis) {
@@ -151,6 +149,7 @@ std::string figures(const Report& report) {
   if (!axis) return "";
   std::string plots;
   for (const auto& each : report.plots) plots += plot(each, report, *axis);
+  if (report.scene) plots += ground_track(*report.scene);
   const std::string keys = element(
       "details", {{"id", "keys"}, {"hidden", ""}},
       "<summary>Keys</summary><p><kbd>space</kbd> plays and pauses. <kbd>\u2190</kbd> <kbd>\u2192</kbd> step, "
@@ -160,7 +159,8 @@ std::string figures(const Report& report) {
   return section(report.scene ? "Motion" : "Curves",
                  controls(report) + keys +
                      element("div", {{"id", "figures"}, {"class", report.scene ? "two" : "one"}},
-                             scene(report) + element("div", {{"id", "plots"}}, plots)));
+                             (report.scene ? scene(*report.scene, start_text(report)) : "") +
+                                 element("div", {{"id", "plots"}}, plots)));
 }
 
 std::string tables(const Report& report) {

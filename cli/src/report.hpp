@@ -74,7 +74,7 @@ struct Report {
     std::vector<Direction> directions{};
     std::vector<View> views{};
     std::vector<Eigen::Vector3d> positions{};        // m, along the axes of the reference; empty without an orbit
-    std::vector<Eigen::Vector2d> ground_track{};     // geodetic latitude, longitude, deg; empty without an orbit
+    std::vector<Eigen::Vector2d> ground_track{};     // geodetic latitude, longitude within 180, deg; empty without an orbit
   };
   struct Input {
     std::string path;
@@ -98,8 +98,11 @@ struct Report {
   std::string version;  // of the program
 };
 
-/// One HTML page that needs no network: its script, style and data are in it. Throws BadInput for a table
-/// whose rows differ in length, curves that are not as long as their times, and times that do not increase.
+/// One HTML page that needs no network: its script, style and data are in it. Curves in it have single
+/// precision, and of long ones it keeps the extremes of equal parts, so that a page stays below 5 MB. Throws
+/// BadInput for tables whose rows differ in length, values that are not as many as their times, times that do
+/// not increase, an infinity, curves beyond 1e37, quaternions and directions whose norm is not 1 to 1e-6, and
+/// places that are not on the Earth.
 std::string html(const Report& report);
 
 }  // namespace vectrix::cli

@@ -95,17 +95,15 @@ std::string scene_object(const Report::Scene& scene) {
   return text + "}";
 }
 
-// The milliseconds of UTC since 1970, if no leap second is in the time.
+// The start in UTC, if no leap second is in the time or at its end.
 std::string utc_of_start(const Report& report, const TimeAxis& axis) {
   try {
-    const Epoch last = report.start + axis.last * si::second;
-    if (report.start.tai_minus_utc() != last.tai_minus_utc()) return "null";
+    const Epoch after = report.start + (axis.last + 1.0) * si::second;
+    if ((report.start + axis.first * si::second).tai_minus_utc() != after.tai_minus_utc()) return "null";
+    return json_text(report.start.utc(3) + "Z");
   } catch (const BadInput&) {  // before UTC
     return "null";
   }
-  const auto date = report.start.julian_date(scale::utc);
-  constexpr double day_of_1970 = 2440587.5, milliseconds = 86'400'000.0;
-  return detail::text((date.day - day_of_1970 + date.fraction) * milliseconds);
 }
 
 }  // namespace

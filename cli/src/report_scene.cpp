@@ -139,9 +139,9 @@ std::vector<Vector3d> circle(const Vector3d& axis, double angle) {
 
 void add_sphere(Picture& picture) {
   for (const double latitude : {-60.0, -30.0, 0.0, 30.0, 60.0})
-    picture.path(circle(Vector3d::UnitZ(), (90.0 - latitude) * degree), "grid");
+    picture.path(circle(Vector3d::UnitZ(), (90.0 - latitude) * degree), "sphere");
   for (int longitude = 0; longitude < 180; longitude += 30)
-    picture.path(circle({std::cos(longitude * degree), std::sin(longitude * degree), 0.0}, 90.0 * degree), "grid");
+    picture.path(circle({std::cos(longitude * degree), std::sin(longitude * degree), 0.0}, 90.0 * degree), "sphere");
 }
 
 void add_axes(Picture& picture, const Eigen::Matrix3d& axes, double length, const std::string& frame,
@@ -183,7 +183,7 @@ std::string scene_svg(const Report::Scene& scene) {
   }
   const std::string rim =
       element("circle",
-              {{"class", "rim"}, {"cx", pixel(0.5 * scene_size)}, {"cy", pixel(0.5 * scene_size)}, {"r", pixel(scene_radius)}}, "");
+              {{"class", "sphere"}, {"cx", pixel(0.5 * scene_size)}, {"cy", pixel(0.5 * scene_size)}, {"r", pixel(scene_radius)}}, "");
   return svg("still", scene_size, scene_size,
              scene.body + " seen from " + scene.reference + " at the first time", rim + picture.text());
 }

@@ -8,8 +8,8 @@
 namespace vectrix::cli {
 namespace {
 
-constexpr double track_width = 480.0, track_height = 262.0;
-constexpr DrawnAxis longitudes{-180.0, 180.0, 40.0, 470.0}, latitudes{-90.0, 90.0, 223.0, 8.0};
+constexpr double track_width = 480.0, track_height = 252.0;
+constexpr DrawnAxis longitudes{-180.0, 180.0, 44.0, 456.0}, latitudes{-90.0, 90.0, 214.0, 8.0};
 
 std::string degrees_of(int value, char positive, char negative) {
   if (value == 0) return "0";
@@ -26,7 +26,8 @@ std::string graticule() {
   for (int value = -90; value <= 90; value += 30) {
     const double y = latitudes.at(value);
     text += svg_line(longitudes.low, y, longitudes.high, y, "grid");
-    text += svg_text(longitudes.low - 6.0, y + 4.0, "tick side", degrees_of(value, 'N', 'S'));
+    if (std::abs(value) < 90)
+      text += svg_text(longitudes.low - 6.0, y + 4.0, "tick side", degrees_of(value, 'N', 'S'));
   }
   return text + svg_text(0.5 * (longitudes.low + longitudes.high), latitudes.low + 32.0, "tick",
                          "longitude; geodetic latitude");

@@ -34,10 +34,7 @@ void add_extremes(std::vector<std::size_t>& places, const std::vector<double>& v
 std::vector<std::size_t> kept_samples(std::span<const Report::Curve> curves, std::size_t most) {
   const std::size_t count = curves.front().values.size();
   if (count <= most) return all_places(count);
-  const bool has_gaps = std::any_of(curves.begin(), curves.end(), [](const Report::Curve& curve) {
-    return std::any_of(curve.values.begin(), curve.values.end(), [](double x) { return std::isnan(x); });
-  });
-  const std::size_t parts = std::max<std::size_t>(1, most / ((has_gaps ? 3 : 2) * curves.size()));
+  const std::size_t parts = std::max<std::size_t>(1, most / (2 * curves.size()));
   std::vector<std::size_t> places{0, count - 1};
   for (std::size_t part = 0; part < parts; ++part)
     for (const Report::Curve& curve : curves)
