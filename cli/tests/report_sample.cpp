@@ -1,5 +1,6 @@
-// report_sample cubesat|long <file>: writes a report for the browser to try. `cubesat` is two hours of CTIM, from its
-// telemetry, as examples/radiometer_on_sun.cpp has them; `long` has a million samples.
+// report_sample cubesat|long|hostile <file>: writes a report for the browser to try. `cubesat` is two hours of CTIM, from
+// its telemetry, as examples/radiometer_on_sun.cpp has them; `long` has a million samples; `hostile` has names that end
+// the script.
 #include "report.hpp"
 
 #include <algorithm>
@@ -9,6 +10,7 @@
 #include <exception>
 #include <iostream>
 #include <limits>
+#include <map>
 #include <memory>
 #include <numbers>
 #include <stdexcept>
@@ -207,15 +209,26 @@ Report long_run() {
   return report;
 }
 
+Report hostile() {
+  const std::string name = "</script><script>document.title = 'taken'</script><!-- & \"";
+  Report report{.title = name, .start = Epoch::from_utc("2026-11-29T00:00:00"), .version = VECTRIX_VERSION};
+  report.verdicts = {{name, name, name, name, false}};
+  report.plots = {{name, name, name, {0.0, 1.0}, {{name, {0.0, 1.0}}}, {{1.0, name}}}};
+  report.scene = Report::Scene{.body = name, .reference = name, .seconds = {0.0, 1.0}, .reference_from_body = {}};
+  report.scene->reference_from_body.assign(2, Eigen::Quaterniond::Identity());
+  return report;
+}
+
 }  // namespace
 
 int main(int count, char** words) try {
-  const std::string kind = count == 3 ? words[1] : "";
-  if (kind != "cubesat" && kind != "long") {
-    std::cerr << "usage: report_sample cubesat|long <file>\n";
+  const std::map<std::string, Report (*)(), std::less<>> all{{"cubesat", cubesat}, {"long", long_run}, {"hostile", hostile}};
+  const auto wanted = all.find(count == 3 ? words[1] : "");
+  if (wanted == all.end()) {
+    std::cerr << "usage: report_sample cubesat|long|hostile <file>\n";
     return 2;
   }
-  cli::write_new(words[2], cli::html(kind == "cubesat" ? cubesat() : long_run()), true);
+  cli::write_new(words[2], cli::html(wanted->second()), true);
   return 0;
 } catch (const std::exception& error) {
   std::cerr << "report_sample: " << error.what() << '\n';

@@ -49,14 +49,12 @@ export class Browser {
   async open(url, { width = 1400, height = 900, dark = false } = {}) {
     const { targetId } = await this.send('Target.createTarget', { url: 'about:blank' });
     const { sessionId } = await this.send('Target.attachToTarget', { targetId, flatten: true });
-    const page = new Page(this, sessionId);
+    const page = new Page(this, sessionId, targetId);
     this.pages.set(sessionId, page);
     for (const domain of ['Page', 'Runtime', 'Log', 'Network']) await page.send(`${domain}.enable`);
     await page.size(width, height);
     await page.media({ dark });
-    const loaded = page.next('Page.loadEventFired');
-    await page.send('Page.navigate', { url });
-    await loaded;
+    if (url !== 'about:blank') await page.go(url);
     return page;
   }
 
@@ -69,8 +67,18 @@ export class Browser {
 }
 
 class Page {
-  constructor(browser, session) {
-    Object.assign(this, { browser, session, complaints: [], requests: [], expected: [] });
+  constructor(browser, session, target) {
+    Object.assign(this, { browser, session, target, complaints: [], requests: [], expected: [] });
+  }
+
+  async go(url) {
+    const loaded = this.next('Page.loadEventFired');
+    await this.send('Page.navigate', { url });
+    await loaded;
+  }
+
+  close() {
+    return this.browser.send('Target.closeTarget', { targetId: this.target });
   }
 
   send(method, params) {
@@ -156,9 +164,9 @@ class Page {
     await this.send('Input.dispatchKeyEvent', { type: 'keyUp', key, modifiers, windowsVirtualKeyCode: code });
   }
 
-  // Of the window, or of the whole page, as a PNG.
-  async picture(whole = false) {
-    const { data } = await this.send('Page.captureScreenshot', { format: 'png', captureBeyondViewport: whole });
+  // Of the window, as a PNG.
+  async picture() {
+    const { data } = await this.send('Page.captureScreenshot', { format: 'png' });
     return Buffer.from(data, 'base64');
   }
 }
