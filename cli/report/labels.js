@@ -56,7 +56,8 @@ export class Labels {
     const x = 0.5 * width * at.x;
     const y = -0.5 * height * at.y;
     const far = GAP / Math.max(GAP, Math.hypot(x, y));
-    const left = 0.5 * width + x * (1 + far) - (x < 0 ? label.width : 0);
+    const wanted = 0.5 * width + x * (1 + far) - (x < 0 ? label.width : 0);
+    const left = Math.max(MARGIN, Math.min(wanted, width - label.width - MARGIN));
     const top = 0.5 * height + y * (1 + far) - 0.5 * label.height;
     return { label, left, top, right: left + label.width, bottom: top + label.height };
   }

@@ -255,7 +255,7 @@ export class Scene {
   render() {
     const { clientWidth: width, clientHeight: height } = this.host;
     if (!width || !height) return;
-    const half = 1.22 / this.zoom;
+    const half = 1.26 / this.zoom;
     const wide = Math.max(1, width / height);
     const high = Math.max(1, height / width);
     Object.assign(this.camera, { left: -half * wide, right: half * wide, top: half * high, bottom: -half * high });

@@ -30,7 +30,8 @@ std::string row(const char* cell, const std::vector<std::string>& texts) {
   for (const std::string& text : texts) cells += element(cell, escaped(text));
   return element("tr", cells);
 }
-std::string table(const std::vector<std::string>& headings, const std::vector<std::vector<std::string>>& rows) {
+std::string table(const std::vector<std::string>& headings,
+                  const std::vector<std::vector<std::string>>& rows) {
   std::string body;
   for (const auto& texts : rows) body += row("td", texts) + "\n";
   return element("div", {{"class", "wide"}},
@@ -63,11 +64,12 @@ std::string verdicts(const Report& report) {
                               element("td", {{"class", "number"}}, escaped(v.margin)));
   const auto good = std::count_if(report.verdicts.begin(), report.verdicts.end(),
                                   [](const auto& verdict) { return verdict.fulfilled; });
-  const std::string sum = detail::text(good) + " of " + counted(report.verdicts.size(), "requirement") + " fulfilled";
+  const std::string sum =
+      detail::text(good) + " of " + counted(report.verdicts.size(), "requirement") + " fulfilled";
   return section(sum, element("div", {{"class", "wide"}},
                               element("table", {{"class", "verdicts"}},
-                                      element("thead", row("th", {"Verdict", "Requirement", "Required", "Reached",
-                                                                  "Margin"})) +
+                                      element("thead", row("th", {"Verdict", "Requirement", "Required",
+                                                                  "Reached", "Margin"})) +
                                           element("tbody", rows))));
 }
 
@@ -80,20 +82,23 @@ std::string select(const std::string& id, const std::string& name, const std::st
 
 // Hidden until the script works them.
 std::string controls(const Report& report) {
-  std::string text = "<button id=\"play\" type=\"button\">Play</button>"
-                     "<input id=\"time\" type=\"range\" aria-label=\"time\">"
-                     "<output id=\"clock\" for=\"time\"></output>" +
-                     select("speed", "speed", "");
+  std::string text =
+      "<button id=\"play\" type=\"button\">Play</button>"
+      "<input id=\"time\" type=\"range\" aria-label=\"time\">"
+      "<output id=\"clock\" for=\"time\"></output>" +
+      select("speed", "speed", "");
   if (report.scene) {
     std::string views = option("reference", report.scene->reference), trails;
     for (std::size_t i = 0; i < report.scene->views.size(); ++i)
       views += option(detail::text(i), report.scene->views[i].name);
     views += option("body", report.scene->body);
     for (const auto& axis : report.scene->axes) trails += option("", axis.name);
-    for (const char* axis : {"x", "y", "z"}) trails += option("", std::string(axis) + " " + report.scene->body);
+    for (const char* axis : {"x", "y", "z"})
+      trails += option("", std::string(axis) + " " + report.scene->body);
     text += select("view", "seen from", views) + select("trail", "trail of", trails + option("none", "none"));
   }
-  return element("div", {{"id", "controls"}, {"hidden", ""}, {"role", "group"}, {"aria-label", "time and view"}}, text);
+  return element(
+      "div", {{"id", "controls"}, {"hidden", ""}, {"role", "group"}, {"aria-label", "time and view"}}, text);
 }
 
 // How the samples between those that are kept turn.
@@ -108,17 +113,17 @@ std::string attitude_caption(const Report::Scene& scene, const std::string& star
   }
   return detail::text(places.size()) + " of " + counted(scene.seconds.size(), "sample") +
          "; from one to the next the body turns by at most " + shown(degrees * largest) +
-         " deg. On paper, and in a browser without WebGL, the drawing is of the first time, " +
-         start + ".";
+         " deg. On paper, and in a browser without WebGL, the drawing is of the first time, " + start + ".";
 }
 
 std::string scene(const Report::Scene& scene, const std::string& start) {
-  return element("figure", {{"id", "scene"}},
-                 element("figcaption", element("b", escaped(scene.body + " relative to " + scene.reference))) +
-                     "<div id=\"canvas\" hidden tabindex=\"0\" role=\"img\" aria-label=\"three-dimensional view; "
-                     "the arrow keys turn it, plus and minus change its size\"></div>" +
-                     scene_svg(scene) + element("p", {{"class", "note"}}, escaped(attitude_caption(scene, start))) +
-                     element("details", {{"id", "shown"}, {"hidden", ""}}, element("summary", "What is shown")));
+  return element(
+      "figure", {{"id", "scene"}},
+      element("figcaption", element("b", escaped(scene.body + " relative to " + scene.reference))) +
+          "<div id=\"canvas\" hidden tabindex=\"0\" role=\"img\" aria-label=\"three-dimensional view; "
+          "the arrow keys turn it, plus and minus change its size\"></div>" +
+          scene_svg(scene) + element("p", {{"class", "note"}}, escaped(attitude_caption(scene, start))) +
+          element("details", {{"id", "shown"}, {"hidden", ""}}, element("summary", "What is shown")));
 }
 
 std::string ground_track(const Report::Scene& scene) {
@@ -130,8 +135,8 @@ std::string ground_track(const Report::Scene& scene) {
 std::string plot(const Report::Plot& plot, const Report& report, const TimeAxis& axis) {
   std::string legend;
   for (std::size_t i = 0; i < plot.curves.size(); ++i)
-    legend += element("li", element("i", {{"class", curve_class(i)}}, "") + escaped(plot.curves[i].name) + " " +
-                                element("output", ""));
+    legend += element("li", element("i", {{"class", curve_class(i)}}, "") + escaped(plot.curves[i].name) +
+                                " " + element("output", ""));
   const std::size_t kept = kept_samples(plot.curves, most_samples(plot, report.plots.size())).size();
   std::string note;
   if (kept < plot.seconds.size())
@@ -140,7 +145,8 @@ std::string plot(const Report::Plot& plot, const Report& report, const TimeAxis&
                            " are kept: of equal parts of them, the smallest and the largest of each curve."));
   return element("figure", {{"class", "plot"}},
                  element("figcaption", element("b", escaped(heading_of(plot))) + element("ul", legend)) +
-                     element("div", {{"class", "live"}}, "") + plot_svg(plot, axis, start_text(report)) + note) +
+                     element("div", {{"class", "live"}}, "") + plot_svg(plot, axis, start_text(report)) +
+                     note) +
          "\n";
 }
 
@@ -152,9 +158,11 @@ std::string figures(const Report& report) {
   if (report.scene) plots += ground_track(*report.scene);
   const std::string keys = element(
       "details", {{"id", "keys"}, {"hidden", ""}},
-      "<summary>Keys</summary><p><kbd>space</kbd> plays and pauses. <kbd>\u2190</kbd> <kbd>\u2192</kbd> step, "
+      "<summary>Keys</summary><p><kbd>space</kbd> plays and pauses. <kbd>\u2190</kbd> <kbd>\u2192</kbd> "
+      "step, "
       "with <kbd>shift</kbd> ten times as far; <kbd>Home</kbd> <kbd>End</kbd> go to the ends. <kbd>+</kbd> "
-      "<kbd>-</kbd> zoom the time of all plots, <kbd>0</kbd> shows all of it. In the view the arrows turn it. With a "
+      "<kbd>-</kbd> zoom the time of all plots, <kbd>0</kbd> shows all of it. In the view the arrows turn "
+      "it. With a "
       "mouse: drag in a plot to zoom, double-click to see all, click to go to a time.</p>");
   return section(report.scene ? "Motion" : "Curves",
                  controls(report) + keys +
@@ -173,13 +181,15 @@ std::string provenance(const Report& report) {
   std::string text;
   if (!report.inputs.empty()) {
     std::vector<std::vector<std::string>> rows;
-    for (const auto& input : report.inputs) rows.push_back({input.path, detail::text(input.bytes), input.sha256});
+    for (const auto& input : report.inputs)
+      rows.push_back({input.path, detail::text(input.bytes), input.sha256});
     text += element("h3", "Inputs") + table({"File", "Bytes", "SHA-256"}, rows);
   }
   if (!report.choices.empty()) {
     std::vector<std::vector<std::string>> rows;
     for (const auto& choice : report.choices) rows.push_back({choice.what, choice.value, choice.by});
-    text += element("h3", "Conventions, and who states them") + table({"Convention", "Value", "Stated by"}, rows);
+    text +=
+        element("h3", "Conventions, and who states them") + table({"Convention", "Value", "Stated by"}, rows);
   }
   text += element("p", "Written by vectrix " + escaped(report.version) + ".");
   text += element("details", "<summary>Licences of the software in this page</summary>" +
@@ -198,9 +208,11 @@ std::string html(const Report& report) {
          "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">"
          "<meta name=\"color-scheme\" content=\"light dark\">" +
          element("title", escaped(report.title)) + element("style", report_style) + "</head>\n<body>\n" +
-         header(report) + element("main", verdicts(report) + facts(report) + figures(report) + tables(report) + provenance(report)) +
-         "\n" + element("script", {{"type", "application/json"}, {"id", "data"}}, data_of_page(report)) + "\n" +
-         element("script", report_script) + "\n</body></html>\n";
+         header(report) +
+         element("main",
+                 verdicts(report) + facts(report) + figures(report) + tables(report) + provenance(report)) +
+         "\n" + element("script", {{"type", "application/json"}, {"id", "data"}}, data_of_page(report)) +
+         "\n" + element("script", report_script) + "\n</body></html>\n";
 }
 
 }  // namespace vectrix::cli

@@ -9,9 +9,7 @@ namespace vectrix::cli {
 struct DrawnAxis {
   double from, to, low, high;
 
-  [[nodiscard]] double at(double value) const {
-    return low + (value - from) / (to - from) * (high - low);
-  }
+  [[nodiscard]] double at(double value) const { return low + (value - from) / (to - from) * (high - low); }
 };
 
 /// Multiples of 1, 2 or 5 times a power of ten, at most `most` of them, and the decimals that they need.

@@ -29,7 +29,8 @@ void require_times(const std::string& what, const std::vector<double>& seconds) 
 }
 
 void require_as_many(const std::string& what, std::size_t values, std::size_t times) {
-  if (values != times) throw BadInput(what + " has " + text(values) + " values for " + text(times) + " times");
+  if (values != times)
+    throw BadInput(what + " has " + text(values) + " values for " + text(times) + " times");
 }
 
 void require_curve(const std::string& what, const Report::Curve& curve, std::size_t times) {
@@ -71,8 +72,7 @@ void require_numbers(const std::string& what, const std::vector<Vector>& all, st
   if (all.empty()) return;
   require_as_many(what, all.size(), times);
   for (std::size_t i = 0; i < all.size(); ++i)
-    if (!all[i].allFinite() && !is_gap(all[i]))
-      throw BadInput(numbered(what, i) + " is not finite");
+    if (!all[i].allFinite() && !is_gap(all[i])) throw BadInput(numbered(what, i) + " is not finite");
 }
 
 void require_track(const std::vector<Eigen::Vector2d>& track, std::size_t times) {
@@ -109,8 +109,9 @@ void require_consistent(const Report& report) {
   for (const auto& table : report.tables)
     for (std::size_t i = 0; i < table.rows.size(); ++i)
       if (table.rows[i].size() != table.headings.size())
-        throw BadInput("table '" + table.title + "': row " + text(i + 1) + " has " + text(table.rows[i].size()) +
-                       " texts for " + text(table.headings.size()) + " headings");
+        throw BadInput("table '" + table.title + "': row " + text(i + 1) + " has " +
+                       text(table.rows[i].size()) + " texts for " + text(table.headings.size()) +
+                       " headings");
   if (report.scene) require_scene(*report.scene);
 }
 

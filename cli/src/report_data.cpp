@@ -61,10 +61,12 @@ std::string plot_object(const Report::Plot& plot, std::size_t plots) {
   const auto places = kept_samples(plot.curves, most_samples(plot, plots));
   return "{\"title\":" + json_text(plot.title) + ",\"unit\":" + json_text(plot.unit) +
          ",\"seconds\":" + json_text(base64(at_places(plot.seconds, places))) + ",\"curves\":" +
-         json_of(plot.curves, [&](const auto& curve) { return curve_object(curve, places); }) + ",\"limits\":" +
+         json_of(plot.curves, [&](const auto& curve) { return curve_object(curve, places); }) +
+         ",\"limits\":" +
          json_of(plot.limits,
                  [](const auto& limit) {
-                   return "{\"name\":" + json_text(limit.name) + ",\"value\":" + detail::text(limit.value) + "}";
+                   return "{\"name\":" + json_text(limit.name) + ",\"value\":" + detail::text(limit.value) +
+                          "}";
                  }) +
          "}";
 }
@@ -82,8 +84,8 @@ std::string scene_object(const Report::Scene& scene) {
             return "{\"name\":" + json_text(axis.name) + ",\"axis\":" + list_of(axis.axis) + "}";
           });
   text += ",\"directions\":" + json_of(scene.directions, [&](const auto& direction) {
-            return "{\"name\":" + json_text(direction.name) + ",\"vectors\":" +
-                   packed(direction.vectors, places, [](const auto& v) { return v; }) + "}";
+            return "{\"name\":" + json_text(direction.name) +
+                   ",\"vectors\":" + packed(direction.vectors, places, [](const auto& v) { return v; }) + "}";
           });
   text += ",\"views\":" + json_of(scene.views, [&](const auto& view) {
             return "{\"name\":" + json_text(view.name) +
@@ -146,8 +148,9 @@ std::string data_of_page(const Report& report) {
   const auto axis = time_axis(report);
   if (!axis) return "null";
   return "{\"first\":" + detail::text(axis->first) + ",\"last\":" + detail::text(axis->last) +
-         ",\"unit\":{\"name\":" + json_text(axis->unit) + ",\"seconds\":" + detail::text(axis->seconds_per_unit) +
-         "},\"utc\":" + utc_of_start(report, *axis) + ",\"plots\":" +
+         ",\"unit\":{\"name\":" + json_text(axis->unit) +
+         ",\"seconds\":" + detail::text(axis->seconds_per_unit) + "},\"utc\":" + utc_of_start(report, *axis) +
+         ",\"plots\":" +
          json_of(report.plots, [&](const auto& plot) { return plot_object(plot, report.plots.size()); }) +
          ",\"scene\":" + (report.scene ? scene_object(*report.scene) : "null") + "}";
 }

@@ -72,14 +72,14 @@ std::string plot_svg(const Report::Plot& plot, const TimeAxis& time, const std::
     text += svg_line(plot_left, y.at(value), plot_right, y.at(value), "grid");
     text += svg_text(plot_left - 8.0, y.at(value) + 4.0, "tick side", tick_text(value, up.decimals));
   }
-  text += svg_text(0.5 * (plot_left + plot_right), plot_bottom + 34.0, "tick",
-                   time.unit + " since " + start);
+  text += svg_text(0.5 * (plot_left + plot_right), plot_bottom + 34.0, "tick", time.unit + " since " + start);
   for (std::size_t i = 0; i < plot.curves.size(); ++i)
     text += polylines(plot.seconds, plot.curves[i], x, y, time, i);
   for (const auto& limit : plot.limits) {
     text += svg_line(plot_left, y.at(limit.value), plot_right, y.at(limit.value), "limit");
     const double above = y.at(limit.value) - 4.0;
-    text += svg_text(plot_right - 4.0, above > plot_top + 10.0 ? above : above + 18.0, "limit side", limit.name);
+    text +=
+        svg_text(plot_right - 4.0, above > plot_top + 10.0 ? above : above + 18.0, "limit side", limit.name);
   }
   return svg("still", plot_width, plot_height, heading_of(plot), text);
 }

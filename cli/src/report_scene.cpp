@@ -94,7 +94,8 @@ class Picture {
         const Vector3d normal = attitude * Vector3d(side * Vector3d::Unit(axis));
         if (!(projected(normal).z() > 0.0)) continue;
         std::string points;
-        for (const auto& [a, b] : std::array<std::pair<double, double>, 4>{{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}}) {
+        for (const auto& [a, b] :
+             std::array<std::pair<double, double>, 4>{{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}}) {
           Vector3d corner = side * Vector3d::Unit(axis);
           corner[(axis + 1) % 3] = a;
           corner[(axis + 2) % 3] = b;
@@ -111,7 +112,8 @@ class Picture {
     std::vector<Label> placed;
     for (Label label : labels_) {
       constexpr double step = 3.0;
-      while (std::any_of(placed.begin(), placed.end(), [&](const Label& other) { return label.overlaps(other); }))
+      while (std::any_of(placed.begin(), placed.end(),
+                         [&](const Label& other) { return label.overlaps(other); }))
         label.y += step;
       placed.push_back(label);
       text += svg_text(label.x, label.y, "name " + label.kind + (label.left() < label.x ? " side" : ""),
@@ -141,7 +143,8 @@ void add_sphere(Picture& picture) {
   for (const double latitude : {-60.0, -30.0, 0.0, 30.0, 60.0})
     picture.path(circle(Vector3d::UnitZ(), (90.0 - latitude) * degree), "sphere");
   for (int longitude = 0; longitude < 180; longitude += 30)
-    picture.path(circle({std::cos(longitude * degree), std::sin(longitude * degree), 0.0}, 90.0 * degree), "sphere");
+    picture.path(circle({std::cos(longitude * degree), std::sin(longitude * degree), 0.0}, 90.0 * degree),
+                 "sphere");
 }
 
 void add_axes(Picture& picture, const Eigen::Matrix3d& axes, double length, const std::string& frame,
@@ -181,9 +184,12 @@ std::string scene_svg(const Report::Scene& scene) {
       add_axes(picture, (attitude * frame.body_from_frame).toRotationMatrix(), 0.55, frame.name, "fixed");
     for (const auto& axis : scene.axes) picture.arrow(attitude * axis.axis, axis.name, "marked");
   }
-  const std::string rim =
-      element("circle",
-              {{"class", "sphere"}, {"cx", pixel(0.5 * scene_size)}, {"cy", pixel(0.5 * scene_size)}, {"r", pixel(scene_radius)}}, "");
+  const std::string rim = element("circle",
+                                  {{"class", "sphere"},
+                                   {"cx", pixel(0.5 * scene_size)},
+                                   {"cy", pixel(0.5 * scene_size)},
+                                   {"r", pixel(scene_radius)}},
+                                  "");
   return svg("still", scene_size, scene_size,
              scene.body + " seen from " + scene.reference + " at the first time", rim + picture.text());
 }

@@ -12,9 +12,9 @@ inline std::string pixel(double x) {
 }
 /// The kinds are classes of the style of the page, which has the colours.
 inline std::string svg_line(double x1, double y1, double x2, double y2, const std::string& kind) {
-  return element("line",
-                 {{"class", kind}, {"x1", pixel(x1)}, {"y1", pixel(y1)}, {"x2", pixel(x2)}, {"y2", pixel(y2)}},
-                 "");
+  return element(
+      "line", {{"class", kind}, {"x1", pixel(x1)}, {"y1", pixel(y1)}, {"x2", pixel(x2)}, {"y2", pixel(y2)}},
+      "");
 }
 inline std::string svg_text(double x, double y, const std::string& kind, const std::string& words) {
   return element("text", {{"class", kind}, {"x", pixel(x)}, {"y", pixel(y)}}, escaped(words));

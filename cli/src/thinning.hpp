@@ -10,8 +10,8 @@ namespace vectrix::cli {
 
 /// The places of the samples that are kept, in their order: all of them if they are at most so many. Else the
 /// samples are cut into parts of equal number, and of each part the smallest and the largest value of every
-/// curve are kept, so that about so many are, and the first NaN of a part that has one. The first and the last
-/// sample are kept too. Nothing is averaged.
+/// curve are kept, so that about so many are, and the first NaN of a part that has one. The first and the
+/// last sample are kept too. Nothing is averaged.
 std::vector<std::size_t> kept_samples(std::span<const Report::Curve> curves, std::size_t most);
 
 /// `most` places of `count`, or all, evenly, with the first and the last one. At least 2.

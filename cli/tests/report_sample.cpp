@@ -1,6 +1,6 @@
-// report_sample cubesat|long|hostile <file>: writes a report for the browser to try. `cubesat` is two hours of CTIM, from
-// its telemetry, as examples/radiometer_on_sun.cpp has them; `long` has a million samples; `hostile` has names that end
-// the script.
+// report_sample cubesat|long|hostile <file>: writes a report for the browser to try. `cubesat` is two hours
+// of CTIM, from its telemetry, as examples/radiometer_on_sun.cpp has them; `long` has a million samples;
+// `hostile` has names that end the script.
 #include "report.hpp"
 
 #include <algorithm>
@@ -31,8 +31,9 @@ struct Body : moving_frame {};
 struct Radiometer : moving_frame {};
 
 const std::filesystem::path data = std::filesystem::path(VECTRIX_SOURCE_DIR) / "examples/data";
-const auto attitude_file = data / "CTIM_20230420_attitude.csv", pointing_file = data / "CTIM_20230420_pointing.csv",
-           elements_file = data / "CTIM_20230419.tle", earth_file = data / "finals2000A_april_2023.txt";
+const auto attitude_file = data / "CTIM_20230420_attitude.csv",
+           pointing_file = data / "CTIM_20230420_pointing.csv", elements_file = data / "CTIM_20230419.tle",
+           earth_file = data / "finals2000A_april_2023.txt";
 
 std::vector<AttitudeSample<Body, Gcrf, Epoch>> read_attitude() {
   const auto table =
@@ -69,7 +70,8 @@ Report::Input input(const std::filesystem::path& file) {
   const std::string command = "sha256sum '" + file.string() + "'";
   const std::unique_ptr<FILE, int (*)(FILE*)> pipe(popen(command.c_str(), "r"), pclose);
   std::array<char, 65> digits{};
-  if (!pipe || std::fread(digits.data(), 1, 64, pipe.get()) != 64) throw std::runtime_error(command + " failed");
+  if (!pipe || std::fread(digits.data(), 1, 64, pipe.get()) != 64)
+    throw std::runtime_error(command + " failed");
   return {std::filesystem::relative(file, VECTRIX_SOURCE_DIR).string(), std::filesystem::file_size(file),
           digits.data()};
 }
@@ -96,20 +98,19 @@ void add_verdicts(Report& report, const std::vector<double>& off_sun, const std:
   for (std::size_t i = 0; i < seconds.size(); ++i)
     if (seconds[i] >= from && seconds[i] <= until) within.push_back(off_sun[i]);
   std::sort(within.begin(), within.end());
-  report.tables.push_back({"Angle between boresight and Sun, 05:20 to 06:10 UTC, " +
-                               cli::counted(within.size(), "sample"),
-                           {"percent of the samples", "at most, deg"},
-                           {}});
+  report.tables.push_back(
+      {"Angle between boresight and Sun, 05:20 to 06:10 UTC, " + cli::counted(within.size(), "sample"),
+       {"percent of the samples", "at most, deg"},
+       {}});
   for (const double percent : {50.0, 90.0, 95.0, 99.7, 100.0})
     report.tables.back().rows.push_back(
         {cli::shown(percent), cli::decimals(within[cli::place_of_quantile(percent, within.size())])});
   const auto require = [&](double percent, double required) {
     const double reached = within[cli::place_of_quantile(percent, within.size())];
-    report.verdicts.push_back({"angle between the boresight (-z of Radiometer) and the Sun, geometric, 05:20 to 06:10",
-                               "at most " + cli::shown(required) + " deg in " + cli::shown(percent) +
-                                   " % of the samples",
-                               cli::decimals(reached) + " deg", cli::decimals(required - reached) + " deg",
-                               reached <= required});
+    report.verdicts.push_back(
+        {"angle between the boresight (-z of Radiometer) and the Sun, geometric, 05:20 to 06:10",
+         "at most " + cli::shown(required) + " deg in " + cli::shown(percent) + " % of the samples",
+         cli::decimals(reached) + " deg", cli::decimals(required - reached) + " deg", reached <= required});
   };
   require(95.0, 0.5);
   require(99.7, 0.1);
@@ -119,9 +120,10 @@ Report cubesat() {
   const auto orientation = EarthOrientation::read(earth_file);
   const auto elements = TwoLineElements::read(elements_file).front();
   const Sgp4<Satellite> orbit(elements, at_most(1.0 * si::day));
-  const auto R_body_from_radiometer = dcm(nearest_quaternion_scalar_first(to<Body>, from<Radiometer>, 9.999876e-01,
-                                                                          1.534418e-03, 4.728365e-03, -7.255375e-06)
-                                              .quaternion);
+  const auto R_body_from_radiometer =
+      dcm(nearest_quaternion_scalar_first(to<Body>, from<Radiometer>, 9.999876e-01, 1.534418e-03,
+                                          4.728365e-03, -7.255375e-06)
+              .quaternion);
   const auto attitude = read_attitude();
   const SampledAttitude body(attitude, 30.0 * si::second);
   const auto graph = frame_graph(edge(orientation), edge(teme(orientation)), edge(orbit), edge(body),
@@ -145,10 +147,13 @@ Report cubesat() {
   scene.frames = {{"Radiometer", plain_quaternion(R_body_from_radiometer)}};
   scene.axes = {{"boresight", (R_body_from_radiometer * boresight).coordinates()}};
   scene.views = {{"LVLH", {}}, {"ITRF", {}}};
-  Report::Plot angle{.title = "Angle between boresight and Sun", .unit = "deg", .axes = "", .seconds = {}, .curves = {}};
+  Report::Plot angle{
+      .title = "Angle between boresight and Sun", .unit = "deg", .axes = "", .seconds = {}, .curves = {}};
   angle.limits = {{0.5, "0.5 deg for 95 %"}};
-  Report::Plot difference{.title = "The same less what was published", .unit = "arcsec", .axes = "", .seconds = {}, .curves = {}};
-  Report::Plot rate{.title = "Rate of Body relative to GCRF", .unit = "deg/s", .axes = "Body", .seconds = {}, .curves = {}};
+  Report::Plot difference{
+      .title = "The same less what was published", .unit = "arcsec", .axes = "", .seconds = {}, .curves = {}};
+  Report::Plot rate{
+      .title = "Rate of Body relative to GCRF", .unit = "deg/s", .axes = "Body", .seconds = {}, .curves = {}};
   for (const auto& [t, off_sun] : published) {
     const auto now = graph.at(t);
     scene.seconds.push_back((t - report.start).value());
@@ -179,18 +184,26 @@ Report cubesat() {
   add_verdicts(report, angle.curves.front().values, scene.seconds);
   report.plots = {angle, difference, rate};
   report.scene = scene;
-  for (const auto& file : {attitude_file, pointing_file, elements_file, earth_file}) report.inputs.push_back(input(file));
-  report.choices = {{"quaternion", "scalar first; R(q) takes coordinates from GCRF to Body", "examples/data/README.md"},
-                    {"mounting", "R(q) takes coordinates from Radiometer to Body", "examples/radiometer_on_sun.cpp"},
-                    {"Sun", "geometric, seen from the satellite", "examples/radiometer_on_sun.cpp"}};
+  for (const auto& file : {attitude_file, pointing_file, elements_file, earth_file})
+    report.inputs.push_back(input(file));
+  report.choices = {
+      {"quaternion", "scalar first; R(q) takes coordinates from GCRF to Body", "examples/data/README.md"},
+      {"mounting", "R(q) takes coordinates from Radiometer to Body", "examples/radiometer_on_sun.cpp"},
+      {"Sun", "geometric, seen from the satellite", "examples/radiometer_on_sun.cpp"}};
   return report;
 }
 
 // A million samples, ten a second. A single one stands out, and a minute is missing.
 Report long_run() {
   constexpr std::size_t count = 1'000'000, spike = 654'321, gap = 300'000, gap_end = gap + 600;
-  Report report{.title = "A million samples", .start = Epoch::from_utc("2026-11-29T00:00:00"), .version = VECTRIX_VERSION};
-  Report::Plot rate{.title = "Rate", .unit = "deg/s", .axes = "Body", .seconds = {}, .curves = {{"x", {}}, {"y", {}}, {"z", {}}}};
+  Report report{.title = "A million samples",
+                .start = Epoch::from_utc("2026-11-29T00:00:00"),
+                .version = VECTRIX_VERSION};
+  Report::Plot rate{.title = "Rate",
+                    .unit = "deg/s",
+                    .axes = "Body",
+                    .seconds = {},
+                    .curves = {{"x", {}}, {"y", {}}, {"z", {}}}};
   Report::Scene scene{.body = "Body", .reference = "GCRF", .seconds = {}, .reference_from_body = {}};
   for (std::size_t i = 0; i < count; ++i) {
     const double t = 0.1 * static_cast<double>(i);
@@ -214,7 +227,8 @@ Report hostile() {
   Report report{.title = name, .start = Epoch::from_utc("2026-11-29T00:00:00"), .version = VECTRIX_VERSION};
   report.verdicts = {{name, name, name, name, false}};
   report.plots = {{name, name, name, {0.0, 1.0}, {{name, {0.0, 1.0}}}, {{1.0, name}}}};
-  report.scene = Report::Scene{.body = name, .reference = name, .seconds = {0.0, 1.0}, .reference_from_body = {}};
+  report.scene =
+      Report::Scene{.body = name, .reference = name, .seconds = {0.0, 1.0}, .reference_from_body = {}};
   report.scene->reference_from_body.assign(2, Eigen::Quaterniond::Identity());
   return report;
 }
@@ -222,7 +236,8 @@ Report hostile() {
 }  // namespace
 
 int main(int count, char** words) try {
-  const std::map<std::string, Report (*)(), std::less<>> all{{"cubesat", cubesat}, {"long", long_run}, {"hostile", hostile}};
+  const std::map<std::string, Report (*)(), std::less<>> all{
+      {"cubesat", cubesat}, {"long", long_run}, {"hostile", hostile}};
   const auto wanted = all.find(count == 3 ? words[1] : "");
   if (wanted == all.end()) {
     std::cerr << "usage: report_sample cubesat|long|hostile <file>\n";

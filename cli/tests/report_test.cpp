@@ -25,7 +25,8 @@ constexpr std::size_t without_data = 1'500'000, with_a_million = 5'000'000;  // 
 
 Report::Plot plot(std::vector<double> values) {
   Report::Plot plot{"P", "deg", "Body", {}, {{"x", std::move(values)}}};
-  for (std::size_t i = 0; i < plot.curves[0].values.size(); ++i) plot.seconds.push_back(0.5 * static_cast<double>(i));
+  for (std::size_t i = 0; i < plot.curves[0].values.size(); ++i)
+    plot.seconds.push_back(0.5 * static_cast<double>(i));
   return plot;
 }
 Report::Scene scene(std::size_t count) {
@@ -56,13 +57,15 @@ RC_GTEST_PROP(Report, HoldsTheNumbersThatItWasGiven, ()) {
   const auto count = *rc::gen::inRange<std::size_t>(1, 50);
   const double middle = 1e-3 * *rc::gen::inRange(-10'000'000, 10'000'000);
   std::vector<double> values;
-  for (std::size_t i = 0; i < count; ++i) values.push_back(middle + 1e-6 * *rc::gen::inRange(-1'000'000, 1'000'000));
+  for (std::size_t i = 0; i < count; ++i)
+    values.push_back(middle + 1e-6 * *rc::gen::inRange(-1'000'000, 1'000'000));
   const auto given = plot(values);
   const std::string page = html(report({given}));
   const auto [smallest, largest] = std::minmax_element(values.begin(), values.end());
   // Half a unit of the last of 24 bits, of a number that is less than 16 ranges from its offset; and of 53.
   const double size = std::max(std::abs(*smallest), std::abs(*largest));
-  const double rounding = std::ldexp(std::min(size, 16.0 * (*largest - *smallest)), -24) + std::ldexp(size, -52);
+  const double rounding =
+      std::ldexp(std::min(size, 16.0 * (*largest - *smallest)), -24) + std::ldexp(size, -52);
   const auto held = page_values(page, "x");
   RC_ASSERT(page_times(page, "P") == given.seconds);
   RC_ASSERT(held.size() == count);
@@ -109,13 +112,15 @@ TEST(Report, KeepsTheExtremesOfManySamplesWithTheirTimes) {
   const std::string page = html(report({given}));
   const auto times = page_times(page, "P"), held = page_values(page, "x");
   EXPECT_LT(held.size(), count);
-  const auto top = std::max_element(held.begin(), held.end()), bottom = std::min_element(held.begin(), held.end());
+  const auto top = std::max_element(held.begin(), held.end()),
+             bottom = std::min_element(held.begin(), held.end());
   EXPECT_EQ(*top, 5.0);
   EXPECT_EQ(*bottom, -3.0);
   EXPECT_EQ(times[static_cast<std::size_t>(top - held.begin())], given.seconds[high]);
   EXPECT_EQ(times[static_cast<std::size_t>(bottom - held.begin())], given.seconds[low]);
   for (std::size_t k = 0; k < held.size(); ++k)  // what is kept are samples
-    EXPECT_EQ(held[k], static_cast<double>(static_cast<float>(values[static_cast<std::size_t>(2.0 * times[k])])));
+    EXPECT_EQ(held[k],
+              static_cast<double>(static_cast<float>(values[static_cast<std::size_t>(2.0 * times[k])])));
   EXPECT_TRUE(says(page, detail::text(held.size()) + " of 200000 samples are kept"));
 }
 
@@ -193,23 +198,28 @@ TEST(Report, EscapesWhatFilesSay) {
   EXPECT_EQ(count_of(page, "</script"), 2U);
   EXPECT_EQ(count_of(page, "<!--"), 0U);
   EXPECT_EQ(count_of(page, "\x1b"), 0U);
-  EXPECT_TRUE(says(page, "<h1>&lt;/script&gt;&lt;script&gt;alert(&quot;1&quot;)&lt;/script&gt;&lt;!-- &amp; \\ \\x1b</h1>"));
-  EXPECT_TRUE(says(page, R"("title":"\u003c/script>\u003cscript>alert(\"1\")\u003c/script>\u003c!-- & \\ \\x1b")"));
+  EXPECT_TRUE(says(
+      page,
+      "<h1>&lt;/script&gt;&lt;script&gt;alert(&quot;1&quot;)&lt;/script&gt;&lt;!-- &amp; \\ \\x1b</h1>"));
+  EXPECT_TRUE(
+      says(page, R"("title":"\u003c/script>\u003cscript>alert(\"1\")\u003c/script>\u003c!-- & \\ \\x1b")"));
 }
 
 TEST(Report, CanBeReadWithoutAScript) {
   Report all = report({plot({1.0, 2.0})});
-  all.verdicts = {{"angle", "at most 1 deg", "0.5 deg", "0.5 deg", true}, {"rate", "at most 1 deg/s", "2 deg/s", "-1 deg/s", false}};
+  all.verdicts = {{"angle", "at most 1 deg", "0.5 deg", "0.5 deg", true},
+                  {"rate", "at most 1 deg/s", "2 deg/s", "-1 deg/s", false}};
   all.tables = {{"Figures", {"what", "deg"}, {{"largest", "2"}}}};
   all.inputs = {{"a.csv", 12, "abc"}};
   all.choices = {{"scalar", "first", "--scalar"}};
   std::string page = html(all);
   page.resize(page.find("<script"));
-  for (const char* words : {"1 of 2 requirements fulfilled", "<td class=\"good\">\u2713 fulfilled</td><td>angle</td>",
-                            "<td class=\"bad\">\u2717 not fulfilled</td><td>rate</td>", "<td>largest</td><td>2</td>",
-                            "<td>a.csv</td><td>12</td><td>abc</td>", "<td>scalar</td><td>first</td><td>--scalar</td>",
-                            "<b>P, in the axes of Body, deg</b>", "s since 2026-11-29T00:00:00.000000 UTC",
-                            "<polyline class=\"curve c0\"", "Copyright (c) 2022 Leon Sorokin"})
+  for (const char* words :
+       {"1 of 2 requirements fulfilled", "<td class=\"good\">\u2713 fulfilled</td><td>angle</td>",
+        "<td class=\"bad\">\u2717 not fulfilled</td><td>rate</td>", "<td>largest</td><td>2</td>",
+        "<td>a.csv</td><td>12</td><td>abc</td>", "<td>scalar</td><td>first</td><td>--scalar</td>",
+        "<b>P, in the axes of Body, deg</b>", "s since 2026-11-29T00:00:00.000000 UTC",
+        "<polyline class=\"curve c0\"", "Copyright (c) 2022 Leon Sorokin"})
     EXPECT_TRUE(says(page, words));
 }
 
@@ -228,12 +238,15 @@ TEST(Report, DrawsWhatStandsOut) {
 
 TEST(Report, DrawsTheSceneAsItIsSeenFromTheReference) {
   Report::Scene given = scene(1);
-  given.reference_from_body = {Eigen::Quaterniond(Eigen::AngleAxisd(std::numbers::pi / 2.0, Eigen::Vector3d::UnitZ()))};
+  given.reference_from_body = {
+      Eigen::Quaterniond(Eigen::AngleAxisd(std::numbers::pi / 2.0, Eigen::Vector3d::UnitZ()))};
   const std::string page = html(report(given));
-  // From the azimuth -55 deg and the elevation 22 deg: x is 170 sin 55 deg to the right and 170 sin 22 deg cos 55 deg
-  // below the middle of 480. The y of the body, 0.8 as long, is opposite.
-  EXPECT_TRUE(says(page, "<line class=\"arrow reference x\" x1=\"240.0\" y1=\"240.0\" x2=\"379.3\" y2=\"276.5\">"));
-  EXPECT_TRUE(says(page, "<line class=\"arrow body y\" x1=\"240.0\" y1=\"240.0\" x2=\"128.6\" y2=\"210.8\">"));
+  // From the azimuth -55 deg and the elevation 22 deg: x is 170 sin 55 deg to the right and 170 sin 22 deg
+  // cos 55 deg below the middle of 480. The y of the body, 0.8 as long, is opposite.
+  EXPECT_TRUE(
+      says(page, "<line class=\"arrow reference x\" x1=\"240.0\" y1=\"240.0\" x2=\"379.3\" y2=\"276.5\">"));
+  EXPECT_TRUE(
+      says(page, "<line class=\"arrow body y\" x1=\"240.0\" y1=\"240.0\" x2=\"128.6\" y2=\"210.8\">"));
 }
 
 TEST(Report, CutsTheGroundTrackAtTheDateLine) {
@@ -267,10 +280,14 @@ TEST(Report, RefusesWhatItCannotShow) {
     change(all);
     return complaint([&] { (void)html(all); });
   };
-  EXPECT_EQ(refusal([](Report& r) { r.plots[0].seconds = {0.0}; }), "plot 'P', curve 'x' has 2 values for 1 times");
-  EXPECT_EQ(refusal([](Report& r) { r.plots[0].seconds = {1.0, 1.0}; }),
+  EXPECT_EQ(refusal([](Report& r) { r.plots[0].seconds = {0.0}; }),
+            "plot 'P', curve 'x' has 2 values for 1 times");
+  EXPECT_EQ(refusal([](Report& r) {
+              r.plots[0].seconds = {1.0, 1.0};
+            }),
             "plot 'P': number 2 of the times is 1 s after 1 s; times have to increase");
-  EXPECT_EQ(refusal([](Report& r) { r.plots[0].seconds[1] = nan; }), "plot 'P': number 2 of the times is nan");
+  EXPECT_EQ(refusal([](Report& r) { r.plots[0].seconds[1] = nan; }),
+            "plot 'P': number 2 of the times is nan");
   EXPECT_EQ(refusal([](Report& r) { r.plots[0].seconds.clear(); }), "plot 'P' has no times");
   EXPECT_EQ(refusal([](Report& r) { r.plots[0].curves.clear(); }), "plot 'P' has no curve");
   EXPECT_EQ(refusal([](Report& r) { r.plots[0].curves[0].values[1] = infinity; }),
@@ -282,20 +299,31 @@ TEST(Report, RefusesWhatItCannotShow) {
             "attitude of Body has 1 values for 2 times");
   EXPECT_EQ(refusal([](Report& r) { r.scene->reference_from_body[1].w() = 2.0; }),
             "attitude of Body: number 2 has the norm 2, not 1");
-  EXPECT_EQ(refusal([](Report& r) { r.scene->seconds = {1.0, 0.0}; }),
+  EXPECT_EQ(refusal([](Report& r) {
+              r.scene->seconds = {1.0, 0.0};
+            }),
             "the scene: number 2 of the times is 0 s after 1 s; times have to increase");
-  EXPECT_EQ(refusal([](Report& r) { r.scene->frames = {{"Camera", Eigen::Quaterniond(nan, nan, nan, nan)}}; }),
+  EXPECT_EQ(refusal([](Report& r) {
+              r.scene->frames = {{"Camera", Eigen::Quaterniond(nan, nan, nan, nan)}};
+            }),
             "frame 'Camera' of the body has the norm nan, not 1");
-  EXPECT_EQ(refusal([](Report& r) { r.scene->axes = {{"boresight", Eigen::Vector3d::Zero()}}; }),
+  EXPECT_EQ(refusal([](Report& r) {
+              r.scene->axes = {{"boresight", Eigen::Vector3d::Zero()}};
+            }),
             "axis 'boresight' of the body has the norm 0, not 1");
-  EXPECT_EQ(refusal([](Report& r) { r.scene->directions[0].vectors[1] = {0.0, nan, 1.0}; }),
+  EXPECT_EQ(refusal([](Report& r) {
+              r.scene->directions[0].vectors[1] = {0.0, nan, 1.0};
+            }),
             "direction 'Sun': number 2 has the norm nan, not 1");
   EXPECT_EQ(refusal([](Report& r) { r.scene->directions[0].vectors.pop_back(); }),
             "direction 'Sun' has 1 values for 2 times");
   EXPECT_EQ(refusal([](Report& r) { r.scene->views[0].from_reference.pop_back(); }),
             "view 'LVLH' has 1 values for 2 times");
-  EXPECT_EQ(refusal([](Report& r) { r.scene->positions = {Eigen::Vector3d::UnitX()}; }), "positions has 1 values for 2 times");
-  EXPECT_EQ(refusal([](Report& r) { r.scene->ground_track = {{0.0, 0.0}, {0.0, 190.0}}; }),
+  EXPECT_EQ(refusal([](Report& r) { r.scene->positions = {Eigen::Vector3d::UnitX()}; }),
+            "positions has 1 values for 2 times");
+  EXPECT_EQ(refusal([](Report& r) {
+              r.scene->ground_track = {{0.0, 0.0}, {0.0, 190.0}};
+            }),
             "ground track: number 2 has latitude 0 and longitude 190 deg; they are within 90 and 180");
 }
 

@@ -11,7 +11,7 @@ export class Browser {
     this.folder = mkdtempSync(join(tmpdir(), 'vectrix_browser_'));
     this.process = spawn(
       program,
-      ['--no-sandbox', '--remote-debugging-pipe', `--user-data-dir=${this.folder}`, '--force-color-profile=srgb', ...flags],
+      ['--no-sandbox', '--remote-debugging-pipe', `--user-data-dir=${this.folder}`, '--force-color-profile=srgb', '--hide-scrollbars', ...flags],
       { stdio: ['ignore', 'ignore', 'ignore', 'pipe', 'pipe'] },
     );
     this.waiting = new Map();

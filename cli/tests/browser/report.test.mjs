@@ -318,10 +318,12 @@ test('a million samples: below 5 MB, the extreme is drawn at its place, the gap 
     assert.ok(took < 100, `a step takes ${took} ms`); // ten a second, also on a slow machine without a GPU
   }));
 
+// Down to the end of the plots.
 test('the pictures of the docs', { skip: !pictures }, async () => {
   for (const dark of [false, true])
     await withPage('cubesat', { width: 1280, height: 1000, dark }, async (page) => {
       for (let i = 0; i < 29; i++) await page.key('ArrowRight');
+      await page.size(1280, await page.value("Math.ceil(document.getElementById('figures').getBoundingClientRect().bottom + scrollY)"));
       await frame(page);
       writeFileSync(join(pictures, dark ? 'report_dark.png' : 'report.png'), await page.picture());
     });
