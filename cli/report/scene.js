@@ -1,8 +1,9 @@
 import {
   AmbientLight, BoxGeometry, BufferAttribute, BufferGeometry, Color, ConeGeometry, CylinderGeometry, DirectionalLight,
   EdgesGeometry, Group, Line, LineBasicMaterial, LineSegments, Mesh, MeshBasicMaterial, MeshStandardMaterial,
-  OrthographicCamera, Quaternion, Scene as ThreeScene, Vector3, WebGLRenderer,
+  Quaternion, Scene as ThreeScene, Vector3, WebGLRenderer,
 } from 'three';
+import { Camera } from './camera.js';
 import { between } from './data.js';
 import { Labels } from './labels.js';
 
@@ -35,13 +36,9 @@ export class Scene {
   constructor(host, canvas, context, data) {
     this.data = data;
     this.host = host;
-    this.azimuth = -55 * DEGREE;
-    this.elevation = 22 * DEGREE;
-    this.zoom = 1;
     this.view = 'reference';
     this.world = new ThreeScene();
-    this.camera = new OrthographicCamera(-1, 1, 1, -1, 0.1, 20);
-    this.camera.up.set(0, 0, 1);
+    this.camera = new Camera();
     this.light = new DirectionalLight(0xffffff, 2);
     this.world.add(new AmbientLight(0xffffff, 1.6), this.light);
     this.renderer = new WebGLRenderer({ canvas, context, antialias: true, alpha: true });
@@ -242,31 +239,21 @@ export class Scene {
   }
 
   turn(azimuth, elevation) {
-    this.azimuth += azimuth;
-    this.elevation = Math.min(89 * DEGREE, Math.max(-89 * DEGREE, this.elevation + elevation));
+    this.camera.turn(azimuth, elevation);
     this.render();
   }
 
   magnify(factor) {
-    this.zoom = Math.min(8, Math.max(0.5, this.zoom * factor));
+    this.camera.magnify(factor);
     this.render();
   }
 
   render() {
     const { clientWidth: width, clientHeight: height } = this.host;
     if (!width || !height) return;
-    const half = 1.26 / this.zoom;
-    const wide = Math.max(1, width / height);
-    const high = Math.max(1, height / width);
-    Object.assign(this.camera, { left: -half * wide, right: half * wide, top: half * high, bottom: -half * high });
-    this.camera.updateProjectionMatrix();
-    const level = Math.cos(this.elevation);
-    this.camera.position
-      .set(level * Math.cos(this.azimuth), level * Math.sin(this.azimuth), Math.sin(this.elevation))
-      .multiplyScalar(10);
-    this.camera.lookAt(0, 0, 0);
-    this.light.position.copy(this.camera.position).add(new Vector3(0, 0, 6));
-    this.renderer.render(this.world, this.camera);
-    this.labels.place(this.camera, width, height);
+    this.camera.fit(width, height);
+    this.light.position.copy(this.camera.three.position).add(new Vector3(0, 0, 6));
+    this.renderer.render(this.world, this.camera.three);
+    this.labels.place(this.camera.three, width, height);
   }
 }

@@ -15,12 +15,12 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double scene_size = 480.0, scene_radius = 170.0;  // of the unit sphere
-constexpr double degree = std::numbers::pi / 180.0;
-constexpr std::array<const char*, 3> axis_names{"x", "y", "z"};
+constexpr double scene_degree = std::numbers::pi / 180.0;
+constexpr std::array<const char*, 3> scene_axis_names{"x", "y", "z"};
 
 // The parallel projection of scene.js: pixels to the right and down, and the distance towards who looks.
 Vector3d projected(const Vector3d& v) {
-  constexpr double azimuth = -55.0 * degree, elevation = 22.0 * degree;
+  constexpr double azimuth = -55.0 * scene_degree, elevation = 22.0 * scene_degree;
   const double ahead = std::cos(azimuth) * v.x() + std::sin(azimuth) * v.y();
   const double right = -std::sin(azimuth) * v.x() + std::cos(azimuth) * v.y();
   const double up = std::cos(elevation) * v.z() - std::sin(elevation) * ahead;
@@ -128,7 +128,7 @@ class Picture {
 };
 
 // The points at an angle from an axis.
-std::vector<Vector3d> circle(const Vector3d& axis, double angle) {
+std::vector<Vector3d> sphere_circle(const Vector3d& axis, double angle) {
   const Vector3d u = axis.unitOrthogonal(), v = axis.cross(u);
   std::vector<Vector3d> points;
   constexpr int sides = 72;
@@ -141,17 +141,19 @@ std::vector<Vector3d> circle(const Vector3d& axis, double angle) {
 
 void add_sphere(Picture& picture) {
   for (const double latitude : {-60.0, -30.0, 0.0, 30.0, 60.0})
-    picture.path(circle(Vector3d::UnitZ(), (90.0 - latitude) * degree), "sphere");
+    picture.path(sphere_circle(Vector3d::UnitZ(), (90.0 - latitude) * scene_degree), "sphere");
   for (int longitude = 0; longitude < 180; longitude += 30)
-    picture.path(circle({std::cos(longitude * degree), std::sin(longitude * degree), 0.0}, 90.0 * degree),
+    picture.path(sphere_circle({std::cos(longitude * scene_degree), std::sin(longitude * scene_degree), 0.0},
+                               90.0 * scene_degree),
                  "sphere");
 }
 
 void add_axes(Picture& picture, const Eigen::Matrix3d& axes, double length, const std::string& frame,
               const std::string& kind) {
   for (int i = 0; i < 3; ++i)
-    picture.arrow(length * axes.col(i), std::string(axis_names[static_cast<std::size_t>(i)]) + " " + frame,
-                  kind + " " + axis_names[static_cast<std::size_t>(i)]);
+    picture.arrow(length * axes.col(i),
+                  std::string(scene_axis_names[static_cast<std::size_t>(i)]) + " " + frame,
+                  kind + " " + scene_axis_names[static_cast<std::size_t>(i)]);
 }
 
 void add_trail(Picture& picture, const Report::Scene& scene) {
@@ -170,7 +172,7 @@ std::string scene_svg(const Report::Scene& scene) {
   add_sphere(picture);
   if (!scene.positions.empty()) {
     const Eigen::Vector4d earth = limb(scene.positions.front());
-    if (earth.allFinite()) picture.path(circle(earth.head<3>(), earth(3)), "earth");
+    if (earth.allFinite()) picture.path(sphere_circle(earth.head<3>(), earth(3)), "earth");
   }
   add_trail(picture, scene);
   add_axes(picture, Eigen::Matrix3d::Identity(), 1.0, scene.reference, "reference");

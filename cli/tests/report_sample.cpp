@@ -154,6 +154,7 @@ Report cubesat() {
       .title = "The same less what was published", .unit = "arcsec", .axes = "", .seconds = {}, .curves = {}};
   Report::Plot rate{
       .title = "Rate of Body relative to GCRF", .unit = "deg/s", .axes = "Body", .seconds = {}, .curves = {}};
+  Report::Plot height{.title = "Height above WGS-84", .unit = "km", .axes = "", .seconds = {}, .curves = {}};
   for (const auto& [t, off_sun] : published) {
     const auto now = graph.at(t);
     scene.seconds.push_back((t - report.start).value());
@@ -171,6 +172,7 @@ Report cubesat() {
     add(rate.curves, 0, "x", w.x());
     add(rate.curves, 1, "y", w.y());
     add(rate.curves, 2, "z", w.z());
+    add(height.curves, 0, "height", place.height.in(si::kilometre));
     scene.reference_from_body.push_back(plain_quaternion(R_gcrf_from_body));
     add(scene.directions, 0, "Sun", (now.rotation(to<Gcrf>, from<Radiometer>) * to_sun).coordinates());
     add(scene.directions, 1, "Earth", Eigen::Vector3d(-r.coordinates().normalized()));
@@ -180,9 +182,9 @@ Report cubesat() {
     scene.positions.push_back(r.coordinates());
     scene.ground_track.emplace_back(place.latitude.angle.in(si::degree), place.longitude.in(si::degree));
   }
-  for (Report::Plot* plot : {&angle, &difference, &rate}) plot->seconds = scene.seconds;
+  for (Report::Plot* plot : {&angle, &difference, &rate, &height}) plot->seconds = scene.seconds;
   add_verdicts(report, angle.curves.front().values, scene.seconds);
-  report.plots = {angle, difference, rate};
+  report.plots = {angle, difference, rate, height};
   report.scene = scene;
   for (const auto& file : {attitude_file, pointing_file, elements_file, earth_file})
     report.inputs.push_back(input(file));

@@ -67,7 +67,7 @@ test('the plots hold the published numbers, in their order and at their times', 
   withPage('cubesat', {}, async (page) => {
     const rows = readFileSync(join(source, 'examples/data/CTIM_20230420_pointing.csv'), 'utf8')
       .split('\n').filter((line) => /^\d/.test(line)).map((line) => line.split(','));
-    const [plot] = JSON.parse(await page.value('JSON.stringify(vectrix_report.plots.map((p) => ({ seconds: [...p.seconds], curves: p.curves })))'));
+    const [plot, , , height] = JSON.parse(await page.value('JSON.stringify(vectrix_report.plots.map((p) => ({ seconds: [...p.seconds], curves: p.curves })))'));
     const published = plot.curves.find((curve) => curve.name === 'published');
     const single = 2 ** -24 * 180; // half a unit of the last place of an angle, deg
     assert.equal(plot.seconds.length, rows.length);
@@ -75,6 +75,8 @@ test('the plots hold the published numbers, in their order and at their times', 
       near(plot.seconds[i], (row[0] - rows[0][0]) / 1e6, 1e-6);
       near(published.values[i], (Math.acos(row[3]) * 180) / Math.PI, single);
     });
+    // Of a semi-major axis of 6830 km and an eccentricity of 0.0014 over the radii of the Earth, 6357 to 6378 km.
+    assert.ok(height.curves[0].values.every((km) => km > 440 && km < 483));
   }));
 
 test('a click plays, another one pauses, and playing ends at the end', () =>
@@ -112,7 +114,7 @@ test('a click in a plot goes to its time, and the numbers there are written', ()
       return p.curves.map((curve) => curve.values[at]);
     })`);
     const written = await page.value("[...document.querySelectorAll('.plot output')].map((o) => o.value.replace('\\u2212', '-'))");
-    assert.equal(written.length, 6);
+    assert.equal(written.length, 7);
     written.forEach((text, i) => near(Number(text), expected[i], 1e-5 * Math.abs(expected[i])));
     const marks = await page.value("[...document.querySelectorAll('.mark')].map((m) => parseFloat(m.style.left))");
     marks.forEach((left) => near(left, (time / SPAN) * width, 1, 'mark'));
@@ -318,12 +320,12 @@ test('a million samples: below 5 MB, the extreme is drawn at its place, the gap 
     assert.ok(took < 100, `a step takes ${took} ms`); // ten a second, also on a slow machine without a GPU
   }));
 
-// Down to the end of the plots.
+// Down to the end of the third plot.
 test('the pictures of the docs', { skip: !pictures }, async () => {
   for (const dark of [false, true])
     await withPage('cubesat', { width: 1280, height: 1000, dark }, async (page) => {
       for (let i = 0; i < 29; i++) await page.key('ArrowRight');
-      await page.size(1280, await page.value("Math.ceil(document.getElementById('figures').getBoundingClientRect().bottom + scrollY)"));
+      await page.size(1280, await page.value("Math.ceil(document.querySelectorAll('.plot')[2].getBoundingClientRect().bottom + scrollY)"));
       await frame(page);
       writeFileSync(join(pictures, dark ? 'report_dark.png' : 'report.png'), await page.picture());
     });
