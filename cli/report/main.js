@@ -192,7 +192,7 @@ function start() {
   window.vectrix_report = {
     get time() { return player.t; },
     get playing() { return player.playing; },
-    get shown() { return plots.shown; },
+    get shown() { return plots.ranges; },
     get view() { return scene ? scene.view : null; },
     plots: data.plots,
   };

@@ -172,6 +172,11 @@ export class Plots {
     this.zooming = false;
   }
 
+  // The first and the last second that each plot shows.
+  get ranges() {
+    return this.all.map(({ u, unit }) => [u.scales.x.min * unit, u.scales.x.max * unit]);
+  }
+
   zoomBy(factor, t) {
     const [from, to] = this.shown;
     const about = Math.min(to, Math.max(from, t));

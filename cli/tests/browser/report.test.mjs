@@ -21,11 +21,15 @@ const state = (page, key) => page.value(`vectrix_report.${key}`);
 const frame = (page) => page.value('new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => done())))');
 const near = (a, b, tolerance, words) => assert.ok(Math.abs(a - b) <= tolerance, `${words ?? ''} ${a} is not ${b} within ${tolerance}`);
 
-const showsAll = async (page) => {
-  const [from, to] = await state(page, 'shown');
-  near(from, 0, ROUNDING);
-  near(to, SPAN, ROUNDING);
-};
+// Whether all plots show the time from..to.
+async function shows(page, from, to, tolerance) {
+  const ranges = await state(page, 'shown');
+  assert.equal(ranges.length, 4);
+  for (const range of ranges) {
+    near(range[0], from, tolerance);
+    near(range[1], to, tolerance);
+  }
+}
 
 before(() => {
   folder = mkdtempSync(join(tmpdir(), 'vectrix_report_'));
@@ -125,9 +129,8 @@ test('a click in a plot goes to its time, and the numbers there are written', ()
 test('a drag zooms all plots, a double click shows all', () =>
   withPage('cubesat', {}, async (page) => {
     await page.drag('.plot .u-over', [0.2, 0.5], [0.4, 0.5]);
-    const [from, to] = await state(page, 'shown');
-    near(from, 0.2 * SPAN, 0.01 * SPAN);
-    near(to, 0.4 * SPAN, 0.01 * SPAN);
+    await frame(page);
+    await shows(page, 0.2 * SPAN, 0.4 * SPAN, 0.01 * SPAN);
     assert.equal(await state(page, 'time'), 0); // a drag is no click
     assert.equal(await page.value("[...document.querySelectorAll('.mark')].every((m) => m.hidden)"), true);
     const at = await page.point('.plot:nth-of-type(2) .u-over', 0.5);
@@ -136,7 +139,7 @@ test('a drag zooms all plots, a double click shows all', () =>
       await page.mouse('mouseReleased', at, { clickCount });
     }
     await frame(page);
-    await showsAll(page);
+    await shows(page, 0, SPAN, ROUNDING);
   }));
 
 test('everything goes by keyboard, and shows where it is', () =>
@@ -147,11 +150,10 @@ test('everything goes by keyboard, and shows where it is', () =>
     near(await state(page, 'time'), (11 * SPAN) / 100, 1e-6);
     await page.key('+');
     await frame(page);
-    const [from, to] = await state(page, 'shown');
-    near(to - from, SPAN / 2, 1e-6);
+    await shows(page, 0.055 * SPAN, 0.555 * SPAN, ROUNDING); // about 0.11
     await page.key('0');
     await frame(page);
-    await showsAll(page);
+    await shows(page, 0, SPAN, ROUNDING);
     await page.key('Home');
     await page.key(' ');
     assert.equal(await state(page, 'playing'), true);
@@ -169,6 +171,10 @@ test('everything goes by keyboard, and shows where it is', () =>
     await page.key(' '); // once, not twice
     assert.equal(await state(page, 'playing'), true);
     await page.key(' ');
+    await page.value("document.querySelector('#keys summary').focus()");
+    await page.key(' '); // is of the summary
+    assert.equal(await state(page, 'playing'), false);
+    assert.equal(await page.value("document.getElementById('keys').open"), true);
     await page.key('Home');
     await page.value("document.getElementById('canvas').focus()");
     const before = await label(page, 'x GCRF');
