@@ -1,0 +1,189 @@
+import uPlot from 'uplot';
+import { place } from './data.js';
+
+const HEIGHT = 220;
+
+const colour = (name) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
+const curveColour = (i) => () => colour(`--c${i % 8}`);
+
+export function number(x, digits = 6) {
+  if (x == null) return '\u2013';
+  return String(Number(x.toPrecision(digits))).replace('-', '\u2212');
+}
+
+// The smallest and the largest value that can be seen, and the limits; with a margin.
+function valueRange(limits) {
+  return (u, low, high) => {
+    const all = [low, high, ...limits.map((limit) => limit.value)].filter((x) => x != null);
+    if (!all.length) return [-1, 1];
+    const from = Math.min(...all);
+    const to = Math.max(...all);
+    const pad = Math.max(0.05 * (to - from), 1e-6 * Math.abs(to)) || 1e-3;
+    return [from - pad, to + pad];
+  };
+}
+
+function drawLimits(limits) {
+  return (u) => {
+    const { ctx, bbox } = u;
+    const dot = devicePixelRatio;
+    ctx.save();
+    ctx.strokeStyle = ctx.fillStyle = colour('--limit');
+    ctx.lineWidth = dot;
+    ctx.setLineDash([6 * dot, 4 * dot]);
+    ctx.font = `${12 * dot}px ${getComputedStyle(document.body).fontFamily}`;
+    ctx.textAlign = 'right';
+    const write = (text, x, y) => {
+      ctx.save();
+      Object.assign(ctx, { strokeStyle: colour('--paper'), lineWidth: 4 * dot, lineJoin: 'round' });
+      ctx.setLineDash([]);
+      ctx.strokeText(text, x, y);
+      ctx.restore();
+      ctx.fillText(text, x, y);
+    };
+    for (const { name, value } of limits) {
+      const y = u.valToPos(value, 'y', true);
+      ctx.beginPath();
+      ctx.moveTo(bbox.left, y);
+      ctx.lineTo(bbox.left + bbox.width, y);
+      ctx.stroke();
+      const above = y - 5 * dot;
+      write(name, bbox.left + bbox.width - 4 * dot, above > bbox.top + 12 * dot ? above : y + 15 * dot);
+    }
+    ctx.restore();
+  };
+}
+
+// One plot in its figure. `zoomed` is called with the first and the last second that are shown.
+class Plot {
+  constructor(figure, data, { name: unitName, seconds: unit }, { clicked, zoomed }) {
+    this.data = data;
+    this.unit = unit;
+    this.host = figure.querySelector('.live');
+    this.outputs = [...figure.querySelectorAll('figcaption output')];
+    this.mark = Object.assign(document.createElement('div'), { className: 'mark' });
+    figure.classList.add('has-script');
+    const axis = {
+      stroke: () => colour('--mute'),
+      font: `12px ${getComputedStyle(document.body).fontFamily}`,
+      grid: { stroke: () => colour('--grid'), width: 1 },
+      ticks: { show: false },
+    };
+    this.u = new uPlot(
+      {
+        width: this.host.clientWidth,
+        height: HEIGHT,
+        legend: { show: false },
+        cursor: { sync: { key: 'time', scales: ['x', null] }, drag: { x: true, y: false }, points: { size: 6 } },
+        scales: { x: { time: false }, y: { range: valueRange(data.limits) } },
+        axes: [
+          { ...axis, size: 26, space: 70, label: `time, ${unitName}`, labelSize: 18, labelFont: axis.font },
+          { ...axis, size: 72, values: (u, ticks) => ticks.map((x) => number(x)) },
+        ],
+        series: [
+          {},
+          ...data.curves.map((curve, i) => ({ label: curve.name, stroke: curveColour(i), width: 1.5, points: { show: false } })),
+        ],
+        hooks: {
+          draw: [drawLimits(data.limits)],
+          ready: [(u) => u.over.append(this.mark)],
+          setCursor: [() => this.write()],
+          setScale: [(u, key) => key === 'x' && this.rescaled(zoomed)],
+        },
+      },
+      [Float64Array.from(data.seconds, (t) => t / unit), ...data.curves.map((curve) => curve.values)],
+      this.host,
+    );
+    this.takeClicks(clicked);
+    new ResizeObserver(() => this.fit()).observe(this.host);
+  }
+
+  // A drag zooms; it is no click.
+  takeClicks(clicked) {
+    let pressed = 0;
+    this.u.over.addEventListener('mousedown', (event) => (pressed = event.clientX));
+    this.u.over.addEventListener('click', (event) => {
+      if (Math.abs(event.clientX - pressed) < 3)
+        clicked(this.u.posToVal(event.clientX - this.u.over.getBoundingClientRect().left, 'x') * this.unit);
+    });
+  }
+
+  fit() {
+    const width = this.host.clientWidth;
+    if (width && width !== this.u.width) this.u.setSize({ width, height: HEIGHT });
+    this.place();
+  }
+
+  rescaled(zoomed) {
+    this.place();
+    const { min, max } = this.u.scales.x;
+    if (min != null) zoomed(min * this.unit, max * this.unit);
+  }
+
+  zoom(from, to) {
+    const { min, max } = this.u.scales.x;
+    if (min !== from / this.unit || max !== to / this.unit)
+      this.u.setScale('x', { min: from / this.unit, max: to / this.unit });
+  }
+
+  show(t) {
+    this.t = t;
+    this.place();
+    this.write();
+  }
+
+  place() {
+    if (this.t === undefined || !this.u) return;
+    const { min, max } = this.u.scales.x;
+    const x = this.t / this.unit;
+    this.mark.hidden = !(x >= min && x <= max);
+    this.mark.style.left = `${this.u.valToPos(x, 'x')}px`;
+  }
+
+  // The sample under the cursor, or else the last one that is not after the time.
+  write() {
+    if (this.t === undefined) return;
+    const at = this.u?.cursor.idx ?? place(this.data.seconds, this.t);
+    this.outputs.forEach((output, i) => (output.value = number(this.data.curves[i].values[at])));
+  }
+}
+
+export class Plots {
+  constructor(figures, data, clicked) {
+    this.whole = [data.first, data.last > data.first ? data.last : data.first + data.unit.seconds];
+    const hooks = { clicked, zoomed: (from, to) => this.zoom(from, to) };
+    this.all = data.plots.map((plot, i) => new Plot(figures[i], plot, data.unit, hooks));
+    this.zoom(...this.whole);
+    matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () =>
+      this.all.forEach(({ u }) => u.redraw(false)),
+    );
+  }
+
+  show(t) {
+    this.all.forEach((plot) => plot.show(t));
+  }
+
+  // All plots show the same time, which stays within the whole one.
+  zoom(from, to) {
+    if (this.zooming) return;
+    this.zooming = true;
+    this.shown = [Math.max(from, this.whole[0]), Math.min(to, this.whole[1])];
+    this.all.forEach((plot) => plot.zoom(...this.shown));
+    this.zooming = false;
+  }
+
+  // The first and the last second that each plot shows.
+  get ranges() {
+    return this.all.map(({ u, unit }) => [u.scales.x.min * unit, u.scales.x.max * unit]);
+  }
+
+  zoomBy(factor, t) {
+    const [from, to] = this.shown;
+    const about = Math.min(to, Math.max(from, t));
+    this.zoom(about + (from - about) * factor, about + (to - about) * factor);
+  }
+
+  unzoom() {
+    this.zoom(...this.whole);
+  }
+}

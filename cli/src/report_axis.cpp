@@ -1,0 +1,31 @@
+#include "report_axis.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "figures.hpp"
+#include "report_text.hpp"
+
+namespace vectrix::cli {
+
+Ticks ticks(double from, double to, int most) {
+  const double least = (to - from) / most;
+  const double decade = std::pow(10.0, std::floor(std::log10(least)));
+  double step = 10.0 * decade;
+  for (const double factor : {5.0, 2.0, 1.0})
+    if (factor * decade >= least) step = factor * decade;
+  constexpr double rounding = 1e-9;
+  Ticks found{{}, static_cast<int>(std::max(0.0, -std::floor(std::log10(step) + rounding)))};
+  for (double k = std::ceil(from / step - rounding); k * step <= to + rounding * step; ++k)
+    found.values.push_back(k * step);
+  return found;
+}
+
+std::string tick_text(double value, int decimals) {
+  constexpr int most_decimals = 5;
+  constexpr double longest = 1e6;
+  const bool is_long = decimals > most_decimals || std::abs(value) >= longest;
+  return is_long ? shown(value) : with_decimals(value, decimals);
+}
+
+}  // namespace vectrix::cli

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace vectrix::cli {
+
+/// An axis of a drawing: values from..to at the pixels low..high.
+struct DrawnAxis {
+  double from, to, low, high;
+
+  [[nodiscard]] double at(double value) const { return low + (value - from) / (to - from) * (high - low); }
+};
+
+/// Multiples of 1, 2 or 5 times a power of ten, at most `most` of them, and the decimals that they need.
+struct Ticks {
+  std::vector<double> values;
+  int decimals;
+};
+Ticks ticks(double from, double to, int most);
+/// The number at a tick: of very large and very small ones four digits with an exponent.
+std::string tick_text(double value, int decimals);
+
+}  // namespace vectrix::cli
