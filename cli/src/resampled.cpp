@@ -30,10 +30,18 @@ AttitudeRecord resampled(const AttitudeRecord& record, const std::vector<Epoch>&
   at.times.clear();
   at.numbers.clear();
   at.rates.clear();
+  const auto add = [&](const Epoch& t, const Eigen::Quaterniond& q) {
+    at.times.push_back(t);
+    at.numbers.push_back({q.w(), q.x(), q.y(), q.z()});
+  };
   for (const Epoch& t : times) {
     if (t < record.times.front() || record.times.back() < t) continue;
-    const auto after = std::upper_bound(record.times.begin() + 1, record.times.end() - 1, t);
+    const auto after = std::lower_bound(record.times.begin(), record.times.end(), t);
     const auto i = static_cast<std::size_t>(after - record.times.begin());
+    if (record.times[i] == t) {
+      add(t, record.to_reference(i, record.stated));
+      continue;
+    }
     if ((record.times[i] - record.times[i - 1]).value() > longest) continue;
     const double turn = angle_of(record.to_reference(i - 1, record.stated).conjugate() *
                                  record.to_reference(i, record.stated));
@@ -41,9 +49,7 @@ AttitudeRecord resampled(const AttitudeRecord& record, const std::vector<Epoch>&
       throw BadInput(record.file + ": from " + record.times[i - 1].utc(3) + " UTC to " +
                      record.times[i].utc(3) + " UTC the attitude turns by " + shown(degrees * turn) +
                      " deg, nearly half a turn: which way is not known, and no attitude between them");
-    const Eigen::Quaterniond q(motion(t).rotation.matrix());
-    at.times.push_back(t);
-    at.numbers.push_back({q.w(), q.x(), q.y(), q.z()});
+    add(t, Eigen::Quaterniond(motion(t).rotation.matrix()));
   }
   if (at.size() < 2)
     throw BadInput(record.file + ": " + counted(at.size(), "instant") + " of " +

@@ -226,6 +226,7 @@ Report::Scene scene(const Scenario& scenario, const Flight& flight, const std::v
 
 Report::Input input(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
+  if (!in) throw BadInput(file.string() + ": cannot be read again");
   const std::string bytes{std::istreambuf_iterator<char>(in), {}};
   return {file.string(), bytes.size(), sha256(bytes)};
 }
