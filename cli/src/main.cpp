@@ -8,6 +8,7 @@
 
 #include "check.hpp"
 #include "convert.hpp"
+#include "frames.hpp"
 #include "plain_words.hpp"
 #include "pointing.hpp"
 #include "replay.hpp"
@@ -231,6 +232,21 @@ void add_replay(CLI::App& app, ReplayOptions& options) {
   replay.add_flag("--force", options.force, "overwrites the files that the scenario names in [output]");
 }
 
+void add_frames(CLI::App& app, FramesOptions& options) {
+  auto& frames =
+      *app.add_subcommand("frames", "the chain between two frames of a scenario file, factor by factor");
+  frames.footer(
+      "Without --from and --to the frames are listed. Names are those of the scenario, its body, GCRF "
+      "(ICRF),\n"
+      "EME2000 (J2000), ITRF if the file has [earth], and LVLH if it has [orbit].\n"
+      "Exit code: 0, or 2 if the input is wrong.\n\n"
+      "  vectrix frames scenario.toml --from radiometer --to J2000 --at '2023-04-20T05:30:00 UTC'");
+  frames.add_option("file", options.file, "the scenario file, TOML")->required();
+  frames.add_option("--from", options.from, "v_to = R v_from");
+  frames.add_option("--to", options.to, "v_to = R v_from");
+  frames.add_option("--at", options.at, "the instant; by default the first sample of the attitude");
+}
+
 // For docs/reference/scenario_file.md; of no use to others.
 void add_schema(CLI::App& app) {
   app.add_subcommand("schema", "the page of the scenario file")->group("");
@@ -293,6 +309,11 @@ bool run_replay(ReplayOptions& options) {
   return replay(options, progress, std::cout);
 }
 
+bool run_frames(const FramesOptions& options) {
+  frames(options, std::cout);
+  return true;
+}
+
 bool write_schema() {
   std::cout << schema_page();
   return true;
@@ -308,17 +329,20 @@ int main(int count, char** arguments) {
   PointingWords pointing;
   ConvertWords convert;
   ReplayOptions replay;
+  FramesOptions frames;
   try {
     add_check(app, check);
     add_pointing(app, pointing);
     add_convert(app, convert);
     add_replay(app, replay);
+    add_frames(app, frames);
     add_schema(app);
     app.parse(count, arguments);
     require_texts(*app.get_subcommands().front());
     const bool good = app.got_subcommand("check")      ? run_check(check)
                       : app.got_subcommand("pointing") ? run_pointing(pointing)
                       : app.got_subcommand("replay")   ? run_replay(replay)
+                      : app.got_subcommand("frames")   ? run_frames(frames)
                       : app.got_subcommand("schema")   ? write_schema()
                                                        : run_convert(convert);
     return good ? yes : no;
