@@ -251,6 +251,7 @@ class FileReader {
     if (!fs::exists(path, none))
       refuse(place(node),
              "there is no file " + path.string() + "; names are relative to the folder of this file");
+    if (!fs::is_regular_file(path, none)) refuse(place(node), path.string() + " is no file");
     return path.string();
   }
 

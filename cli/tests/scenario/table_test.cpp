@@ -123,6 +123,7 @@ TEST_F(ScenarioFile, WantsTimesWithTheirScale) {
 TEST_F(ScenarioFile, NamesTheFileThatIsNotThere) {
   EXPECT_EQ(refusal("a.csv", "b.csv"), "FILE:4:8: there is no file " + folder.file("b.csv").string() +
                                            "; names are relative to the folder of this file");
+  EXPECT_EQ(refusal("a.csv", "/dev/zero"), "FILE:4:8: /dev/zero is no file");
   EXPECT_EQ(complaint([&] { (void)read_scenario(folder.file("none.toml")); }, folder.file("none.toml")),
             "FILE: cannot be read");
   EXPECT_EQ(complaint([&] { (void)read_scenario(folder.file(".")); }, folder.file(".")),
