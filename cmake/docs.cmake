@@ -19,6 +19,11 @@ if(TARGET draw_pictures)
   add_dependencies(docs draw_pictures)
 endif()
 
+# docs/reference/scenario_file.md.
+if(TARGET scenario_page)
+  add_dependencies(docs scenario_page)
+endif()
+
 # The compiler's message in README.md.
 get_target_property(eigen Eigen3::Eigen INTERFACE_INCLUDE_DIRECTORIES)
 add_custom_target(readme COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/tools/readme.py --write

@@ -76,22 +76,23 @@ function(vectrix_tests layer)
   endif()
 endfunction()
 
-# tests/fuzz/*.cpp of the current folder: one libFuzzer program and one short test each, with its seeds in tests/fuzz/corpus.
-# What it finds is kept in the build folder.
-function(vectrix_fuzz_tests layer)
+# tests/fuzz/*.cpp of the current folder: one libFuzzer program of the library <target> and one short test each, with its seeds
+# in tests/fuzz/corpus. What it finds is kept in the build folder.
+function(vectrix_fuzz_tests layer target)
   if(NOT VECTRIX_FUZZ)
     return()
   endif()
   if(NOT CMAKE_CXX_COMPILER_ID MATCHES "Clang")
     message(FATAL_ERROR "VECTRIX_FUZZ needs clang")
   endif()
-  target_compile_options(vectrix_${layer} PRIVATE -fsanitize=fuzzer-no-link)
+  target_compile_options(${target} PRIVATE -fsanitize=fuzzer-no-link)
   file(GLOB sources CONFIGURE_DEPENDS tests/fuzz/*.cpp)
   foreach(source IN LISTS sources)
     cmake_path(GET source STEM reader)
     set(program fuzz_${reader})
     add_executable(${program} ${source})
-    target_link_libraries(${program} PRIVATE vectrix::${layer})
+    target_link_libraries(${program} PRIVATE ${target})
+    target_include_directories(${program} PRIVATE ${PROJECT_SOURCE_DIR})
     target_compile_options(${program} PRIVATE -fsanitize=fuzzer)
     target_link_options(${program} PRIVATE -fsanitize=fuzzer)
     vectrix_warnings(${program})

@@ -85,9 +85,9 @@ AttitudeRecord read_table(const std::filesystem::path& file, const TableColumns&
   return record;
 }
 
-AttitudeRecord read_message(const std::filesystem::path& file, std::optional<std::size_t> segment) {
+AttitudeRecord read_message(const std::filesystem::path& file, const Selection& selection) {
   const auto message = AttitudeEphemerisMessage::read(file);
-  const auto& part = segment_of(message, segment, file);
+  const auto& part = segment_of(message, selection, file);
   const auto a = inertial(part.ref_frame_a()), b = inertial(part.ref_frame_b());
   if (a && b)
     throw BadInput(file.string() + ": the frames '" + part.ref_frame_a() + "' and '" + part.ref_frame_b() +

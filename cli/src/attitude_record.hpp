@@ -13,6 +13,7 @@
 #include <vectrix/space.hpp>
 
 #include "message_text.hpp"
+#include "selection.hpp"
 
 namespace vectrix::cli {
 
@@ -47,6 +48,7 @@ struct AttitudeRecord {
   std::string no_rates{};                // why rates of the file are not used
   TimeScale time_scale = scale::utc;     // in which the file has the times
   std::optional<MessageText> message{};  // of a message
+  std::optional<double> longest_step{};  // s: a longer one is a gap; by default three times the median
 
   [[nodiscard]] std::size_t size() const { return times.size(); }
   /// The quaternion that takes coordinates from the body to the reference, of norm 1.
@@ -80,10 +82,10 @@ struct TableColumns {
 /// than two samples, and times that do not increase.
 AttitudeRecord read_table(const std::filesystem::path& file, const TableColumns& columns);
 
-/// The segment of an attitude ephemeris message, counted from 1, which may be left out if there is only one.
+/// The selected segment of an attitude ephemeris message, with all its samples.
 /// Throws BadInput as the message does, for a segment that the file does not have, and if neither frame is
 /// EME2000 or GCRF.
-AttitudeRecord read_message(const std::filesystem::path& file, std::optional<std::size_t> segment);
+AttitudeRecord read_message(const std::filesystem::path& file, const Selection& selection);
 /// Whether the file begins as a message does, or else is a table. Throws BadInput if it cannot be read.
 bool is_message(const std::filesystem::path& file);
 /// Whether the file begins as an orbit ephemeris message does. Throws BadInput if it cannot be read.

@@ -37,7 +37,7 @@ struct Step {
 };
 std::vector<Step> steps_of(const AttitudeRecord& record) {
   const auto durations = durations_of(record);
-  const double longest = longest_step(median(durations));
+  const double longest = longest_step(record, median(durations));
   std::vector<Step> steps;
   for (std::size_t i = 0; i < durations.size(); ++i)
     if (durations[i] <= longest) steps.push_back({i, durations[i]});

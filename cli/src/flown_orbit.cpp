@@ -12,7 +12,7 @@
 namespace vectrix::cli {
 namespace {
 
-using earth::Eme2000, earth::Gcrf, earth::Teme;
+using earth::Eme2000, earth::Gcrf, earth::Itrf, earth::Teme;
 
 template <class... Edges> FlownOrbit flown(const Edges&... edges) {
   const auto graph = std::make_shared<const FrameGraph<Edges...>>(frame_graph(edges...));
@@ -53,10 +53,10 @@ void require_samples(const std::string& file, const Interpolation& interpolation
 
 // The segment, with an interpolation that has its samples.
 OrbitEphemerisSegment interpolated(const std::string& file, const OrbitEphemerisSegment& segment,
-                                   const std::optional<Interpolation>& stated) {
+                                   const StatedInterpolation& stated) {
   EphemerisMetadata metadata = segment.metadata();
   const auto said = said_by(metadata);
-  if (!said && !stated)
+  if (!said && !stated.value)
     throw BadInput(
         file + ": " +
         (metadata.interpolation.empty()
@@ -64,8 +64,8 @@ OrbitEphemerisSegment interpolated(const std::string& file, const OrbitEphemeris
              : "INTERPOLATION is '" + metadata.interpolation + "', of degree " +
                    (metadata.interpolation_degree ? detail::text(*metadata.interpolation_degree) : "none") +
                    ", none of hermite and lagrange with a degree") +
-        "; missing: --interpolation hermite|lagrange --degree NUMBER");
-  const Interpolation interpolation = said ? *said : *stated;
+        "; missing: " + stated.word);
+  const Interpolation interpolation = said ? *said : *stated.value;
   require_degree(file + ": ", interpolation);
   const detail::OrbitLines& lines = segment.lines(detail::trusted);
   require_samples(file, interpolation, lines.lines);
@@ -74,18 +74,22 @@ OrbitEphemerisSegment interpolated(const std::string& file, const OrbitEphemeris
   return {detail::trusted, metadata, lines};
 }
 
-FlownOrbit orbit_of(const std::string& file, const OrbitEphemerisSegment& segment, const TimeSpan& span) {
+FlownOrbit orbit_of(const std::string& file, const OrbitEphemerisSegment& segment, const TimeSpan& span,
+                    const std::optional<EarthOrientation>& orientation) {
   if (small(segment.metadata().center_name) != "earth")
     throw BadInput(file + ": CENTER_NAME is '" + segment.metadata().center_name +
                    "'; the orbit must be about EARTH");
   const std::string name = small(segment.ref_frame());
   const bool is_teme = name == "teme" || name == "temeofdate";
   const auto reference = inertial(name);
-  if (!is_teme && !reference)
+  const bool is_itrf = name.starts_with("itrf") && orientation;
+  if (!is_teme && !reference && !is_itrf)
     throw BadInput(file + ": REF_FRAME is '" + segment.ref_frame() + "'; --oem takes EME2000, GCRF or TEME");
   if (is_teme && segment.ref_frame_epoch())
     throw BadInput(file + ": REF_FRAME_EPOCH stops " + segment.ref_frame() + "; --oem takes it of date");
   const auto gap = longest_gap * si::second;
+  if (is_itrf)
+    return flown(edge(EarthMotion(*orientation, span)), segment.sampled_edge<Itrf, Satellite>(gap));
   if (is_teme) return flown_in_teme(span, segment.sampled_edge<Teme, Satellite>(gap));
   if (*reference == "EME2000")
     return flown(rigid_edge(coincident(eme2000_from_gcrf())), segment.sampled_edge<Eme2000, Satellite>(gap));
@@ -116,14 +120,16 @@ FlownOrbit orbit_of_elements(const std::filesystem::path& file, const TimeSpan& 
 }
 
 FlownOrbit orbit_of_message(const std::filesystem::path& file, const TimeSpan& span,
-                            const std::optional<Interpolation>& stated) {
+                            const StatedInterpolation& stated,
+                            const std::optional<EarthOrientation>& orientation) {
   const auto message = OrbitEphemerisMessage::read(file);
   const auto& segments = message.segments();
-  if (stated && std::all_of(segments.begin(), segments.end(),
-                            [](const auto& segment) { return said_by(segment.metadata()).has_value(); }))
+  if (stated.value && std::all_of(segments.begin(), segments.end(), [](const auto& segment) {
+        return said_by(segment.metadata()).has_value();
+      }))
     throw BadInput(file.string() + ": says itself how to interpolate, " +
-                   said_by(segments.front().metadata())->name() +
-                   "; --interpolation is for a message that does not say it");
+                   said_by(segments.front().metadata())->name() + "; " + stated.name() +
+                   " is for a message that does not say it");
   struct Part {
     TimeSpan span;
     FlownOrbit orbit;
@@ -132,8 +138,9 @@ FlownOrbit orbit_of_message(const std::filesystem::path& file, const TimeSpan& s
   for (const auto& segment : segments) {
     const auto& lines = segment.lines(detail::trusted).lines;
     const auto usable = interpolated(file.string(), segment, stated);
-    parts.push_back({from_until(lines.front().time, lines.back().time),
-                     in_plain_words(file.string(), [&] { return orbit_of(file.string(), usable, span); })});
+    parts.push_back({from_until(lines.front().time, lines.back().time), in_plain_words(file.string(), [&] {
+                       return orbit_of(file.string(), usable, span, orientation);
+                     })});
   }
   return [parts, name = file.string()](const Epoch& t) {
     for (const Part& part : parts) {
@@ -141,6 +148,17 @@ FlownOrbit orbit_of_message(const std::filesystem::path& file, const TimeSpan& s
     }
     throw BadInput(name + ": the epoch " + t.utc() + " UTC of an attitude is in no segment");
   };
+}
+
+FlownOrbit orbit_of_table(const OrbitFile& source, const TimeSpan& span, const Interpolation& interpolation,
+                          const std::optional<EarthOrientation>& orientation) {
+  const OrbitRecord record = read_orbit_in_any_frame(source);
+  EphemerisMetadata metadata;
+  metadata.center_name = "EARTH";
+  const std::string file = source.file.string();
+  const auto usable = interpolated(file, {detail::trusted, metadata, record.lines}, {interpolation});
+  const auto orbit = in_plain_words(file, [&] { return orbit_of(file, usable, span, orientation); });
+  return [orbit, file](const Epoch& t) { return in_plain_words(file, [&] { return orbit(t); }); };
 }
 
 }  // namespace vectrix::cli

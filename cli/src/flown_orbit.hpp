@@ -7,6 +7,7 @@
 #include <vectrix/space.hpp>
 
 #include "interpolation.hpp"
+#include "orbit_record.hpp"
 
 namespace vectrix::cli {
 
@@ -20,11 +21,26 @@ using FlownOrbit = std::function<PointMotion<earth::Gcrf, Satellite, earth::Gcrf
 /// ends.
 FlownOrbit orbit_of_elements(const std::filesystem::path& file, const TimeSpan& span);
 
-/// Of an orbit ephemeris message in EME2000, GCRF or TEME, about the Earth: each epoch by the first segment
-/// that has it, interpolated as the segment says, or else as `stated`. Throws BadInput as the message does,
+/// An interpolation that was stated, and how to state one.
+struct StatedInterpolation {
+  std::optional<Interpolation> value{};
+  std::string word = "--interpolation hermite|lagrange --degree NUMBER";
+
+  [[nodiscard]] std::string name() const { return word.substr(0, word.find(' ')); }
+};
+
+/// Of an orbit ephemeris message in EME2000, GCRF or TEME, or in ITRF if the orientation of the Earth is
+/// given, about the Earth: each epoch by the first segment that has it, interpolated as the segment says, or
+/// else as `stated`. Throws BadInput as the message does,
 /// for another frame, an epoch in no segment, fewer samples than the interpolation needs, an interpolation
 /// that nobody has stated, and one that is stated while every segment says its own.
 FlownOrbit orbit_of_message(const std::filesystem::path& file, const TimeSpan& span,
-                            const std::optional<Interpolation>& stated = std::nullopt);
+                            const StatedInterpolation& stated = {},
+                            const std::optional<EarthOrientation>& orientation = std::nullopt);
+
+/// Of a table, in ITRF only with the orientation of the Earth. Throws BadInput as the table does, and as
+/// orbit_of_message.
+FlownOrbit orbit_of_table(const OrbitFile& source, const TimeSpan& span, const Interpolation& interpolation,
+                          const std::optional<EarthOrientation>& orientation);
 
 }  // namespace vectrix::cli

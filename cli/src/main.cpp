@@ -1,3 +1,5 @@
+#include <unistd.h>
+
 #include <CLI/CLI.hpp>
 #include <ctime>
 #include <exception>
@@ -6,8 +8,11 @@
 
 #include "check.hpp"
 #include "convert.hpp"
+#include "frames.hpp"
 #include "plain_words.hpp"
 #include "pointing.hpp"
+#include "replay.hpp"
+#include "scenario/schema.hpp"
 #include "words.hpp"
 
 namespace {
@@ -41,8 +46,11 @@ struct ConvertWords {
   ConvertOptions options;
 };
 
-const std::map<std::string, Target> targets{
-    {"sun", Target::sun}, {"moon", Target::moon}, {"earth", Target::earth}, {"velocity", Target::velocity}};
+const std::map<std::string, Target> targets{{"sun", Target::sun},
+                                            {"moon", Target::moon},
+                                            {"earth", Target::earth},
+                                            {"velocity", Target::velocity},
+                                            {"velocity_in_itrf", Target::velocity_in_itrf}};
 const std::map<std::string, SkyCorrection> corrections{
     {"geometric", geometric}, {"light_time", light_time}, {"apparent", apparent}};
 
@@ -97,7 +105,8 @@ void add_target(CLI::App& command, TargetWords& words, bool needed, const char* 
       ->group(group)
       ->required(needed);
   command
-      .add_option("--target", words.target, "sun, moon, earth (its centre) or velocity (relative to GCRF)")
+      .add_option("--target", words.target,
+                  "sun, moon, earth (its centre), velocity (relative to GCRF) or velocity_in_itrf")
       ->group(group)
       ->check(CLI::IsMember(targets))
       ->required(needed);
@@ -195,6 +204,54 @@ void add_convert(CLI::App& app, ConvertWords& words) {
   add_interpolation(convert, words.message.interpolation, "of an OEM: hermite or lagrange", message);
 }
 
+void add_replay(CLI::App& app, ReplayOptions& options) {
+  auto& replay = *app.add_subcommand(
+      "replay", "say whether a flight fulfils what a scenario file requires, and write a report");
+  replay.footer(
+      "The scenario file names the attitude, the orbit, the frames on the body, what is measured and what "
+      "is\n"
+      "required: docs/reference/scenario_file.md lists its keys. A short one:\n\n"
+      "  version = 1\n"
+      "  title = \"Is the camera on the Sun?\"\n"
+      "  [attitude]\n"
+      "  file = \"attitude.aem\"\n"
+      "  [[measure]]\n"
+      "  name = \"off-Sun\"\n"
+      "  axis = \"z of SC_BODY_1\"\n"
+      "  target = \"sun\"\n"
+      "  correction = \"geometric\"\n"
+      "  [[require]]\n"
+      "  measure = \"off-Sun\"\n"
+      "  absolute = \"0.5 deg\"\n"
+      "  percent = \"99.7 %\"\n\n"
+      "Exit code: 0 if everything required is fulfilled, 1 if not, 2 if the input is wrong.\n\n"
+      "  vectrix replay scenario.toml");
+  replay.add_option("file", options.file, "the scenario file, TOML")->required();
+  replay.add_flag("--check", options.check,
+                  "only reads the scenario and its attitude, and says what is wrong");
+  replay.add_flag("--force", options.force, "overwrites the files that the scenario names in [output]");
+}
+
+void add_frames(CLI::App& app, FramesOptions& options) {
+  auto& frames =
+      *app.add_subcommand("frames", "the chain between two frames of a scenario file, factor by factor");
+  frames.footer(
+      "Without --from and --to the frames are listed. Names are those of the scenario, its body, GCRF "
+      "(ICRF),\n"
+      "EME2000 (J2000), ITRF if the file has [earth], and LVLH if it has [orbit].\n"
+      "Exit code: 0, or 2 if the input is wrong.\n\n"
+      "  vectrix frames scenario.toml --from radiometer --to J2000 --at '2023-04-20T05:30:00 UTC'");
+  frames.add_option("file", options.file, "the scenario file, TOML")->required();
+  frames.add_option("--from", options.from, "v_to = R v_from");
+  frames.add_option("--to", options.to, "v_to = R v_from");
+  frames.add_option("--at", options.at, "the instant; by default the first sample of the attitude");
+}
+
+// For docs/reference/scenario_file.md; of no use to others.
+void add_schema(CLI::App& app) {
+  app.add_subcommand("schema", "the page of the scenario file")->group("");
+}
+
 void require_texts(const CLI::App& command) {
   for (const CLI::Option* option : command.get_options())
     for (const std::string& text : option->results())
@@ -246,23 +303,47 @@ bool run_convert(ConvertWords& words) {
   return true;
 }
 
+bool run_replay(ReplayOptions& options) {
+  options.version = VECTRIX_VERSION;
+  Progress progress(isatty(STDERR_FILENO) != 0 ? &std::cerr : nullptr);
+  return replay(options, progress, std::cout);
+}
+
+bool run_frames(const FramesOptions& options) {
+  frames(options, std::cout);
+  return true;
+}
+
+bool write_schema() {
+  std::cout << schema_page();
+  return true;
+}
+
 }  // namespace
 
 int main(int count, char** arguments) {
-  CLI::App app("Vectrix: attitude files checked, measured and converted");
+  CLI::App app("Vectrix: attitude files checked, measured and converted, flights judged");
   app.set_version_flag("--version", VECTRIX_VERSION);
   app.require_subcommand(1);
   CheckWords check;
   PointingWords pointing;
   ConvertWords convert;
+  ReplayOptions replay;
+  FramesOptions frames;
   try {
     add_check(app, check);
     add_pointing(app, pointing);
     add_convert(app, convert);
+    add_replay(app, replay);
+    add_frames(app, frames);
+    add_schema(app);
     app.parse(count, arguments);
     require_texts(*app.get_subcommands().front());
     const bool good = app.got_subcommand("check")      ? run_check(check)
                       : app.got_subcommand("pointing") ? run_pointing(pointing)
+                      : app.got_subcommand("replay")   ? run_replay(replay)
+                      : app.got_subcommand("frames")   ? run_frames(frames)
+                      : app.got_subcommand("schema")   ? write_schema()
                                                        : run_convert(convert);
     return good ? yes : no;
   } catch (const CLI::ParseError& error) {

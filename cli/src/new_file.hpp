@@ -1,14 +1,16 @@
 #pragma once
 
 #include <filesystem>
-#include <initializer_list>
 #include <string>
+#include <vector>
 
 namespace vectrix::cli {
 
 /// Throws BadInput if what is to be written is the same file as an input, whatever their names are.
-void refuse_input(const std::filesystem::path& file, std::initializer_list<std::filesystem::path> inputs);
+void refuse_input(const std::filesystem::path& file, const std::vector<std::filesystem::path>& inputs);
 
+/// Throws BadInput if the file exists, unless `force`.
+void require_new(const std::filesystem::path& file, bool force);
 /// Throws BadInput if the file exists, unless `force`, and if it cannot be written.
 void write_new(const std::filesystem::path& file, const std::string& text, bool force);
 

@@ -9,7 +9,7 @@ namespace {
 
 OrbitRecord of_message(const OrbitFile& source) {
   const auto message = OrbitEphemerisMessage::read(source.file);
-  const auto& segment = segment_of(message, source.selection.segment, source.file);
+  const auto& segment = segment_of(message, source.selection, source.file);
   return {source.file.string(), segment.metadata().time_system,
           MessageText{message.header(), segment.metadata(), segment.comments()},
           segment.lines(detail::trusted)};
@@ -19,7 +19,7 @@ OrbitRecord of_table(const OrbitFile& source) {
   const OrbitColumns& columns = *source.columns;
   const auto table = CsvTable::read(source.file, {});
   OrbitRecord record{source.file.string(), columns.scale, {}, {}};
-  record.lines.ref_frame = inertial_name(columns.reference);
+  record.lines.ref_frame = columns.reference;
   std::vector<detail::OrbitLine>& lines = record.lines.lines;
   for (std::size_t row = 0; row < table.rows(); ++row) {
     const auto time = table.value(row, columns.time,
@@ -40,6 +40,12 @@ OrbitRecord of_table(const OrbitFile& source) {
 }  // namespace
 
 OrbitRecord read_orbit_file(const OrbitFile& source) {
+  OrbitFile named = source;
+  if (named.columns) named.columns->reference = inertial_name(named.columns->reference);
+  return read_orbit_in_any_frame(named);
+}
+
+OrbitRecord read_orbit_in_any_frame(const OrbitFile& source) {
   OrbitRecord record = source.columns ? of_table(source) : of_message(source);
   auto& lines = record.lines.lines;
   std::vector<Epoch> times;

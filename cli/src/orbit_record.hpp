@@ -16,7 +16,7 @@ struct OrbitColumns {
   TimeScale scale = scale::utc;
   std::vector<std::string> position, velocity;  // three each
   bool in_kilometres = false;                   // and km/s; else m and m/s
-  std::string reference;                        // EME2000 or GCRF
+  std::string reference;                        // EME2000, GCRF or ITRF
 };
 struct OrbitFile {
   std::filesystem::path file;
@@ -34,8 +34,10 @@ struct OrbitRecord {
 };
 
 /// Throws BadInput as the message or the table does, for times that do not increase, and for fewer than two
-/// samples.
+/// samples. Of a table the reference must be EME2000 or GCRF.
 OrbitRecord read_orbit_file(const OrbitFile& source);
+/// The same of a table in ITRF too.
+OrbitRecord read_orbit_in_any_frame(const OrbitFile& source);
 
 /// In EME2000 or GCRF instead. Covariances keep their frame, and name it. Throws BadInput if the orbit is in
 /// neither of the two.

@@ -1,25 +1,18 @@
 #include "pointing.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <ostream>
 #include <string>
 #include <vector>
 
+#include "angle_figures.hpp"
 #include "figures.hpp"
 #include "new_file.hpp"
 #include "pointing_error.hpp"
-#include "quantile.hpp"
 #include "sample_faults.hpp"
 
 namespace vectrix::cli {
 namespace {
-
-std::string words_of(const SkyCorrection& correction) {
-  if (std::holds_alternative<Geometric>(correction)) return "geometric";
-  return std::holds_alternative<LightTime>(correction) ? "with light time" : "apparent";
-}
 
 // "the Sun, apparent, seen from the satellite"
 std::string seen(const PointingOptions& options, bool from_orbit) {
@@ -29,58 +22,28 @@ std::string seen(const PointingOptions& options, bool from_orbit) {
          (from_orbit ? "the satellite" : "the centre of the Earth");
 }
 
-// The figures of angles, and the samples at which they are; in degrees.
-class Figures {
- public:
-  Figures(const std::vector<double>& angles, const std::vector<Epoch>& times)
-      : angles_(angles), times_(times) {
-    order_.resize(angles.size());
-    std::iota(order_.begin(), order_.end(), std::size_t{0});
-    std::stable_sort(order_.begin(), order_.end(),
-                     [&](std::size_t a, std::size_t b) { return angles[a] < angles[b]; });
-  }
+void write(const AngleFigures& figures, const std::vector<Epoch>& times, std::ostream& out) {
+  const auto figure = [](const char* name, double angle) {
+    return label(name, 12) + padded(decimals(angle), 12);
+  };
+  const auto line = [&](const char* name, std::size_t place) {
+    out << figure(name, figures.value(place)) << "   at " << times[place].utc(3) << " UTC\n";
+  };
+  line("least", figures.place_of_least());
+  line("median", figures.place_of(50.0));
+  line("95 %", figures.place_of(95.0));
+  line("largest", figures.place_of_largest());
+  out << figure("rms", figures.rms()) << '\n';
+}
 
-  [[nodiscard]] double quantile(double percent) const { return degrees * angles_[at(percent)]; }
-  [[nodiscard]] std::size_t count_within(double angle) const {
-    return static_cast<std::size_t>(
-        std::count_if(angles_.begin(), angles_.end(), [&](double a) { return degrees * a <= angle; }));
-  }
-  void write(std::ostream& out) const {
-    const auto line = [&](const char* name, std::size_t i) {
-      out << figure(name, angles_[i]) << "   at " << times_[i].utc(3) << " UTC\n";
-    };
-    line("least", order_.front());
-    line("median", at(50.0));
-    line("95 %", at(95.0));
-    line("largest", order_.back());
-    double squares = 0.0;
-    for (const double angle : angles_) squares += angle * angle;
-    out << figure("rms", std::sqrt(squares / static_cast<double>(angles_.size()))) << '\n';
-  }
-
- private:
-  [[nodiscard]] std::size_t at(double percent) const {
-    return order_[place_of_quantile(percent, order_.size())];
-  }
-  static std::string figure(const char* name, double angle) {
-    return label(name, 12) + padded(decimals(degrees * angle), 12);
-  }
-
-  const std::vector<double>& angles_;
-  const std::vector<Epoch>& times_;
-  std::vector<std::size_t> order_;
-};
-
-bool fulfils(const Figures& figures, double required, double percent, std::size_t count, const char* what,
+bool fulfils(const AngleFigures& figures, double required, double percent, const char* what,
              std::ostream& out) {
-  const double found = figures.quantile(percent);
-  const bool good = found <= required;
-  const std::size_t within = figures.count_within(required);
+  const Judgement judged = figures.judge(required, percent);
   out << "  Required: at most " << detail::text(required) << " deg in " << detail::text(percent)
-      << " % of the " << what << ". It is " << decimals(found) << " deg, margin "
-      << decimals(required - found) << " deg; " << within << " of " << count << " are within.\n  "
-      << (good ? "Fulfilled.\n" : "Not fulfilled.\n");
-  return good;
+      << " % of the " << what << ". It is " << decimals(judged.found) << " deg, margin "
+      << decimals(judged.margin) << " deg; " << judged.within << " of " << figures.size()
+      << " are within.\n  " << (judged.fulfilled ? "Fulfilled.\n" : "Not fulfilled.\n");
+  return judged.fulfilled;
 }
 
 std::string table(const PointingOptions& options, const AttitudeRecord& record, const std::string& target,
@@ -134,10 +97,9 @@ bool write_absolute(const PointingOptions& options, const AttitudeRecord& record
                     const std::vector<double>& angles, std::ostream& out) {
   out << "Absolute error, deg: the angle between the axis " << name_of(options.axis) << " of " << record.body
       << "\nand " << target << '\n';
-  const Figures figures(angles, record.times);
-  figures.write(out);
-  return !options.required ||
-         fulfils(figures, *options.required, *options.percent, angles.size(), "samples", out);
+  const AngleFigures figures(angles);
+  write(figures, record.times, out);
+  return !options.required || fulfils(figures, *options.required, *options.percent, "samples", out);
 }
 
 bool write_relative(const PointingOptions& options, const AttitudeRecord& record, const RelativeErrors& found,
@@ -148,14 +110,14 @@ bool write_relative(const PointingOptions& options, const AttitudeRecord& record
       << detail::text(*options.window) << " s,\n"
       << counted(found.errors.size(), "window") << "; " << found.left_out
       << (found.left_out == 1 ? " more reaches" : " more reach") << " over a gap or the end\n";
-  const Figures figures(found.errors, starts);
-  figures.write(out);
+  const AngleFigures figures(found.errors);
+  write(figures, starts, out);
   out << "  The largest change between two samples at most " << detail::text(*options.window)
       << " s apart is " << decimals(degrees * found.largest_change) << " deg,\n  from "
       << record.times[found.change_from].utc(3) << " UTC to " << record.times[found.change_until].utc(3)
       << " UTC.\n";
   return !options.required_relative ||
-         fulfils(figures, *options.required_relative, *options.percent, found.errors.size(), "windows", out);
+         fulfils(figures, *options.required_relative, *options.percent, "windows", out);
 }
 
 }  // namespace

@@ -40,13 +40,14 @@ std::vector<double> absolute_errors(const std::vector<Vector3d>& in_body, const 
 }
 
 RelativeErrors relative_errors(const AttitudeRecord& record, const std::vector<Vector3d>& in_body,
-                               double seconds) {
+                               double seconds, const std::vector<bool>& among) {
   constexpr double rounding = 1e-9;  // s: epochs are kept to 1e-11 s, and a sum of steps is a window
   const double usual = median(durations_of(record));
   if (!(seconds >= usual - rounding))
-    throw BadInput("--window " + detail::text(seconds) + " s is shorter than the steps of " + record.file +
-                   ", " + decimals(usual) + " s");
-  const double longest = longest_step(usual);
+    throw BadInput("the window of " + detail::text(seconds) + " s is shorter than the steps of " +
+                   record.file + ", " + decimals(usual) + " s");
+  const double longest = longest_step(record, usual);
+  const auto counts = [&](std::size_t i) { return among.empty() || among[i]; };
   RelativeErrors found;
   // first to last is the window; it is whole up to the next gap, or the end.
   std::size_t last = 0, whole = 0;
@@ -56,7 +57,9 @@ RelativeErrors relative_errors(const AttitudeRecord& record, const std::vector<V
     const Epoch& start = record.times[first];
     const auto later = [&](std::size_t i) { return (record.times[i] - start).value(); };
     whole = std::max(whole, first);
-    while (whole + 1 < record.size() && (record.times[whole + 1] - record.times[whole]).value() <= longest)
+    if (!counts(first)) continue;
+    while (whole + 1 < record.size() && counts(whole + 1) &&
+           (record.times[whole + 1] - record.times[whole]).value() <= longest)
       ++whole;
     last = std::max(last, first);
     while (last < whole && later(last + 1) <= seconds + rounding) ++last;
@@ -75,8 +78,8 @@ RelativeErrors relative_errors(const AttitudeRecord& record, const std::vector<V
     found.errors.push_back(largest_from_mean(record, in_body, tree, first, last));
   }
   if (found.errors.empty())
-    throw BadInput("--window " + detail::text(seconds) + " s: no stretch without gaps of " + record.file +
-                   " is so long");
+    throw BadInput("the window of " + detail::text(seconds) + " s: no stretch without gaps of " +
+                   record.file + " is so long");
   return found;
 }
 

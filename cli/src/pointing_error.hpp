@@ -27,8 +27,9 @@ std::vector<double> absolute_errors(const std::vector<Eigen::Vector3d>& in_body,
 
 /// The relative pointing error of each window of so many seconds that begins at a sample: how far the target,
 /// as the body sees it, is at most from its mean direction over the samples of the window. The mean has no
-/// weights. A window without a second sample is refused, and so is a record without a window: BadInput.
+/// weights. If it is said which samples count, those among which others stand are no windows. A window
+/// without a second sample is refused, and so is a record without a window: BadInput.
 RelativeErrors relative_errors(const AttitudeRecord& record, const std::vector<Eigen::Vector3d>& in_body,
-                               double seconds);
+                               double seconds, const std::vector<bool>& among = {});
 
 }  // namespace vectrix::cli

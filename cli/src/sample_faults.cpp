@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <ostream>
 #include <string>
 
@@ -45,8 +44,10 @@ void write_faults(const AttitudeRecord& record, const SampleFaults& faults, std:
       out << "  " << found.count << ' ' << (found.count == 1 ? one : many)
           << (largest.empty() ? ", first" : "; most " + largest) << " at " << at(found.sample) << '\n';
   };
-  line(faults.gaps, "gap, a step longer than three times the usual one",
-       "gaps, steps longer than three times the usual one", shown(faults.gaps.largest) + " s, which ends");
+  const std::string longer =
+      record.longest_step ? shown(*record.longest_step) + " s" : "three times the usual one";
+  line(faults.gaps, "gap, a step longer than " + longer, "gaps, steps longer than " + longer,
+       shown(faults.gaps.largest) + " s, which ends");
   line(faults.sign_flips, "change from q to -q: the attitude is one, its numbers are not",
        "changes from q to -q: the attitude is one, its numbers are not", "");
   line(faults.half_turns, "step near half a turn: rates must say which way it turned",
@@ -93,8 +94,8 @@ SampleFaults faults_of(const AttitudeRecord& record) {
   const double usual = median(speeds);
   constexpr double least_jump = 0.5 / degrees;
   for (std::size_t i = 0; i < turns.size(); ++i) {
-    if (durations[i] > longest_step(found.median_step)) add(found.gaps, durations[i], i + 1);
-    if (turns[i] > 0.9 * std::numbers::pi) add(found.half_turns, turns[i], i + 1);
+    if (durations[i] > longest_step(record, found.median_step)) add(found.gaps, durations[i], i + 1);
+    if (turns[i] > nearly_half_a_turn) add(found.half_turns, turns[i], i + 1);
     if (speeds[i] > 10.0 * usual && turns[i] > least_jump) add(found.jumps, turns[i], i + 1);
   }
   constexpr double tolerance = 1e-6;

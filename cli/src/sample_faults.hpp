@@ -1,6 +1,7 @@
 #pragma once
 
 #include <iosfwd>
+#include <numbers>
 #include <vector>
 
 #include "attitude_record.hpp"
@@ -9,10 +10,13 @@ namespace vectrix::cli {
 
 /// The steps from each sample to the next, s.
 std::vector<double> durations_of(const AttitudeRecord& record);
-/// A longer step is a gap.
-inline double longest_step(double median_step) {
-  return 3.0 * median_step;
+/// A longer step is a gap, s.
+inline double longest_step(const AttitudeRecord& record, double median_step) {
+  return record.longest_step.value_or(3.0 * median_step);
 }
+
+/// rad. Which way a step turns that turns by more is not known.
+inline constexpr double nearly_half_a_turn = 0.9 * std::numbers::pi;
 
 /// What the samples of an attitude show without anything to compare with.
 struct SampleFaults {
@@ -23,7 +27,7 @@ struct SampleFaults {
   };
 
   double median_step;   // s
-  Extreme gaps;         // steps longer than three times the median, s
+  Extreme gaps;         // steps longer than longest_step, s
   Extreme sign_flips;   // q and -q are one attitude, but not to who interpolates the numbers
   Extreme half_turns;   // steps that turn by more than 0.9 of half a turn, rad: which way is not known
   Extreme jumps;        // steps more than ten times as fast as the median and 0.5 deg, rad

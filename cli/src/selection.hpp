@@ -15,7 +15,8 @@ namespace vectrix::cli {
 struct Selection {
   std::optional<std::size_t>
       segment{};  // of a message, counted from 1; it may be left out if there is only one
-  std::optional<Epoch> from{}, until{};  // both included
+  std::optional<Epoch> from{}, until{};           // both included
+  std::string segment_word = "--segment NUMBER";  // how to state it
 };
 
 /// The place of the first sample that is selected, and of the one after the last. Throws BadInput if they are
@@ -33,12 +34,13 @@ template <class Value> void keep(std::vector<Value>& values, const Places& place
 
 /// The segment of a message. Throws BadInput if it is not there, or has to be named.
 template <class Message>
-const auto& segment_of(const Message& message, const std::optional<std::size_t>& segment,
+const auto& segment_of(const Message& message, const Selection& selection,
                        const std::filesystem::path& file) {
+  const auto& segment = selection.segment;
   const std::size_t count = message.segments().size();
   if (!segment && count > 1)
     throw BadInput(file.string() + ": there are " + detail::text(count) +
-                   " segments; missing: --segment NUMBER");
+                   " segments; missing: " + selection.segment_word);
   if (segment && (*segment < 1 || *segment > count))
     throw BadInput(file.string() + ": asked for segment " + detail::text(*segment) + " of " +
                    detail::text(count));

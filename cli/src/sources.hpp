@@ -19,12 +19,15 @@ struct AttitudeSource {
 /// Throws BadInput as read_table or read_message does, and if fewer than two samples are within the times.
 AttitudeRecord read_attitude(const AttitudeSource& source);
 
-/// The file of an orbit; both are empty if none is given.
+/// The file of an orbit; all are empty if none is given.
 struct OrbitSource {
   std::filesystem::path elements{}, message{};
-  std::optional<Interpolation> interpolation{};  // of a message that does not say it
+  std::optional<OrbitFile> table{};
+  StatedInterpolation interpolation{};            // of a table, or a message that does not say it
+  std::optional<EarthOrientation> orientation{};  // of an orbit in ITRF
 };
-/// Nothing if none is given. Throws BadInput for two, and as orbit_of_elements or orbit_of_message does.
+/// Nothing if none is given. Throws BadInput for two, and as orbit_of_elements, orbit_of_message or
+/// orbit_of_table does.
 FlownOrbit read_orbit(const OrbitSource& source, const TimeSpan& span);
 
 }  // namespace vectrix::cli

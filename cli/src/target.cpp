@@ -10,7 +10,7 @@ namespace {
 
 using earth::Gcrf;
 using Eigen::Vector3d;
-using Motion = PointMotion<Gcrf, Satellite, Gcrf>;
+using Motion = SatelliteMotion;
 
 Motion centre_of_the_earth() {
   return point_motion(of<Satellite>, relative_to<Gcrf>, observed_from<Gcrf>,
@@ -31,19 +31,34 @@ std::vector<Vector3d> lines_of_sight(const std::vector<Epoch>& times, const std:
   return lines;
 }
 
-// In GCRF, of any length.
+// v_itrf = v_gcrf - w x r. The turn of the Earth is that without observations: what they add to w, 1e-8 of
+// it, turns the velocity of a low orbit by 1e-9 rad.
+std::vector<Vector3d> velocities_in_itrf(const std::vector<Epoch>& times,
+                                         const std::vector<Motion>& motions) {
+  const auto span = from_until(times.front(), times.back());
+  const EarthMotion earth(EarthOrientation::unobserved(span, 0.0 * si::second), span);
+  std::vector<Vector3d> velocities;
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    const auto R_gcrf_from_itrf = earth.at(times[i]);
+    const Vector3d w = R_gcrf_from_itrf.rotation.matrix() * R_gcrf_from_itrf.angular_velocity.coordinates();
+    velocities.emplace_back(motions[i].velocity.coordinates() - w.cross(motions[i].position.coordinates()));
+  }
+  return velocities;
+}
+
+}  // namespace
+
 std::vector<Vector3d> lines_to(Target target, const std::vector<Epoch>& times,
                                const std::vector<Motion>& motions, const SkyCorrection& correction) {
   if (target == Target::sun) return lines_of_sight<sky::Sun>(times, motions, correction, name_of(target));
   if (target == Target::moon) return lines_of_sight<sky::Moon>(times, motions, correction, name_of(target));
+  if (target == Target::velocity_in_itrf) return velocities_in_itrf(times, motions);
   std::vector<Vector3d> lines;
   for (const Motion& motion : motions)
     lines.emplace_back(target == Target::earth ? Vector3d(-motion.position.coordinates())
                                                : motion.velocity.coordinates());
   return lines;
 }
-
-}  // namespace
 
 std::string name_of(Target target) {
   switch (target) {
@@ -53,9 +68,16 @@ std::string name_of(Target target) {
       return "the Moon";
     case Target::earth:
       return "the centre of the Earth";
-    default:
+    case Target::velocity:
       return "the velocity relative to GCRF";
+    default:
+      return "the velocity relative to ITRF";
   }
+}
+
+std::string words_of(const SkyCorrection& correction) {
+  if (std::holds_alternative<Geometric>(correction)) return "geometric";
+  return std::holds_alternative<LightTime>(correction) ? "with light time" : "apparent";
 }
 
 bool is_in_sky(Target target) {
@@ -67,20 +89,33 @@ void require_orbit_for(Target target, const FlownOrbit& orbit) {
     throw BadInput("the direction of " + name_of(target) + " needs an orbit: --tle or --oem");
 }
 
+std::vector<Motion> motions_at(const std::vector<Epoch>& times, const FlownOrbit& orbit,
+                               const std::function<void()>& counted) {
+  std::vector<Motion> motions;
+  for (const Epoch& t : times) {
+    motions.push_back(orbit ? orbit(t) : centre_of_the_earth());
+    counted();
+  }
+  return motions;
+}
+
+std::vector<Vector3d> directions_of(std::vector<Vector3d> lines, const AttitudeRecord& record,
+                                    const std::string& target) {
+  const Eigen::Matrix3d R_reference_from_gcrf = gcrf_from(record.reference).transpose();
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    if (!(lines[i].norm() > 0.0) || !std::isfinite(lines[i].norm()))
+      throw BadInput("at " + record.times[i].utc() + " UTC there is no direction of " + target +
+                     ", its length is " + detail::text(lines[i].norm()));
+    lines[i] = R_reference_from_gcrf * lines[i].normalized();
+  }
+  return lines;
+}
+
 std::vector<Vector3d> directions(const AttitudeRecord& record, Target target, SkyCorrection correction,
                                  const FlownOrbit& orbit) {
   require_orbit_for(target, orbit);
-  std::vector<Motion> motions;
-  for (const Epoch& t : record.times) motions.push_back(orbit ? orbit(t) : centre_of_the_earth());
-  std::vector<Vector3d> all = lines_to(target, record.times, motions, correction);
-  const Eigen::Matrix3d R_reference_from_gcrf = gcrf_from(record.reference).transpose();
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    if (!(all[i].norm() > 0.0) || !std::isfinite(all[i].norm()))
-      throw BadInput("at " + record.times[i].utc() + " UTC there is no direction of " + name_of(target) +
-                     ", its length is " + detail::text(all[i].norm()));
-    all[i] = R_reference_from_gcrf * all[i].normalized();
-  }
-  return all;
+  return directions_of(lines_to(target, record.times, motions_at(record.times, orbit), correction), record,
+                       name_of(target));
 }
 
 void require_axis(const Vector3d& axis) {

@@ -3,15 +3,13 @@
 #include <algorithm>
 #include <charconv>
 #include <initializer_list>
-#include <map>
 #include <sstream>
 #include <system_error>
 
+#include "scales.hpp"
+
 namespace vectrix::cli {
 namespace {
-
-const std::map<std::string, TimeScale> scales{
-    {"utc", scale::utc}, {"tai", scale::tai}, {"tt", scale::tt}, {"tdb", scale::tdb}, {"gps", scale::gps}};
 
 // The first that is given must not be.
 void refuse(const Words& words, const std::string& before, const std::string& why) {
@@ -103,7 +101,7 @@ TableColumns columns_of(const AttitudeWords& words) {
            " is of rates; missing: --rates COLUMN,COLUMN,COLUMN");
   TableColumns columns;
   columns.time = words.time;
-  columns.scale = scales.at(words.scale);
+  columns.scale = scales().at(words.scale);
   columns.reference = words.reference;
   columns.quaternion = fields("--quaternion", words.quaternion, 4);
   if (!words.rates.empty()) columns.rates = fields("--rates", words.rates, 3);
@@ -122,7 +120,7 @@ OrbitColumns columns_of(const AttitudeWords& words, const OrbitWords& orbit) {
   const auto position = fields("--position", orbit.position, 3),
              velocity = fields("--velocity", orbit.velocity, 3);
   require_different(words.file, words.time, {position, velocity});
-  return {words.time, scales.at(words.scale), position, velocity, orbit.unit == "km", words.reference};
+  return {words.time, scales().at(words.scale), position, velocity, orbit.unit == "km", words.reference};
 }
 
 }  // namespace
@@ -210,8 +208,8 @@ std::optional<Interpolation> interpolation_of(const InterpolationWords& words) {
 }
 
 void set_interpolation(OrbitSource& orbit, const InterpolationWords& words) {
-  orbit.interpolation = interpolation_of(words);
-  if (orbit.interpolation && orbit.message.empty())
+  orbit.interpolation.value = interpolation_of(words);
+  if (orbit.interpolation.value && orbit.message.empty())
     throw BadInput("--interpolation is of an orbit message; missing: --oem FILE");
 }
 

@@ -205,7 +205,7 @@ TEST(Convert, SaysWhatIsNotToTheLastDigit) {
                 ": 2 samples of SC_BODY_1 relative to GCRF\n"
                 "  not to the last digit: the quaternions, the first of norm 5, are divided by their norms\n"
                 "  not to the last digit: the rates are converted from rad/s to deg/s\n");
-  const auto written = read_message(out, std::nullopt);
+  const auto written = read_message(out, {});
   EXPECT_EQ(written.numbers[0], (std::array{0.6, 0.8, 0.0, 0.0}));
   EXPECT_NEAR(written.rates_in_radians()[0].x(), 1.0, 1e-15);
   const auto angles = folder.written(
@@ -295,7 +295,7 @@ TEST(Convert, RefusesWhatWouldLoseOrOverwriteSomething) {
   source.selection.until = Epoch::from("2026-11-29T00:02:00 TAI");
   std::ostringstream said;
   convert(source, options, said);
-  EXPECT_EQ(read_message(options.out, std::nullopt).size(), 2U);
+  EXPECT_EQ(read_message(options.out, {}).size(), 2U);
   source = {
       folder.written("t.csv", "t,w,x,y,z\n2026-11-29T00:00:00,1,0,0,0\n2026-11-29T00:00:01,1,0,0,0\n"),
       TableColumns{"t", scale::utc, {"w", "x", "y", "z"}, {Scalar::first, Maps::to_reference}, "GCRF", {}}};

@@ -116,7 +116,7 @@ TEST(FlownOrbit, IsInterpolatedAsTheFileOrElseTheUserSays) {
             "--degree NUMBER");
   const auto t = start + 1234.5 * si::second;
   const auto off = [&](const Interpolation& stated) {
-    return (orbit_of_message(file.path(), span, stated)(t).position.coordinates() -
+    return (orbit_of_message(file.path(), span, {stated})(t).position.coordinates() -
             motion<Gcrf>(t).position.coordinates())
         .norm();
   };
@@ -129,7 +129,7 @@ TEST(FlownOrbit, RefusesAnInterpolationThatContradictsTheFile) {
   const std::string text = message({segment<Gcrf>(0.0, 3600.0)});
   const auto refusal = [](const std::string& content, const std::optional<Interpolation>& stated = {}) {
     TemporaryFile file(content);
-    return complaint([&] { (void)orbit_of_message(file.path(), span, stated); }, file.path());
+    return complaint([&] { (void)orbit_of_message(file.path(), span, {stated}); }, file.path());
   };
   EXPECT_EQ(
       refusal(text, Interpolation{"LAGRANGE", 7}),

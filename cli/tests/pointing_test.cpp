@@ -14,6 +14,7 @@
 #include "cubesat.hpp"
 #include "pointing_error.hpp"
 #include "quantile.hpp"
+#include "resampled.hpp"
 #include "says.hpp"
 #include "space/tests/temporary_file.hpp"
 #include "temporary_folder.hpp"
@@ -48,36 +49,15 @@ Published published() {
   return all;
 }
 
-// The attitude of the cubesat at other times, at a constant rate between its samples.
-AttitudeRecord cubesat_at(const std::vector<Epoch>& times) {
-  struct Body : moving_frame {};
-  const auto record = read_attitude(cubesat_attitude());
-  std::vector<AttitudeSample<Gcrf, Body, Epoch>> samples;
-  for (std::size_t i = 0; i < record.size(); ++i) {
-    const auto q = record.to_reference(i, record.stated);
-    samples.push_back(
-        {record.times[i],
-         nearest_quaternion_scalar_first(to<Gcrf>, from<Body>, q.w(), q.x(), q.y(), q.z()).quaternion});
-  }
-  const SampledAttitude motion(samples, 30.0 * si::second);
-  AttitudeRecord at = record;
-  at.stated = stated;
-  at.times = times;
-  at.numbers.clear();
-  for (const Epoch& t : times) {
-    const Eigen::Quaterniond q(motion(t).rotation.matrix());
-    at.numbers.push_back({q.x(), q.y(), q.z(), q.w()});
-  }
-  return at;
-}
-
 // The mounting turns the boresight by 0.57 deg from -z of the body.
 TEST(Pointing, FindsTheAnglesThatACubesatsGroundProcessingHasPublished) {
   const Vector3d boresight =
       Eigen::Quaterniond(9.999876e-01, 1.534418e-03, 4.728365e-03, -7.255375e-06).normalized() *
       Vector3d(0.0, 0.0, -1.0);
   const auto expected = published();
-  const auto record = cubesat_at(expected.times);
+  auto samples = read_attitude(cubesat_attitude());
+  samples.longest_step = 30.0;
+  const auto record = resampled(samples, expected.times);
   const auto orbit = read_orbit(cubesat_orbit(), from_until(expected.times.front(), expected.times.back()));
   const auto rms = [&](const SkyCorrection& correction, const FlownOrbit& flown, const Vector3d& axis) {
     const auto found =

@@ -47,8 +47,8 @@ TEST(RelativeError, LeavesOutWindowsThatReachOverAGap) {
   const auto refusal = [&](double window) {
     return complaint([&] { (void)relative_errors(record, seen, window); });
   };
-  EXPECT_EQ(refusal(10.0), "--window 10 s: no stretch without gaps of motion is so long");
-  EXPECT_EQ(refusal(0.9), "--window 0.9 s is shorter than the steps of motion, 1.000000 s");
+  EXPECT_EQ(refusal(10.0), "the window of 10 s: no stretch without gaps of motion is so long");
+  EXPECT_EQ(refusal(0.9), "the window of 0.9 s is shorter than the steps of motion, 1.000000 s");
 }
 
 // A target opposite to itself half a turn later has no mean direction.

@@ -1,0 +1,117 @@
+#include "replay.hpp"
+
+#include <algorithm>
+#include <ostream>
+#include <vector>
+
+#include "angle_figures.hpp"
+#include "figures.hpp"
+#include "new_file.hpp"
+#include "plain_words.hpp"
+#include "scenario/flight.hpp"
+#include "scenario/replay_report.hpp"
+#include "table_text.hpp"
+
+namespace vectrix::cli {
+namespace {
+
+std::string range(const AttitudeRecord& record) {
+  return record.times.front().utc(3) + " to " + record.times.back().utc(3) + " UTC";
+}
+
+void write_measures(const Scenario& scenario, const std::vector<Measured>& measures, std::ostream& out) {
+  std::size_t width = 0;
+  for (const Measure& each : scenario.measures) width = std::max(width, each.name.size());
+  for (std::size_t i = 0; i < measures.size(); ++i) {
+    const AngleFigures figures(measures[i].angles);
+    out << label(scenario.measures[i].name, width + 4) << decimals(figures.value(figures.place_of_least()))
+        << " to " << decimals(figures.value(figures.place_of_largest())) << " deg, median "
+        << decimals(figures.quantile(50.0)) << ", rms " << decimals(figures.rms()) << ": " << measures[i].what
+        << '\n';
+  }
+}
+
+bool write_verdicts(const Scenario& scenario, const std::vector<Report::Verdict>& verdicts,
+                    std::ostream& out) {
+  if (verdicts.empty()) {
+    out << "Nothing is required.\n";
+    return true;
+  }
+  std::size_t failed = 0;
+  for (std::size_t i = 0; i < verdicts.size(); ++i) {
+    const Report::Verdict& each = verdicts[i];
+    if (!each.fulfilled) ++failed;
+    out << label(each.fulfilled ? "fulfilled" : "not fulfilled", 17)
+        << scenario.measures[scenario.requirements[i].measure].name << ": " << each.required << "; it is "
+        << each.reached << ", margin " << each.margin << '\n';
+  }
+  out << (failed == 0 ? "Everything required is fulfilled.\n"
+                      : "Not fulfilled: " + std::to_string(failed) + " of " +
+                            counted(verdicts.size(), "requirement") + ".\n");
+  return failed == 0;
+}
+
+std::string table(const Scenario& scenario, const Flight& flight, const std::vector<Measured>& measures) {
+  std::string text = "# " + scenario.title + "\n";
+  for (std::size_t i = 0; i < measures.size(); ++i)
+    text += "# " + scenario.measures[i].name + ": " + measures[i].what + "\n";
+  text += "# Attitude of " + flight.attitude.body + " relative to " + flight.attitude.reference + " from " +
+          flight.attitude.file + ". Times in UTC, angles in degrees.\ntime_utc";
+  for (const Measure& measure : scenario.measures) text += "," + measure.name + "_deg";
+  text += "\n";
+  for (std::size_t i = 0; i < flight.attitude.size(); ++i) {
+    text += exact_text(flight.attitude.times[i], scale::utc);
+    for (const Measured& measure : measures) text += "," + detail::text(degrees * measure.angles[i]);
+    text += "\n";
+  }
+  return text;
+}
+
+void require_writable(const Scenario& scenario, bool force) {
+  for (const auto& file : {scenario.report, scenario.csv}) {
+    if (file.empty()) continue;
+    refuse_input(file, scenario.inputs);
+    require_new(file, force);
+  }
+}
+
+}  // namespace
+
+bool replay(const ReplayOptions& options, Progress& progress, std::ostream& out) {
+  const Scenario scenario =
+      in_plain_words(options.file.string(), [&] { return read_scenario(options.file); });
+  if (options.check) {
+    const auto flown = read_flown_attitude(scenario);
+    out << scenario.file << ": " << counted(scenario.measures.size(), "measure") << " and "
+        << counted(scenario.requirements.size(), "requirement") << " of " << flown.record.body
+        << " relative to " << flown.record.reference << ", " << counted(flown.record.size(), "sample") << ", "
+        << range(flown.record) << ". Nothing is wrong.\n";
+    return true;
+  }
+  require_writable(scenario, options.force);
+  const Flight flight = read_flight(scenario, progress);
+  std::vector<Measured> measures;
+  for (const Measure& each : scenario.measures)
+    measures.push_back(in_plain_words(each.place.text(), [&] { return measured(each, scenario, flight); }));
+  const auto judged = verdicts(scenario, flight, measures);
+
+  out << scenario.title << '\n'
+      << counted(flight.attitude.size(), scenario.step ? "instant" : "sample") << " of "
+      << flight.attitude.body << " relative to " << flight.attitude.reference << ", "
+      << range(flight.attitude) << "\n\n";
+  write_measures(scenario, measures, out);
+  out << '\n';
+  const bool fulfilled = write_verdicts(scenario, judged, out);
+  if (!scenario.csv.empty()) {
+    write_new(scenario.csv, table(scenario, flight, measures), options.force);
+    out << "Written: " << scenario.csv.string() << '\n';
+  }
+  if (!scenario.report.empty()) {
+    write_new(scenario.report, html(replay_report(scenario, flight, measures, judged, options.version)),
+              options.force);
+    out << "Written: " << scenario.report.string() << '\n';
+  }
+  return fulfilled;
+}
+
+}  // namespace vectrix::cli

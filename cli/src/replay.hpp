@@ -1,0 +1,23 @@
+#pragma once
+
+#include <filesystem>
+#include <iosfwd>
+#include <string>
+
+#include "progress.hpp"
+
+namespace vectrix::cli {
+
+struct ReplayOptions {
+  std::filesystem::path file;
+  bool check = false;  // the scenario and its attitude are read, and nothing else is done
+  bool force = false;  // writes over existing files
+  std::string version{};
+};
+
+/// Reads a scenario file, measures the flight, and writes what was found: a line for each measure and each
+/// requirement to `out`, and the files that the scenario names. True if all that is required is fulfilled.
+/// Throws BadInput.
+bool replay(const ReplayOptions& options, Progress& progress, std::ostream& out);
+
+}  // namespace vectrix::cli

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "attitude_record.hpp"
+
+namespace vectrix::cli {
+
+/// The attitude at an instant between two samples, turning at a constant rate the shortest way.
+struct AttitudeStep {
+  std::size_t before;  // the sample before the instant, or at it
+  Eigen::Quaterniond to_reference;
+  Eigen::Vector3d rate;  // of the body relative to the reference, in the body, rad/s
+};
+/// Throws BadInput outside the samples, in a gap, and within a step that turns by nearly half a turn: which
+/// way is not known.
+AttitudeStep step_at(const AttitudeRecord& record, const Epoch& t);
+
+/// The attitude at other times: without those outside the samples and those in a gap, and without rates.
+/// Throws BadInput if fewer than two are left, and as step_at.
+AttitudeRecord resampled(const AttitudeRecord& record, const std::vector<Epoch>& times);
+
+}  // namespace vectrix::cli

@@ -1,0 +1,163 @@
+#include "scenario/flight.hpp"
+
+#include <algorithm>
+
+#include "angle_figures.hpp"
+#include "figures.hpp"
+#include "plain_words.hpp"
+#include "pointing_error.hpp"
+#include "resampled.hpp"
+#include "sunlight.hpp"
+
+namespace vectrix::cli {
+namespace {
+
+using Eigen::Vector3d;
+
+// In the axes of the body, or of the reference as they are.
+void turn_rates(AttitudeRecord& record, const StatedRates& stated, const BodyFrames& frames) {
+  (void)frames.body_from(stated.of, stated.of_place);
+  if (record.rate_axes == RateAxes::reference) return;
+  const Eigen::Quaterniond& body_from_axes = frames.body_from(stated.in, stated.in_place);
+  for (Vector3d& w : record.rates) w = body_from_axes * w;
+}
+
+std::vector<Epoch> instants(const Scenario& scenario, const AttitudeRecord& record) {
+  const auto steps = every(
+      *scenario.step * si::second,
+      from_until(scenario.start.value_or(record.times.front()), scenario.end.value_or(record.times.back())));
+  constexpr std::int64_t most = 10'000'000;
+  if (steps.size() > most)
+    throw BadInput(scenario.file + ": time.step makes " + std::to_string(steps.size()) +
+                   " instants; at most " + std::to_string(most) + " are looked at");
+  std::vector<Epoch> all;
+  for (const Epoch& t : steps) all.push_back(t);
+  return all;
+}
+
+std::string name_of(const MeasureTarget& target) {
+  if (const auto* const star = std::get_if<StarTarget>(&target)) return star->name;
+  if (const auto* const station = std::get_if<StationTarget>(&target)) return station->name;
+  return cli::name_of(std::get<Target>(target));
+}
+
+// A star of a catalogue that does not move.
+std::vector<Vector3d> lines_to(const StarTarget& target, const Flight& flight,
+                               const SkyCorrection& correction) {
+  const auto& times = flight.attitude.times;
+  const auto still =
+      proper_motion_with_cos_declination(0.0 * (si::radian / si::second), 0.0 * (si::radian / si::second));
+  const Star star(in<earth::Gcrf>, target.at, still, 0.0 * si::radian, 0.0 * (si::metre / si::second),
+                  times.front());
+  const Stars stars(from_until(times.front(), times.back()));
+  std::vector<Vector3d> lines;
+  for (std::size_t i = 0; i < times.size(); ++i)
+    lines.emplace_back(std::holds_alternative<Apparent>(correction)
+                           ? stars.direction(star, times[i], flight.motions[i], apparent).coordinates()
+                           : stars.direction(star, times[i], flight.motions[i], light_time).coordinates());
+  return lines;
+}
+
+std::vector<Vector3d> lines_to(const StationTarget& target, const Flight& flight,
+                               const EarthOrientation& orientation) {
+  const auto& times = flight.attitude.times;
+  const EarthMotion earth(orientation, from_until(times.front(), times.back()));
+  const auto station = wgs84::position(target.at);
+  std::vector<Vector3d> lines;
+  for (std::size_t i = 0; i < times.size(); ++i)
+    lines.emplace_back((earth.rotation(times[i]) * station).coordinates() -
+                       flight.motions[i].position.coordinates());
+  return lines;
+}
+
+std::vector<Vector3d> lines_of(const Measure& measure, const Scenario& scenario, const Flight& flight) {
+  const SkyCorrection correction = measure.correction.value_or(geometric);
+  if (const auto* const star = std::get_if<StarTarget>(&measure.target))
+    return lines_to(*star, flight, correction);
+  if (const auto* const station = std::get_if<StationTarget>(&measure.target))
+    return lines_to(*station, flight, *scenario.orientation);
+  return cli::lines_to(std::get<Target>(measure.target), flight.attitude.times, flight.motions, correction);
+}
+
+// Which instants count; empty if all do.
+std::vector<bool> counting(When when, const Flight& flight) {
+  std::vector<bool> all;
+  if (when != When::always)
+    for (const double part : flight.visible_sun) all.push_back(part == (when == When::sunlight ? 1.0 : 0.0));
+  return all;
+}
+
+std::vector<double> errors_of(const Requirement& required, const Flight& flight, const Measured& measure) {
+  const auto among = counting(required.when, flight);
+  if (!among.empty() && std::find(among.begin(), among.end(), true) == among.end())
+    refuse(required.place,
+           std::string("no instant is in ") + (required.when == When::sunlight ? "sunlight" : "shadow"));
+  if (required.window) {
+    try {
+      return relative_errors(flight.attitude, measure.in_body, *required.window, among).errors;
+    } catch (const BadInput& error) {
+      refuse(required.place, error.what());
+    }
+  }
+  std::vector<double> errors;
+  for (std::size_t i = 0; i < measure.angles.size(); ++i)
+    if (among.empty() || among[i]) errors.push_back(measure.angles[i]);
+  return errors;
+}
+
+}  // namespace
+
+FlownAttitude read_flown_attitude(const Scenario& scenario) {
+  AttitudeRecord record =
+      in_plain_words(scenario.attitude.file.string(), [&] { return read_attitude(scenario.attitude); });
+  if (!scenario.body.empty()) record.body = scenario.body;
+  record.longest_step = scenario.gap;
+  BodyFrames frames(record.body, scenario.frames);
+  if (scenario.rates) turn_rates(record, *scenario.rates, frames);
+  for (const Measure& measure : scenario.measures) (void)frames.in_body(measure.axis);
+  return {std::move(record), std::move(frames)};
+}
+
+Flight read_flight(const Scenario& scenario, Progress& progress) {
+  FlownAttitude flown = read_flown_attitude(scenario);
+  AttitudeRecord attitude =
+      scenario.step ? resampled(flown.record, instants(scenario, flown.record)) : flown.record;
+  Flight flight{std::move(flown), std::move(attitude), nullptr, {}, {}};
+  const auto& times = flight.attitude.times;
+  if (scenario.orbit) flight.orbit = read_orbit(*scenario.orbit, from_until(times.front(), times.back()));
+  progress.begin("orbit", times.size());
+  flight.motions = motions_at(times, flight.orbit, [&] { progress.count(); });
+  progress.end();
+  if (flight.orbit) flight.visible_sun = visible_suns(times, flight.motions);
+  return flight;
+}
+
+Measured measured(const Measure& measure, const Scenario& scenario, const Flight& flight) {
+  Measured made;
+  made.target = name_of(measure.target);
+  made.what = "angle between " + measure.axis.text + " and " + made.target;
+  if (measure.correction)
+    made.what += ", " + words_of(*measure.correction) + ", seen from " +
+                 (flight.orbit ? "the satellite" : "the centre of the Earth");
+  made.directions = directions_of(lines_of(measure, scenario, flight), flight.attitude, made.target);
+  made.in_body = seen_in_body(flight.attitude, made.directions);
+  made.angles = absolute_errors(made.in_body, flight.flown.frames.in_body(measure.axis));
+  return made;
+}
+
+std::vector<Report::Verdict> verdicts(const Scenario& scenario, const Flight& flight,
+                                      const std::vector<Measured>& measures) {
+  std::vector<Report::Verdict> all;
+  for (const Requirement& required : scenario.requirements) {
+    const AngleFigures figures(errors_of(required, flight, measures[required.measure]));
+    const Judgement judged = figures.judge(required.degrees, required.percent);
+    all.push_back({scenario.measures[required.measure].name + ": " + measures[required.measure].what,
+                   required.text,
+                   decimals(judged.found) + " deg (" + std::to_string(judged.within) + " of " +
+                       std::to_string(figures.size()) + " are within)",
+                   decimals(judged.margin) + " deg", judged.fulfilled});
+  }
+  return all;
+}
+
+}  // namespace vectrix::cli

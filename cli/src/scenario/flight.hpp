@@ -1,0 +1,44 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "progress.hpp"
+#include "scenario/fixed_frame.hpp"
+#include "scenario/scenario.hpp"
+
+namespace vectrix::cli {
+
+/// The attitude of a scenario, and the frames on the body.
+struct FlownAttitude {
+  AttitudeRecord record;  // the samples of the file
+  BodyFrames frames;
+};
+/// Throws BadInput as read_attitude does, and for an axis or rates of a frame that is not there.
+FlownAttitude read_flown_attitude(const Scenario& scenario);
+
+/// A flight at the instants that are looked at.
+struct Flight {
+  FlownAttitude flown;
+  AttitudeRecord attitude;
+  FlownOrbit orbit;  // nothing if none is given
+  std::vector<SatelliteMotion> motions;
+  std::vector<double> visible_sun;  // empty without an orbit
+};
+Flight read_flight(const Scenario& scenario, Progress& progress);
+
+/// What a measure finds, at every instant.
+struct Measured {
+  std::string what;                         // "angle between -z of body and the Sun, geometric, ..."
+  std::string target;                       // "the Sun"
+  std::vector<Eigen::Vector3d> directions;  // of the target, along the axes of the reference
+  std::vector<Eigen::Vector3d> in_body;
+  std::vector<double> angles;  // rad
+};
+Measured measured(const Measure& measure, const Scenario& scenario, const Flight& flight);
+
+/// Which requirements are fulfilled. Throws BadInput if nothing is left to be judged.
+std::vector<Report::Verdict> verdicts(const Scenario& scenario, const Flight& flight,
+                                      const std::vector<Measured>& measures);
+
+}  // namespace vectrix::cli

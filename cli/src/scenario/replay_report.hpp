@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "scenario/flight.hpp"
+
+namespace vectrix::cli {
+
+/// What a replay shows.
+Report replay_report(const Scenario& scenario, const Flight& flight, const std::vector<Measured>& measures,
+                     const std::vector<Report::Verdict>& verdicts, const std::string& version);
+
+}  // namespace vectrix::cli

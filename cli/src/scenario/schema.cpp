@@ -1,0 +1,291 @@
+#include "scenario/schema.hpp"
+
+#include <algorithm>
+
+#include "scenario/place.hpp"
+
+namespace vectrix::cli {
+namespace {
+
+constexpr bool needed = true, optional = false;
+
+Key choice(std::string name, bool is_needed, std::string help, std::vector<std::string_view> choices) {
+  return {std::move(name), Kind::choice, is_needed, std::move(help), std::move(choices)};
+}
+Key amount(std::string name, bool is_needed, Dimension dimension, std::string help) {
+  return {std::move(name), Kind::amount, is_needed, std::move(help), {}, dimension, 1};
+}
+Key several(std::string name, Kind kind, bool is_needed, std::size_t count, std::string help) {
+  return {std::move(name), kind, is_needed, std::move(help), {}, Dimension::angle, count};
+}
+Key table(std::string name, bool is_needed, std::string help, std::vector<Key> keys) {
+  return {std::move(name),  Kind::table,    is_needed,      std::move(help), {},
+          Dimension::angle, std::size_t{0}, std::move(keys)};
+}
+Key tables(std::string name, std::string help, std::vector<Key> keys) {
+  Key key = table(std::move(name), optional, std::move(help), std::move(keys));
+  key.kind = Kind::tables;
+  return key;
+}
+
+Key time_column() {
+  return table("time", optional, "the times of a table",
+               {{"column", Kind::text, needed, "its column"},
+                choice("scale", needed, "the time scale", {"UTC", "TAI", "TT", "TDB", "GPS"})});
+}
+Key scalar(bool is_needed) {
+  return choice("scalar", is_needed, "which of the four numbers is the scalar", {"first", "last"});
+}
+Key maps() {
+  return table(
+      "maps", needed, "v_to = R v_from: between which frames it takes coordinates",
+      {{"from", Kind::text, needed, "the frame of v_from"}, {"to", Kind::text, needed, "the frame of v_to"}});
+}
+
+Key time() {
+  return table(
+      "time", optional, "the part of the flight that is looked at; by default all of it",
+      {{"start", Kind::epoch, optional, "its begin"},
+       {"end", Kind::epoch, optional, "its end"},
+       amount("step", optional, Dimension::duration,
+              "look at start, start + step and so on, the attitude turning at a constant rate between its "
+              "samples; by default at the samples")});
+}
+
+Key earth() {
+  return table("earth", optional, "how the Earth turns; needed by an orbit in ITRF and by stations",
+               {{"orientation", Kind::input, needed, "file finals2000A of the IERS"}});
+}
+
+Key orbit() {
+  return table(
+      "orbit", optional, "the orbit: one of tle, oem and table",
+      {{"tle", Kind::input, optional, "file of two-line elements; the set nearest to the middle is taken"},
+       {"oem", Kind::input, optional, "orbit message of CCSDS (OEM, KVN) in EME2000, GCRF or TEME"},
+       {"table", Kind::input, optional, "table (CSV); it needs time, position, velocity, unit and frame"},
+       table("interpolation", optional, "of a table, or of an OEM that does not say it",
+             {choice("method", needed, "the polynomial", {"hermite", "lagrange"}),
+              {"degree", Kind::whole_number, needed, "hermite odd, 3 to 15; lagrange 2 to 15"}}),
+       time_column(),
+       several("position", Kind::texts, optional, 3, "the columns x, y, z of the position"),
+       several("velocity", Kind::texts, optional, 3,
+               "the columns of the velocity, as seen in the same frame"),
+       choice("unit", optional, "of positions, and with /s of velocities", {"m", "km"}),
+       choice("frame", optional, "in whose axes they are", {"GCRF", "ICRF", "EME2000", "J2000", "ITRF"})});
+}
+
+Key attitude() {
+  return table(
+      "attitude", needed, "the attitude that was flown",
+      {{"file", Kind::input, needed,
+        "attitude message of CCSDS (AEM, KVN), which says the rest itself, or table (CSV)"},
+       {"segment", Kind::whole_number, optional, "of a message with several, counted from 1"},
+       time_column(),
+       table("quaternion", optional, "the quaternions of a table",
+             {several("columns", Kind::texts, needed, 4, "their columns, in the order of the file"),
+              scalar(needed), maps()}),
+       table("rates", optional, "angular velocities of a table: compared with the turns of the quaternions",
+             {several("columns", Kind::texts, needed, 3, "their columns"),
+              choice("unit", needed, "of the numbers", {"rad/s", "deg/s"}),
+              {"of", Kind::text, needed, "what turns: the body, or a frame fixed in it"},
+              {"relative_to", Kind::text, needed, "relative to what: the reference of the quaternions"},
+              {"in", Kind::text, needed, "in whose axes: the reference, the body, or a frame fixed in it"}}),
+       amount("gap", optional, Dimension::duration,
+              "a longer step between samples is a gap; by default three times the usual step")});
+}
+
+Key frame() {
+  return tables(
+      "frame", "a frame fixed in the body, by one of quaternion, dcm and euler",
+      {{"name", Kind::name, needed, "its name"},
+       table("quaternion", optional, "by Hamilton's product: v_to = q v_from q*, of any norm",
+             {several("numbers", Kind::numbers, needed, 4, "the four numbers"), scalar(needed), maps()}),
+       table("dcm", optional, "by a direction cosine matrix",
+             {several("rows", Kind::rows, needed, 3, "its rows"), maps()}),
+       table("euler", optional,
+             "by Euler angles: `relative_to` is turned about its own axes until it is `of`",
+             {several("axes", Kind::numbers, needed, 3, "about which axes, in turn: [3, 2, 1]"),
+              {"angles",
+               Kind::amounts,
+               needed,
+               "by which angles: \"[10, 20, 30] deg\"",
+               {},
+               Dimension::angle,
+               3},
+              {"of", Kind::text, needed, "the frame after the turns"},
+              {"relative_to", Kind::text, needed, "the frame before them"}})});
+}
+
+Key star() {
+  return tables("star", "a star as a target",
+                {{"name", Kind::name, needed, "its name"},
+                 amount("right_ascension", needed, Dimension::angle, "along the axes of GCRF, at the date"),
+                 amount("declination", needed, Dimension::angle, "positive north")});
+}
+
+Key station() {
+  return tables("station", "a place on the Earth as a target",
+                {{"name", Kind::name, needed, "its name"},
+                 amount("latitude", needed, Dimension::angle, "geodetic, positive north"),
+                 amount("longitude", needed, Dimension::angle, "positive east"),
+                 amount("height", needed, Dimension::length, "above the ellipsoid WGS-84")});
+}
+
+Key measure() {
+  return tables(
+      "measure", "how far an axis of the body is from a target",
+      {{"name", Kind::name, needed, "its name"},
+       {"axis", Kind::axis, needed,
+        "what should look at the target: \"-z of body\", \"[0, 0.1, 1] of body\""},
+       {"target", Kind::text, needed,
+        "sun, moon, earth (its centre), \"velocity relative to GCRF\", \"velocity relative to ITRF\", a star "
+        "or a "
+        "station"},
+       choice(
+           "correction", optional,
+           "of the Sun, the Moon and stars: where it is, where it was when the light left, where it is seen",
+           {"geometric", "light_time", "apparent"})});
+}
+
+Key requirement() {
+  return tables("require", "what a measure has to fulfil: the exit code is 1 if one does not",
+                {{"measure", Kind::text, needed, "the name of the measure"},
+                 amount("absolute", optional, Dimension::angle, "the largest absolute error that is allowed"),
+                 amount("relative", optional, Dimension::angle,
+                        "the largest relative error that is allowed, in a window"),
+                 amount("window", optional, Dimension::duration, "of the relative error"),
+                 amount("percent", needed, Dimension::share, "of the samples, or of the windows"),
+                 choice("when", optional,
+                        "only while the whole disc of the Sun is seen (sunlight) or none of it (shadow)",
+                        {"sunlight", "shadow"})});
+}
+
+Key output() {
+  return table("output", optional, "files that are written, relative to the folder of the command",
+               {{"report", Kind::output, optional, "a page with all results, .html"},
+                {"csv", Kind::output, optional, "a table with the angles of every measure, .csv"}});
+}
+
+Key whole_file() {
+  return table(
+      "", needed, "",
+      {{"version", Kind::whole_number, needed, "of this description of the file: 1"},
+       {"title", Kind::text, needed, "what the scenario asks"},
+       {"include", Kind::inputs, optional,
+        "files of the same form, whose keys are taken as if they stood here; a key may be given once"},
+       time(),
+       earth(),
+       orbit(),
+       attitude(),
+       frame(),
+       star(),
+       station(),
+       measure(),
+       requirement(),
+       output()});
+}
+
+std::string with_unit(const Key& key) {
+  return "with a unit (" + listed(units_of(key.dimension)) + ")";
+}
+
+void add_rows(std::string& page, const Key& of, const std::string& before) {
+  for (const Key& key : of.keys) {
+    page += "| `" + before + key.name + "` | " + (key.needed ? "yes" : "") + " | " + form_of(key) + " | " +
+            key.help + " |\n";
+    if (key.kind == Kind::table) add_rows(page, key, before + key.name + ".");
+  }
+}
+
+bool is_section(const Key& key) {
+  return key.kind == Kind::table || key.kind == Kind::tables;
+}
+
+}  // namespace
+
+const Key* Key::find(std::string_view key) const {
+  const auto found =
+      std::find_if(keys.begin(), keys.end(), [&](const Key& each) { return each.name == key; });
+  return found == keys.end() ? nullptr : &*found;
+}
+
+const Key& schema() {
+  static const Key whole = whole_file();
+  return whole;
+}
+
+std::string form_of(const Key& key) {
+  const std::string count = std::to_string(key.count);
+  switch (key.kind) {
+    case Kind::text:
+      return "text";
+    case Kind::name:
+      return "text, without commas and quotation marks";
+    case Kind::whole_number:
+      return "whole number from 1 on";
+    case Kind::choice: {
+      std::string all;
+      for (const std::string_view each : key.choices)
+        all.append(all.empty() ? "" : ", ").append(1, '"').append(each) += '"';
+      return "one of " + all;
+    }
+    case Kind::numbers:
+      return count + " numbers";
+    case Kind::rows:
+      return "3 rows of 3 numbers";
+    case Kind::texts:
+      return count + " texts";
+    case Kind::amount:
+      return "text: a number " + with_unit(key);
+    case Kind::amounts:
+      return "text: " + count + " numbers in brackets " + with_unit(key);
+    case Kind::axis:
+      return "text: an axis, and of which frame";
+    case Kind::epoch:
+      return "date and time in UTC with Z, or text that ends with its scale";
+    case Kind::input:
+    case Kind::output:
+      return "file";
+    case Kind::inputs:
+      return "files";
+    case Kind::table:
+      return "table";
+    default:
+      return "any number of tables";
+  }
+}
+
+std::string schema_page() {
+  std::string page =
+      "# The scenario file\n\n"
+      "`vectrix replay file.toml` reads a flight and says whether it fulfils what is required. The file is "
+      "TOML 1.0.\n"
+      "This page is written by `./dev docs` from the description with which the program reads the file;\n"
+      "[the tutorial](../tutorial/4_from_an_attitude_file_to_a_verdict.md) shows one being made.\n\n"
+      "- A quantity is a text with its unit, `\"0.5 deg\"`. A bare number is refused where a unit is "
+      "needed.\n"
+      "- Names of frames: `J2000` and `EME2000` are one, `ICRF` and `GCRF` too; others are those of the "
+      "file.\n"
+      "- Files that are read are named relative to the file in which their name stands.\n"
+      "- An unknown key is refused, and so are NaN and infinity. Messages begin with `file:line:column`.\n\n"
+      "## Keys at the top\n\n"
+      "| key | needed | form | meaning |\n| --- | --- | --- | --- |\n";
+  for (const Key& key : schema().keys) {
+    if (is_section(key)) continue;
+    page += "| `" + key.name + "` | " + (key.needed ? "yes" : "") + " | " + form_of(key) + " | " + key.help +
+            " |\n";
+  }
+  for (const Key& key : schema().keys) {
+    if (!is_section(key)) continue;
+    const bool many = key.kind == Kind::tables;
+    page += "\n## " + std::string(many ? "[[" : "[") + key.name + (many ? "]]" : "]") + "\n\n" +
+            (many         ? "Any number of them: "
+             : key.needed ? "Needed: "
+                          : "") +
+            key.help + ".\n\n" + "| key | needed | form | meaning |\n| --- | --- | --- | --- |\n";
+    add_rows(page, key, "");
+  }
+  return page;
+}
+
+}  // namespace vectrix::cli
