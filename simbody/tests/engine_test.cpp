@@ -1,0 +1,91 @@
+#include <gtest/gtest.h>
+
+#include <vector>
+#include <vectrix/simbody.hpp>
+
+#include "every_joint.hpp"
+
+// Accelerations of both engines at one state, under efforts of every joint, wrenches on every body, motors
+// and a field.
+namespace vectrix_test::every_joint::engine_test {
+namespace {
+
+/// Of sums of some hundred products, relative to the largest acceleration.
+constexpr double rounding = 1e-11;
+
+struct Both {
+  std::vector<double> ours, theirs;
+};
+/// `locked`: the links and rotors that keep their speed, as a function of their number.
+Both accelerations(unsigned long seed, double time_scale, bool (*locked)(std::size_t)) {
+  RandomCraft random(seed);
+  const Craft craft(random);
+  const auto start = start_of(craft, random);
+  const auto& tree = craft.core()->tree;
+  multibody::Work<double> applied = tree.work(), work = tree.work();
+  const auto draw = [&](auto& numbers) {
+    for (double& number : numbers) number = random.normal();
+  };
+  const auto column = [&] {
+    return multibody::Column<double>{random.normal(), random.normal(), random.normal()};
+  };
+  const auto apply = [](const multibody::Work<double>& from, multibody::Work<double>& to) {
+    to.efforts = from.efforts;
+    to.motors = from.motors;
+    to.field = from.field;
+    to.locked_links = from.locked_links;
+    to.locked_rotors = from.locked_rotors;
+  };
+  draw(applied.efforts);
+  draw(applied.motors);
+  applied.field = column();
+  for (std::size_t i = 0; i < applied.locked_links.size(); ++i) applied.locked_links[i] = locked(i);
+  applied.locked_links[2] = applied.locked_links[1];  // both links of the gimbal
+  for (std::size_t i = 0; i < applied.locked_rotors.size(); ++i) applied.locked_rotors[i] = locked(i);
+  applied.hub.f = column();
+  applied.hub.n = column();
+  for (auto& link : applied.links) link.I.f = column(), link.I.n = column();
+  applied.links[1].I.f = applied.links[1].I.n = multibody::zero_column<double>();  // the ring of the gimbal
+
+  Both found;
+  found.ours.resize(Craft::state_size);
+  found.theirs.resize(Craft::state_size);
+  tree.place(start.data(), work);
+  apply(applied, work);
+  tree.add_wrench(0, -applied.hub.f, -applied.hub.n, work);
+  for (std::size_t i = 0; i < applied.links.size(); ++i)
+    tree.add_wrench(static_cast<int>(i) + 1, -applied.links[i].I.f, -applied.links[i].I.n, work);
+  tree.solve(start.data(), found.ours.data(), work);
+
+  detail::SimbodyEngine engine(detail::simbody_craft("test", plain(craft)), SimbodyPair::merson, 1e-3,
+                               time_scale, [&](double, const double*, detail::SimbodyLoads& loads) {
+                                 detail::copy_loads(plain(craft), applied, loads);
+                               });
+  engine.rates(start_time.value(), start.data(), found.theirs.data());
+  return found;
+}
+void expect_same(const Both& found) {
+  double largest = 0.0;
+  for (const double rate : found.ours) largest = detail::larger(largest, std::abs(rate));
+  for (std::size_t i = 0; i < found.ours.size(); ++i)
+    EXPECT_NEAR(found.theirs[i], found.ours[i], rounding * largest) << i;
+}
+
+TEST(SimbodyEngine, has_the_accelerations_of_ours_in_any_unit_of_time) {
+  const auto none = [](std::size_t) { return false; };
+  for (const unsigned long seed : {21UL, 22UL, 23UL, 24UL}) {
+    expect_same(accelerations(seed, 1.0, none));
+    expect_same(accelerations(seed, 0.3, none));
+  }
+}
+
+TEST(SimbodyEngine, locks_what_ours_locks) {
+  for (const unsigned long seed : {25UL, 26UL}) {
+    expect_same(accelerations(seed, 1.0, [](std::size_t i) { return i % 2 == 0; }));
+    expect_same(accelerations(seed, 1.0, [](std::size_t i) { return i % 2 == 1; }));
+    expect_same(accelerations(seed, 1.0, [](std::size_t i) { return i % 3 == 0; }));
+  }
+}
+
+}  // namespace
+}  // namespace vectrix_test::every_joint::engine_test
