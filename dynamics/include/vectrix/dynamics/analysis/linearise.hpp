@@ -40,7 +40,7 @@ StartOfRun<C, HeldTypes<Parts...>> start_of_run(const CraftScenario<C, Parts...>
 
 template <class C, class Part> constexpr bool takes_duals() {
   if constexpr (PartOf<Part>::load)
-    return CallableWith<Part, std::tuple<const Now<C, Dual>&, Forces<C, Dual>&>, Taken<2, Part>>::value;
+    return CallableWith<Part, std::tuple<const Now<C, Dual>&, Forces<C, Dual>&>, TakenByLoad<C, Part>>::value;
   else
     return true;
 }

@@ -36,23 +36,12 @@ inline constexpr Stop stop{};
 
 namespace detail {
 
-template <class F> struct SignatureOfMember;
-template <class F, class R, class... Given> struct SignatureOfMember<R (F::*)(Given...) const> {
-  using result = std::remove_cvref_t<R>;
-  using arguments = std::tuple<std::remove_cvref_t<Given>...>;
-};
-
-/// The type of the value that a change returns, and those of its arguments. Those of a call operator that is
-/// a template on the scalar for double; of another template none.
+/// The type of the value that a change returns, and those of its arguments; none if its call operator is a
+/// template.
 template <class F> struct UpdateOf {
   using result = Result<F>;
   using arguments = Arguments<F>;
 };
-template <class F>
-  requires requires {
-    &F::template operator()<double>;
-  }
-struct UpdateOf<F> : SignatureOfMember<decltype(&F::template operator()<double>)> {};
 template <class X> struct UpdateOf<Becomes<X>> {
   using result = X;
   using arguments = std::tuple<>;

@@ -96,8 +96,24 @@ template <class First, class... Rest> struct RestOf<1, std::tuple<First, Rest...
 template <class First, class Second, class... Rest> struct RestOf<2, std::tuple<First, Second, Rest...>> {
   using type = std::tuple<Rest...>;
 };
-template <std::size_t count, class Function>
-using Taken = typename RestOf<count, typename UpdateOf<Function>::arguments>::type;
+/// What a function of the state takes besides.
+template <class Function> using Taken = typename RestOf<1, typename UpdateOf<Function>::arguments>::type;
+
+/// What a load takes besides. Its call operator may be a template on the scalar; one that takes nothing more
+/// may be any template.
+template <class Member> struct ArgumentsOfMember;
+template <class F, class R, class... Given> struct ArgumentsOfMember<R (F::*)(Given...) const> {
+  using type = std::tuple<std::remove_cvref_t<Given>...>;
+};
+template <class C, class Load> constexpr auto taken_by_load() {
+  if constexpr (std::invocable<const Load&, const Now<C>&, Forces<C>&>)
+    return std::type_identity<std::tuple<>>{};
+  else if constexpr (requires { &Load::template operator()<double>; })
+    return RestOf<2, typename ArgumentsOfMember<decltype(&Load::template operator()<double>)>::type>{};
+  else
+    return RestOf<2, Arguments<Load>>{};
+}
+template <class C, class Load> using TakenByLoad = typename decltype(taken_by_load<C, Load>())::type;
 
 /// The first value that is taken and not held; Nothing if there is none.
 template <class HeldTuple, class Tuple> struct FirstNotHeld : std::type_identity<Nothing> {};
@@ -128,12 +144,13 @@ template <class C, class G, class... X> struct GivesSize<C, G, std::tuple<X...>>
 /// The mistake of one part.
 template <class C, class HeldTuple, class Part> struct FaultOfPart {
   static constexpr auto fault() {
-    using Lack = typename FirstNotHeld<HeldTuple, Taken<2, Part>>::type;
+    using Lack = typename FirstNotHeld<HeldTuple, TakenByLoad<C, Part>>::type;
     if constexpr (std::is_same_v<Part, Refused>) {
       return std::type_identity<Refused>{};
     } else if constexpr (!std::is_same_v<Lack, Nothing>) {
       return std::type_identity<Lack>{};
-    } else if constexpr (!CallableWith<Part, std::tuple<const Now<C>&, Forces<C>&>, Taken<2, Part>>::value) {
+    } else if constexpr (!CallableWith<Part, std::tuple<const Now<C>&, Forces<C>&>,
+                                       TakenByLoad<C, Part>>::value) {
       return std::type_identity<IsNoLoad<Part>>{};
     } else {
       return std::type_identity<Nothing>{};
@@ -147,8 +164,8 @@ template <class C, class HeldTuple, class X> struct FaultOfPart<C, HeldTuple, He
 template <class C, class HeldTuple, class F> struct FaultOfUpdate {
   static constexpr auto fault() {
     using X = typename UpdateOf<F>::result;
-    using Lack = typename FirstNotHeld<HeldTuple, Joined<Taken<1, F>, std::tuple<X>>>::type;
-    constexpr bool called = CallableWith<F, std::tuple<const Now<C>&>, Taken<1, F>>::value;
+    using Lack = typename FirstNotHeld<HeldTuple, Joined<Taken<F>, std::tuple<X>>>::type;
+    constexpr bool called = CallableWith<F, std::tuple<const Now<C>&>, Taken<F>>::value;
     if constexpr (!is_becomes<F> && (!called || std::is_same_v<Arguments<F>, std::tuple<>>)) {
       return std::type_identity<IsNoChange<F>>{};
     } else {
@@ -173,10 +190,10 @@ template <class C, class HeldTuple, class Trigger, class F>
 struct FaultOfPart<C, HeldTuple, Change<Trigger, F>> : FaultOfUpdate<C, HeldTuple, F> {};
 template <class C, class HeldTuple, class G, class F> struct FaultOfPart<C, HeldTuple, Change<Zero<G>, F>> {
   static constexpr auto fault() {
-    using Lack = typename FirstNotHeld<HeldTuple, Taken<1, G>>::type;
+    using Lack = typename FirstNotHeld<HeldTuple, Taken<G>>::type;
     if constexpr (!std::is_same_v<Lack, Nothing>) {
       return std::type_identity<Lack>{};
-    } else if constexpr (!GivesSize<C, G, Taken<1, G>>::test()) {
+    } else if constexpr (!GivesSize<C, G, Taken<G>>::test()) {
       return std::type_identity<IsNoFunctionOfTheState<G>>{};
     } else {
       return FaultOfUpdate<C, HeldTuple, F>{};
@@ -224,7 +241,7 @@ template <class Load, class HeldTuple> struct HeldLoad {
   const HeldTuple* values;
   template <class C, class S>
   [[gnu::always_inline]] void operator()(const Now<C, S>& now, Forces<C, S>& forces) const {
-    with_held(std::type_identity<Taken<2, Load>>{}, load, *values, now, forces);
+    with_held(std::type_identity<TakenByLoad<C, Load>>{}, load, *values, now, forces);
   }
 };
 

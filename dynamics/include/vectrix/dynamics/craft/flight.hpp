@@ -218,7 +218,7 @@ template <CraftType C, class... Parts> class Flight {
     if constexpr (is_becomes<F>)
       return update.value;
     else
-      return with_held(std::type_identity<Taken<1, F>>{}, update, values, now);
+      return with_held(std::type_identity<Taken<F>>{}, update, values, now);
   }
   template <class X> void put(HeldTuple& next, double t, X value) {
     record(t, value);
@@ -269,7 +269,7 @@ template <CraftType C, class... Parts> class Flight {
         else
           return solved_at<X>(t, y);
       };
-      const auto found = with_held(std::type_identity<Taken<1, G>>{}, g, values_, at());
+      const auto found = with_held(std::type_identity<Taken<G>>{}, g, values_, at());
       if constexpr (std::is_convertible_v<decltype(found), double>)
         return found;
       else
