@@ -93,6 +93,7 @@ class Plot {
             label: curve.name,
             stroke: curveColour(i),
             width: 1.5,
+            pxAlign: 0,
             points: { show: false, filter: () => dots[i], size: 4, fill: curveColour(i) },
           })),
         ],
