@@ -54,6 +54,12 @@ function drawLimits(limits) {
   };
 }
 
+// A sample between two gaps has no line; it gets a dot.
+function lonely(values) {
+  const isThere = (i) => values[i] != null;
+  return values.flatMap((x, i) => (isThere(i) && !isThere(i - 1) && !isThere(i + 1) ? [i] : []));
+}
+
 // One plot in its figure. `zoomed` is called with the first and the last second that are shown.
 class Plot {
   constructor(figure, data, { name: unitName, seconds: unit }, { clicked, zoomed }) {
@@ -63,6 +69,7 @@ class Plot {
     this.outputs = [...figure.querySelectorAll('figcaption output')];
     this.mark = Object.assign(document.createElement('div'), { className: 'mark' });
     figure.classList.add('has-script');
+    const dots = data.curves.map((curve) => lonely(curve.values));
     const axis = {
       stroke: () => colour('--mute'),
       font: `12px ${getComputedStyle(document.body).fontFamily}`,
@@ -82,7 +89,13 @@ class Plot {
         ],
         series: [
           {},
-          ...data.curves.map((curve, i) => ({ label: curve.name, stroke: curveColour(i), width: 1.5, points: { show: false } })),
+          ...data.curves.map((curve, i) => ({
+            label: curve.name,
+            stroke: curveColour(i),
+            width: 1.5,
+            pxAlign: 0,
+            points: { show: false, filter: () => dots[i], size: 4, fill: curveColour(i) },
+          })),
         ],
         hooks: {
           draw: [drawLimits(data.limits)],
@@ -94,18 +107,11 @@ class Plot {
       [Float64Array.from(data.seconds, (t) => t / unit), ...data.curves.map((curve) => curve.values)],
       this.host,
     );
-    this.takeClicks(clicked);
+    // uPlot stops the click at the end of a drag.
+    this.u.over.addEventListener('click', (event) =>
+      clicked(this.u.posToVal(event.clientX - this.u.over.getBoundingClientRect().left, 'x') * unit),
+    );
     new ResizeObserver(() => this.fit()).observe(this.host);
-  }
-
-  // A drag zooms; it is no click.
-  takeClicks(clicked) {
-    let pressed = 0;
-    this.u.over.addEventListener('mousedown', (event) => (pressed = event.clientX));
-    this.u.over.addEventListener('click', (event) => {
-      if (Math.abs(event.clientX - pressed) < 3)
-        clicked(this.u.posToVal(event.clientX - this.u.over.getBoundingClientRect().left, 'x') * this.unit);
-    });
   }
 
   fit() {

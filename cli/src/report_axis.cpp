@@ -16,8 +16,9 @@ Ticks ticks(double from, double to, int most) {
     if (factor * decade >= least) step = factor * decade;
   constexpr double rounding = 1e-9;
   Ticks found{{}, static_cast<int>(std::max(0.0, -std::floor(std::log10(step) + rounding)))};
-  for (double k = std::ceil(from / step - rounding); k * step <= to + rounding * step; ++k)
-    found.values.push_back(k * step);
+  const double first = std::ceil(from / step - rounding);
+  for (int k = 0; k <= most; ++k)
+    if (const double value = (first + k) * step; value <= to + rounding * step) found.values.push_back(value);
   return found;
 }
 

@@ -33,7 +33,7 @@ std::string polylines(const std::vector<double>& seconds, const Report::Curve& c
   constexpr auto two_for_a_pixel = static_cast<std::size_t>(2.0 * (plot_right - plot_left));
   std::string text, points;
   const auto finish = [&] {
-    if (!points.empty()) text += svg_path("polyline", points, "curve " + curve_class(place));
+    if (!points.empty()) text += svg_polyline(points, "curve " + curve_class(place));
     points.clear();
   };
   for (const std::size_t i : kept_samples({&curve, 1}, two_for_a_pixel)) {

@@ -22,6 +22,11 @@ inline std::string svg_text(double x, double y, const std::string& kind, const s
 inline std::string svg_path(const char* shape, const std::string& points, const std::string& kind) {
   return element(shape, {{"class", kind}, {"points", points}}, "");
 }
+/// A line; of a single point a dot, as its ends are round.
+inline std::string svg_polyline(const std::string& points, const std::string& kind) {
+  const bool is_point = points.find(' ') == std::string::npos;
+  return svg_path("polyline", is_point ? points + " " + points : points, kind);
+}
 /// One more point of a polyline or polygon.
 inline void add_point(std::string& points, double x, double y) {
   points += (points.empty() ? "" : " ") + pixel(x) + "," + pixel(y);

@@ -30,6 +30,7 @@ struct Lvlh : moving_frame {};
 struct Body : moving_frame {};
 struct Radiometer : moving_frame {};
 
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 const std::filesystem::path data = std::filesystem::path(VECTRIX_SOURCE_DIR) / "examples/data";
 const auto attitude_file = data / "CTIM_20230420_attitude.csv",
            pointing_file = data / "CTIM_20230420_pointing.csv", elements_file = data / "CTIM_20230419.tle",
@@ -213,7 +214,7 @@ Report long_run() {
     for (std::size_t k = 0; k < 3; ++k) {
       double value = std::sin(1e-3 * t + static_cast<double>(k)) + 0.1 * std::sin(7.0 * t);
       if (k == 0 && i == spike) value = 5.0;
-      if (i >= gap && i < gap_end) value = std::numeric_limits<double>::quiet_NaN();
+      if (i >= gap && i < gap_end) value = nan;
       rate.curves[k].values.push_back(value);
     }
     scene.reference_from_body.emplace_back(Eigen::AngleAxisd(1e-3 * t, Eigen::Vector3d(0.6, 0.0, 0.8)));
@@ -228,7 +229,7 @@ Report hostile() {
   const std::string name = "</script><script>document.title = 'taken'</script><!-- & \"";
   Report report{.title = name, .start = Epoch::from_utc("2026-11-29T00:00:00"), .version = VECTRIX_VERSION};
   report.verdicts = {{name, name, name, name, false}};
-  report.plots = {{name, name, name, {0.0, 1.0}, {{name, {0.0, 1.0}}}, {{1.0, name}}}};
+  report.plots = {{name, name, name, {0.0, 1.0, 2.0}, {{name, {nan, 1.0, nan}}}, {{0.0, name}}}};
   report.scene =
       Report::Scene{.body = name, .reference = name, .seconds = {0.0, 1.0}, .reference_from_body = {}};
   report.scene->reference_from_body.assign(2, Eigen::Quaterniond::Identity());

@@ -11,6 +11,7 @@
 #include <numeric>
 #include <tuple>
 
+#include "report_axis.hpp"
 #include "report_page.hpp"
 #include "says.hpp"
 #include "space/tests/temporary_file.hpp"
@@ -247,6 +248,29 @@ TEST(Report, DrawsTheSceneAsItIsSeenFromTheReference) {
       says(page, "<line class=\"arrow reference x\" x1=\"240.0\" y1=\"240.0\" x2=\"379.3\" y2=\"276.5\">"));
   EXPECT_TRUE(
       says(page, "<line class=\"arrow body y\" x1=\"240.0\" y1=\"240.0\" x2=\"128.6\" y2=\"210.8\">"));
+}
+
+TEST(Report, DrawsASampleBetweenGaps) {
+  const std::string page = html(report({plot({nan, 1.0, nan})}));
+  const auto points = between(page, "class=\"still\"", "<polyline class=\"curve c0\" points=\"", "\"");
+  EXPECT_EQ(points, "389.0,94.0 389.0,94.0");  // a line of no length: its round ends are a dot
+}
+
+RC_GTEST_PROP(Ticks, AreEvenAndWithinTheAxis, ()) {
+  const double from = *rc::gen::inRange(-1'000'000, 1'000'000) * 1e3;
+  const double span = std::pow(10.0, 0.1 * *rc::gen::inRange(-70, 100));
+  const int most = *rc::gen::inRange(2, 12);
+  const auto found = ticks(from, from + span, most);
+  const double rounding = 1e-9 * span + 4e-16 * std::abs(from);
+  RC_ASSERT(!found.values.empty() || most < 3);
+  RC_ASSERT(found.values.size() <= static_cast<std::size_t>(most) + 1);
+  for (std::size_t i = 0; i < found.values.size(); ++i) {
+    RC_ASSERT(found.values[i] >= from - rounding);
+    RC_ASSERT(found.values[i] <= from + span + rounding);
+    if (i < 2) continue;
+    const double step = found.values[1] - found.values[0];
+    RC_ASSERT(std::abs(found.values[i] - found.values[i - 1] - step) <= 4.0 * rounding);
+  }
 }
 
 TEST(Report, CutsTheGroundTrackAtTheDateLine) {

@@ -67,6 +67,26 @@ const choose = (page, id, text) => page.value(`(() => {
   select.dispatchEvent(new Event('change'));
 })()`);
 
+// How many pixels of the first plot have about the colour of a variable of the style, by columns and by rows.
+const coloured = (page, variable, top = 1) => page.value(`(() => {
+  const canvas = document.querySelector('.plot canvas');
+  const over = document.querySelector('.plot .u-over');
+  const [left, width] = [over.offsetLeft, over.offsetWidth];
+  const probe = document.body.appendChild(Object.assign(document.createElement('i'), { style: 'color: var(${variable})' }));
+  const wanted = getComputedStyle(probe).color.match(/\\d+/g).map(Number);
+  probe.remove();
+  const height = Math.round(over.offsetHeight * ${top});
+  const { data } = canvas.getContext('2d').getImageData(left, over.offsetTop, width, height);
+  const columns = Array(width).fill(0);
+  const rows = Array(over.offsetHeight).fill(0);
+  for (let i = 0; i < data.length; i += 4)
+    if (data[i + 3] > 60 && wanted.every((c, k) => Math.abs(data[i + k] - c) < 40)) {
+      columns[(i / 4) % width]++;
+      rows[Math.floor(i / 4 / width)]++;
+    }
+  return { columns, rows };
+})()`);
+
 test('the plots hold the published numbers, in their order and at their times', () =>
   withPage('cubesat', {}, async (page) => {
     const rows = readFileSync(join(source, 'examples/data/CTIM_20230420_pointing.csv'), 'utf8')
@@ -122,8 +142,14 @@ test('a click in a plot goes to its time, and the numbers there are written', ()
     written.forEach((text, i) => near(Number(text), expected[i], 1e-5 * Math.abs(expected[i])));
     const marks = await page.value("[...document.querySelectorAll('.mark')].map((m) => parseFloat(m.style.left))");
     marks.forEach((left) => near(left, (time / SPAN) * width, 1, 'mark'));
-    const track = await page.value("document.querySelector('.track .place').cx.baseVal.value");
-    assert.notEqual(track, await page.value("Number(document.querySelector('.track .place').dataset.edges.split(' ')[0])"));
+    // The place on the map has moved along the track.
+    const [moved, aside] = await page.value(`(() => {
+      const { cx: { baseVal: { value: x } }, cy: { baseVal: { value: y } } } = document.querySelector('.track .place');
+      const points = [...document.querySelectorAll('.track polyline')].flatMap((line) => [...line.points]);
+      const distances = points.map((point) => Math.hypot(point.x - x, point.y - y));
+      return [distances[0], Math.min(...distances)];
+    })()`);
+    assert.ok(moved > 50 && aside < 2, `the place is ${moved} from the start, ${aside} beside the track`);
   }));
 
 test('a drag zooms all plots, a double click shows all', () =>
@@ -163,8 +189,8 @@ test('everything goes by keyboard, and shows where it is', () =>
     for (let i = 0; i < 12; i++) {
       await page.key('Tab');
       reached.push(await page.value('document.activeElement.id || document.activeElement.tagName'));
-      const width = await page.value('document.activeElement === document.body ? 2 : parseFloat(getComputedStyle(document.activeElement).outlineWidth)');
-      assert.ok(width >= 2, `the focus is seen on ${reached.at(-1)}`);
+      const seen = await page.value("document.activeElement === document.body || getComputedStyle(document.activeElement).outlineStyle === 'solid'");
+      assert.ok(seen, `the focus is seen on ${reached.at(-1)}`);
     }
     for (const id of ['play', 'time', 'speed', 'view', 'trail', 'canvas']) assert.ok(reached.includes(id), `${id} is reached`);
     await page.value("document.getElementById('play').focus()");
@@ -226,26 +252,10 @@ test('what is not wanted is not shown', () =>
     assert.equal(await shown(), true);
   }));
 
-// How many pixels of the canvas of a plot have about the colour of a variable of the style, by columns.
-const coloured = (page, variable, top = 1) => page.value(`(() => {
-  const canvas = document.querySelector('.plot canvas');
-  const over = document.querySelector('.plot .u-over');
-  const [left, width] = [over.offsetLeft, over.offsetWidth];
-  const probe = document.body.appendChild(Object.assign(document.createElement('i'), { style: 'color: var(${variable})' }));
-  const wanted = getComputedStyle(probe).color.match(/\\d+/g).map(Number);
-  probe.remove();
-  const height = Math.round(over.offsetHeight * ${top});
-  const { data } = canvas.getContext('2d').getImageData(left, over.offsetTop, width, height);
-  const columns = Array(width).fill(0);
-  for (let i = 0; i < data.length; i += 4)
-    if (data[i + 3] > 60 && wanted.every((c, k) => Math.abs(data[i + k] - c) < 40)) columns[(i / 4) % width]++;
-  return columns;
-})()`);
-
 test('in dark mode the page and the plots are dark, also when it changes', () =>
   withPage('cubesat', { dark: true }, async (page) => {
     const paper = () => page.value("getComputedStyle(document.body).backgroundColor.match(/\\d+/g).map(Number)");
-    const drawn = async () => (await coloured(page, '--c1')).filter(Boolean).length;
+    const drawn = async () => (await coloured(page, '--c1')).columns.filter(Boolean).length;
     assert.ok(Math.max(...(await paper())) < 40);
     const many = 500; // of the columns, more than 600, have a bit of the curve
     assert.ok((await drawn()) > many);
@@ -267,14 +277,14 @@ test('on paper there are drawings, and no controls', () =>
 
 test('where WebGL is off there is a drawing, and the rest works', async () => {
   const without = new Browser(program, ['--disable-3d-apis']);
-  await withPage('cubesat', {}, async (page) => {
+  const plain = async (page) => {
     assert.equal(await state(page, 'view'), null);
     assert.equal(await page.value("getComputedStyle(document.querySelector('#scene > svg')).display"), 'block');
     await page.click('#play');
     await page.value('new Promise((done) => setTimeout(done, 200))');
     assert.ok((await state(page, 'time')) > 0);
-  }, without);
-  await without.close();
+  };
+  await withPage('cubesat', {}, plain, without).finally(() => without.close());
 });
 
 test('without scripts the page is complete', async () => {
@@ -302,10 +312,24 @@ test('names that end a script are only names', () =>
     assert.equal(await page.value("document.querySelectorAll('script').length"), 2);
   }));
 
+test('a sample between gaps is a dot at its place, and a limit a line at its value', () =>
+  withPage('hostile', {}, async (page) => {
+    const filled = (counts) => counts.flatMap((count, i) => (count ? [i] : []));
+    const dot = await coloured(page, '--c0');
+    const { width, height } = await page.box('.plot .u-over');
+    const columns = filled(dot.columns);
+    assert.ok(columns.length >= 2 && columns.length <= 6, `columns ${columns}`);
+    columns.forEach((column) => near(column, width / 2, 4));
+    // The sample is 1 and the limit 0, with a margin of 5 % of that.
+    filled(dot.rows).forEach((row) => near(row, (height * 0.05) / 1.1, 4));
+    const limit = (await coloured(page, '--limit')).rows;
+    near(limit.indexOf(Math.max(...limit)), (height * 1.05) / 1.1, 1.5);
+  }));
+
 test('a million samples: below 5 MB, the extreme is drawn at its place, the gap is empty, and it is smooth', () =>
   withPage('long', {}, async (page) => {
     assert.ok(statSync(join(folder, 'long.html')).size < 5e6);
-    const columns = await coloured(page, '--c0', 0.45); // above all of the curve but its extreme
+    const { columns } = await coloured(page, '--c0', 0.45); // above all of the curve but its extreme
     const at = columns.flatMap((count, i) => (count ? [i] : []));
     assert.ok(at.length > 0 && at.at(-1) - at[0] <= 3, `one extreme: ${at}`);
     near(at[0] / columns.length, 0.654321, 0.005);
