@@ -7,12 +7,11 @@
 #include <cstddef>
 #include <limits>
 #include <span>
-#include <string>
 #include <utility>
 #include <vector>
 
 #include <vectrix/dynamics/ode/elapsed_time.hpp>
-#include <vectrix/frames/errors.hpp>
+#include <vectrix/frames/export.hpp>
 
 namespace vectrix::ode {
 
@@ -54,6 +53,15 @@ template <> class Numbers<std::dynamic_extent> {
   std::vector<double> values_;
 };
 
+// What a RungeKutta refuses, with BadInput. It knows no type, so it is compiled once.
+VECTRIX_EXPORT void require_tolerances(double relative, std::span<const double> absolute);
+VECTRIX_EXPORT void require_start(double t, std::span<const double> y, double first_step);
+VECTRIX_EXPORT void require_size(const char* call, const char* what, std::size_t size, std::size_t wanted);
+[[noreturn]] VECTRIX_EXPORT void refuse_end(double time, double until);
+[[noreturn]] VECTRIX_EXPORT void refuse_longest(double longest);
+[[noreturn]] VECTRIX_EXPORT void refuse_time(double t, double before, double time);
+[[noreturn]] VECTRIX_EXPORT void refuse_no_step(const char* call, double time);
+
 }  // namespace detail
 
 /// One step after another of an embedded explicit Runge-Kutta pair, with the right-hand side inlined. A step
@@ -84,28 +92,16 @@ template <class Table, std::size_t N, Rates<N> F> class RungeKutta {
         stage_(size_),
         errors_(size_),
         k_(make_stages(size_, std::make_index_sequence<Table::all_stages>{})) {
-    require(relative_ >= 0.0 && std::isfinite(relative_),
-            [&] { return ": the relative tolerance must be finite and at least 0, got " + text(relative_); });
+    detail::require_tolerances(relative_, absolute_tolerances);
     for (std::size_t c = 0; c < absolute_.width(); ++c)
       absolute_[c] = c < size_ ? absolute_tolerances[c] : 1.0;
-    for (std::size_t c = 0; c < size_; ++c)
-      require(absolute_[c] > 0.0 && std::isfinite(absolute_[c]), [&] {
-        return ": the absolute tolerance of component " + text(c) +
-               " must be finite and greater than 0, got " + text(absolute_[c]);
-      });
   }
 
   /// Begins at (t, y), without a memory of earlier rates. The length of the first step is chosen, unless
   /// given.
   void start(double t, State y, double first_step = 0.0) {
-    require(std::isfinite(t), [&] { return "::start: the time must be finite, got " + text(t); });
-    require_size("::start", "the state", y.size(), size_);
-    for (std::size_t c = 0; c < size_; ++c)
-      require(std::isfinite(y[c]), [&] {
-        return "::start: component " + text(c) + " of the state must be finite, got " + text(y[c]);
-      });
-    require(first_step >= 0.0,
-            [&] { return "::start: the first step must be at least 0, got " + text(first_step); });
+    detail::require_size("::start", "the state", y.size(), size_);
+    detail::require_start(t, y, first_step);
     std::copy(y.begin(), y.end(), y_.data());
     origin_ = t;
     until_ = std::numeric_limits<double>::infinity();
@@ -118,11 +114,10 @@ template <class Table, std::size_t N, Rates<N> F> class RungeKutta {
   /// One accepted step, at most to `until` and at most as long as `longest`.
   Advance step(double until, double longest = std::numeric_limits<double>::infinity()) {
     const double end = until - origin_, remaining = elapsed_.remaining(end);
-    require(remaining > 0.0 && std::isfinite(until), [&] {
-      return "::step: the end must be finite and later than " + text(time()) + ", got " + text(until);
-    });
-    require(longest > 0.0,
-            [&] { return "::step: the longest step must be greater than 0, got " + text(longest); });
+    if (!(remaining > 0.0 && std::isfinite(until))) [[unlikely]]
+      detail::refuse_end(time(), until);
+    if (!(longest > 0.0)) [[unlikely]]
+      detail::refuse_longest(longest);
     until_ = until;
     step_ = 0.0;
     find_rate();
@@ -173,11 +168,9 @@ template <class Table, std::size_t N, Rates<N> F> class RungeKutta {
     const double theta = 1.0 + ((t - origin_) - elapsed_.sum - elapsed_.rest) / step_;
     const double slack = 4.0 * epsilon * (1.0 + std::abs(t) / step_);
     require_step("::interpolate");
-    require(theta >= -slack && theta <= 1.0 + slack, [&] {
-      return "::interpolate: the time " + text(t) + " is outside the last step, [" + text(time_of(-step_)) +
-             ", " + text(time()) + "]";
-    });
-    require_size("::interpolate", "the state", y.size(), size_);
+    if (!(theta >= -slack && theta <= 1.0 + slack)) [[unlikely]]
+      detail::refuse_time(t, time_of(-step_), time());
+    detail::require_size("::interpolate", "the state", y.size(), size_);
     polynomial();
     for (std::size_t c = 0; c < size_; ++c) {
       double sum = 0.0;
@@ -191,29 +184,16 @@ template <class Table, std::size_t N, Rates<N> F> class RungeKutta {
   /// Throws BadInput after a failed step, and for another number of terms.
   void terms(std::span<double> terms) {
     require_step("::terms");
-    require_size("::terms", "the interpolant", terms.size(), degree * size_);
+    detail::require_size("::terms", "the interpolant", terms.size(), degree * size_);
     polynomial();
     for (std::size_t p = 0; p < degree; ++p)
       std::copy(terms_[p].data(), terms_[p].data() + size_, terms.data() + p * size_);
   }
 
  private:
-  template <class Number> static std::string text(const Number& number) {
-    return vectrix::detail::text(number);
-  }
-  template <class Message> static void require(bool condition, const Message& message) {
-    if (!condition) [[unlikely]] {
-      throw BadInput("ode::RungeKutta" + message());
-    }
-  }
-  static void require_size(const char* call, const char* what, std::size_t size, std::size_t wanted) {
-    require(size == wanted, [&] {
-      return std::string(call) + ": " + what + " has " + text(wanted) + " numbers, the span " + text(size);
-    });
-  }
   void require_step(const char* call) const {
-    require(step_ > 0.0,
-            [&] { return std::string(call) + ": there is no accepted step that ends at " + text(time()); });
+    if (!(step_ > 0.0)) [[unlikely]]
+      detail::refuse_no_step(call, time());
   }
 
   static constexpr double epsilon = std::numeric_limits<double>::epsilon();
