@@ -1,8 +1,6 @@
 #include "xml_messages.hpp"
 
 #include <algorithm>
-#include <array>
-#include <optional>
 #include <utility>
 
 #include <vectrix/frames/errors.hpp>
@@ -10,6 +8,7 @@
 #include "covariance_keyword.hpp"
 #include "message_kinds.hpp"
 #include "text_file.hpp"
+#include "xml_columns.hpp"
 #include "xml_document.hpp"
 
 namespace vectrix::detail {
@@ -40,56 +39,6 @@ constexpr XmlContainer attitude_containers[] = {{"quaternionState", "QUAT"},
 constexpr XmlContainer orbit_containers[] = {
     {"stateVector"},          {"keplerianElements"}, {"meanElements"},       {"tleParameters"},
     {"spacecraftParameters"}, {"covarianceMatrix"},  {"maneuverParameters"}, {"userDefinedParameters"}};
-
-/// A number of a line of data.
-struct XmlColumn {
-  std::string name, unit{};
-};
-
-/// The columns of an AEM that its metadata name. Nothing for types that are not read.
-std::optional<std::vector<XmlColumn>> attitude_columns(const XmlDocument& document, xml_node metadata,
-                                                       const std::string& version) {
-  const auto word = [&](const char* keyword) {
-    const xml_node element = metadata.child(keyword);
-    return element ? upper_case(document.value(element).text) : std::string{};
-  };
-  const bool is_oldest = has_direction(version);
-  const std::string type = word("ATTITUDE_TYPE");
-  std::vector<XmlColumn> columns;
-  if (type == "EULER_ANGLE") {
-    const auto axes = parse_euler_sequence(word("EULER_ROT_SEQ"));
-    if (!axes) return std::nullopt;
-    for (std::size_t i = 0; i < axes->size(); ++i)
-      columns.push_back(
-          {is_oldest ? std::string(1, "XYZ"[(*axes)[i]]) + "_ANGLE" : "ANGLE_" + text(i + 1), "deg"});
-    return columns;
-  }
-  const bool has_derivative = type == "QUATERNION/DERIVATIVE";
-  if (type != "QUATERNION" && !has_derivative && type != type_name(AttitudeType::quaternion_rate, version))
-    return std::nullopt;
-  const bool is_scalar_first = is_oldest && word("QUATERNION_TYPE") == "FIRST";
-  const auto put_quaternion = [&](const std::string& ending, const std::string& unit) {
-    if (is_scalar_first) columns.push_back({"QC" + ending, unit});
-    for (const char* component : {"Q1", "Q2", "Q3"}) columns.push_back({component + ending, unit});
-    if (!is_scalar_first) columns.push_back({"QC" + ending, unit});
-  };
-  put_quaternion("", "");
-  if (has_derivative) put_quaternion("_DOT", "1/s");
-  if (has_derivative || type == "QUATERNION") return columns;
-  for (const char* axis : {"X", "Y", "Z"})
-    columns.push_back({is_oldest ? std::string{axis} + "_RATE" : "ANGVEL_" + std::string{axis}, "deg/s"});
-  return columns;
-}
-
-std::vector<XmlColumn> orbit_columns(xml_node state) {
-  std::vector<XmlColumn> columns;
-  for (std::size_t i = 0; i < state_components.size(); ++i)
-    columns.push_back({state_components[i], i < 3 ? "km" : "km/s"});
-  if (state.child("X_DDOT")) {
-    for (const char* name : {"X_DDOT", "Y_DDOT", "Z_DDOT"}) columns.push_back({name, "km/s**2"});
-  }
-  return columns;
-}
 
 /// Reads one message.
 class XmlMessageReader {
@@ -284,17 +233,19 @@ class XmlMessageReader {
   }
 
   void put_attitudes(xml_node metadata, xml_node data) {
-    const auto columns = attitude_columns(document_, metadata, version_);
+    const auto word = [&](const char* keyword) {
+      const xml_node element = metadata.child(keyword);
+      return element ? upper_case(document_.value(element).text) : std::string{};
+    };
+    const auto line = attitude_line(word, version_);
     put_word("DATA_START", data);
     for (const xml_node state : data.children()) {
       if (XmlDocument::name(state) == "COMMENT") {
         put_comment(state);
       } else if (XmlDocument::name(state) != "attitudeState") {
         document_.fail(state, "expected attitudeState");
-      } else if (columns) {
-        std::vector<XmlColumn> all{{"EPOCH"}};
-        all.insert(all.end(), columns->begin(), columns->end());
-        put_line(state, all);
+      } else if (line) {
+        put_line(state, line->columns);
       }
     }
     put_word("DATA_STOP", data);
@@ -307,9 +258,7 @@ class XmlMessageReader {
       if (name == "COMMENT") {
         put_comment(entry);
       } else if (name == "stateVector" && !has_covariance) {
-        std::vector<XmlColumn> all{{"EPOCH"}};
-        for (XmlColumn& column : orbit_columns(entry)) all.push_back(std::move(column));
-        put_line(entry, all);
+        put_line(entry, orbit_line(!entry.child("X_DDOT").empty()).columns);
       } else if (name == "covarianceMatrix") {
         if (!std::exchange(has_covariance, true)) put_word("COVARIANCE_START", entry);
         put_covariance(entry);
@@ -330,14 +279,13 @@ class XmlMessageReader {
       if (name != "COMMENT" && name != "EPOCH" && name != "COV_REF_FRAME" && !is_covariance_keyword(name))
         document_.fail(entry, "it is not of a covariance");
     }
-    constexpr std::array units{"km**2", "km**2/s", "km**2/s**2"};
     for (std::size_t row = 0; row < state_components.size(); ++row) {
       for (std::size_t column = 0; column <= row; ++column) {
         const std::string keyword = covariance_keyword(row, column);
         const xml_node entry = matrix.child(keyword.c_str());
         if (!entry) document_.fail(matrix, "there is no " + keyword);
         if (entry.next_sibling(keyword.c_str())) document_.fail(entry, "it is there twice");
-        put_number(entry, {keyword, units.at((row < 3 ? 0U : 1U) + (column < 3 ? 0U : 1U))});
+        put_number(entry, {keyword, covariance_unit(row, column)});
         put(column == row ? "\n" : " ", document_.position(entry));
       }
     }
