@@ -10,6 +10,7 @@
 #include "text_file.hpp"
 #include "xml_columns.hpp"
 #include "xml_document.hpp"
+#include "xml_text.hpp"
 
 namespace vectrix::detail {
 namespace {
@@ -41,17 +42,16 @@ constexpr XmlContainer orbit_containers[] = {
     {"spacecraftParameters"}, {"covarianceMatrix"},  {"maneuverParameters"}, {"userDefinedParameters"}};
 
 /// Reads one message.
-class XmlMessageReader {
+class XmlMessageReader : XmlText {
  public:
   XmlMessageReader(const XmlDocument& document, xml_node message, const MessageKind& kind)
-      : document_(document),
+      : XmlText(document),
         element_(XmlDocument::name(message)),
-        version_(document.attribute(message, "version")),
-        written_{element_, document.position(message)} {
+        version_(document.attribute(message, "version")) {
     const std::string keyword = kind.version_keyword, id = document.attribute(message, "id");
     if (!id.empty() && id != keyword)
       document.fail(message, "its id is '" + excerpt(id) + "', not " + keyword);
-    put_keyword(keyword, written_.position, {version_, written_.position});
+    put_keyword(keyword, document.position(message), {version_, document.position(message)});
     if (!kind.has(version_)) return;  // it is refused by what it says
     document.require_elements(message);
     for (const xml_node part : message.children()) {
@@ -66,58 +66,11 @@ class XmlMessageReader {
     }
   }
 
-  XmlMessage message() && { return std::move(written_); }
+  XmlMessage message(const TextPosition& position) && {
+    return {std::move(element_), position, std::move(text_), std::move(origins_)};
+  }
 
  private:
-  void put(std::string_view text, const TextPosition& position) {
-    if (text.empty()) return;
-    written_.origins.push_back({written_.text.size(), position});
-    written_.text += text;
-  }
-  void put_keyword(const std::string& keyword, const TextPosition& place, const XmlDocument::Value& value) {
-    put(keyword + " =", place);
-    put(" ", value.position);
-    put(value.text, value.position);
-    put("\n", value.position);
-  }
-  void put_word(const std::string& word, xml_node element) { put(word + "\n", document_.position(element)); }
-
-  /// The text of an element, which must be one line.
-  [[nodiscard]] XmlDocument::Value value_of(xml_node entry) const {
-    XmlDocument::Value value = document_.value(entry);
-    if (value.text.find_first_of("\r\n") != std::string::npos)
-      document_.fail(entry, "its value is of several lines");
-    return value;
-  }
-  void put_comment(xml_node entry) {
-    const auto [text, position] = document_.value(entry);
-    std::string_view rest = text;
-    do {
-      const std::string_view line = take_line(rest);
-      put("COMMENT " + std::string{trimmed(line)} + "\n", position);
-    } while (!rest.empty());
-  }
-  /// The keyword of an element: its name, or what its attribute says.
-  [[nodiscard]] std::string keyword_of(xml_node entry) const {
-    const std::string name{XmlDocument::name(entry)};
-    if (name == "USER_DEFINED") return "USER_DEFINED_" + document_.attribute(entry, "parameter");
-    if (name.size() == 9 && name.starts_with("rotation")) {
-      const std::string angle = document_.attribute(entry, "angle"),
-                        rate = document_.attribute(entry, "rate");
-      return angle.empty() ? rate : angle;
-    }
-    return name;
-  }
-  void put_entry(xml_node entry) {
-    if (XmlDocument::name(entry) == "COMMENT") return put_comment(entry);
-    const std::string keyword = keyword_of(entry);
-    if (!is_keyword(keyword)) document_.fail(entry, "'" + excerpt(keyword) + "' is no keyword");
-    XmlDocument::Value value = value_of(entry);
-    const std::string unit = document_.attribute(entry, "units");
-    if (!unit.empty()) value.text += " [" + unit + "]";
-    put_keyword(keyword, document_.position(entry), value);
-  }
-
   void put_body(xml_node body) {
     document_.require_elements(body);
     for (const xml_node segment : body.children()) {
@@ -184,54 +137,6 @@ class XmlMessageReader {
     return element_ == "apm" ? find(attitude_containers) : find(orbit_containers);
   }
 
-  struct Field {
-    std::string name;
-    xml_node element;
-  };
-  /// The elements with values in an element, and the comments into the text.
-  std::vector<Field> fields_of(xml_node state, int depth = 0) {
-    constexpr int deepest = 3;
-    std::vector<Field> fields;
-    document_.require_elements(state);
-    for (const xml_node entry : state.children()) {
-      if (XmlDocument::name(entry) == "COMMENT") {
-        put_comment(entry);
-      } else if (entry.first_child().type() != pugi::node_element) {
-        fields.push_back({keyword_of(entry), entry});
-      } else {
-        if (depth == deepest) document_.fail(entry, "elements within so many others are not of a message");
-        for (Field& field : fields_of(entry, depth + 1)) fields.push_back(std::move(field));
-      }
-    }
-    return fields;
-  }
-  /// The fields in the order of the columns, which they must be, one each.
-  void put_line(xml_node state, const std::vector<XmlColumn>& columns) {
-    std::vector<Field> fields = fields_of(state);
-    for (const XmlColumn& column : columns) {
-      const auto field = std::find_if(fields.begin(), fields.end(),
-                                      [&](const Field& each) { return each.name == column.name; });
-      if (field == fields.end()) document_.fail(state, "there is no " + column.name);
-      put_number(field->element, column);
-      put(&column == &columns.back() ? "\n" : " ", document_.position(field->element));
-      fields.erase(field);
-    }
-    if (!fields.empty())
-      document_.fail(fields.front().element,
-                     "'" + excerpt(fields.front().name) + "' is not of this line of data, or twice");
-  }
-  void put_number(xml_node element, const XmlColumn& column) {
-    const XmlDocument::Value value = value_of(element);
-    if (value.text.empty()) document_.fail(element, "it is empty");
-    if (value.text.find_first_of(" \t") != std::string::npos)
-      document_.fail(value.position, "'" + excerpt(value.text) + "': more than one number");
-    const std::string unit = document_.attribute(element, "units");
-    if (!unit.empty() && upper_case(unit) != upper_case(column.unit))
-      document_.fail(element, "the unit is '" + excerpt(unit) + "'" +
-                                  (column.unit.empty() ? "; it has no unit" : ", not '" + column.unit + "'"));
-    put(value.text, value.position);
-  }
-
   void put_attitudes(xml_node metadata, xml_node data) {
     const auto word = [&](const char* keyword) {
       const xml_node element = metadata.child(keyword);
@@ -285,22 +190,19 @@ class XmlMessageReader {
         const xml_node entry = matrix.child(keyword.c_str());
         if (!entry) document_.fail(matrix, "there is no " + keyword);
         if (entry.next_sibling(keyword.c_str())) document_.fail(entry, "it is there twice");
-        put_number(entry, {keyword, covariance_unit(row, column)});
-        put(column == row ? "\n" : " ", document_.position(entry));
+        put_number(entry, {keyword, covariance_unit(row, column)}, column == row ? "\n" : " ");
       }
     }
   }
 
-  const XmlDocument& document_;
   std::string element_, version_;
-  XmlMessage written_;
 };
 
 XmlMessage read_message_element(const XmlDocument& document, xml_node message) {
   const std::string name{XmlDocument::name(message)};
   const MessageKind* kind = kind_of_element(name);
   if (!kind) return {name, document.position(message)};
-  return XmlMessageReader(document, message, *kind).message();
+  return XmlMessageReader(document, message, *kind).message(document.position(message));
 }
 
 }  // namespace

@@ -378,6 +378,10 @@ TEST(XmlMessages, InUtf16WithAMark) {
             "attitude ephemeris message, line 1, column 3: <xml>: the encoding is 'UTF-16'; UTF-8 is read, "
             "and UTF-16 "
             "with its mark");
+  EXPECT_EQ(complaint_of<AttitudeEphemerisMessage>(in_utf16(attitude_xml, true)),
+            "attitude ephemeris message, line 1, column 3: <xml>: the encoding is 'UTF-8'; the mark of the "
+            "file is that of "
+            "UTF-16");
 }
 
 // Orekit has this file (at fe4aee84, Apache-2.0) to show that it can be parsed; it is no message.
