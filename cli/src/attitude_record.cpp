@@ -24,6 +24,29 @@ std::string first_word(const std::filesystem::path& file) {
   return word;
 }
 
+// Or the mark of UTF-16.
+bool is_xml(const std::string& word) {
+  return word.starts_with('<') || word.starts_with("\xff\xfe") || word.starts_with("\xfe\xff");
+}
+
+// The name of the first element of a file, without its prefix; empty if the file is not XML.
+std::string root_of_xml(const std::filesystem::path& file) {
+  if (!is_xml(first_word(file))) return "";
+  constexpr std::size_t enough = 4096;  // for comments before it
+  std::string text(enough, '\0');
+  text.resize(
+      static_cast<std::size_t>(std::ifstream(file, std::ios::binary).read(text.data(), enough).gcount()));
+  std::erase(text, '\0');  // UTF-16 of ASCII
+  for (auto at = text.find('<'); at != std::string::npos; at = text.find('<', at + 1)) {
+    if (text.compare(at, 4, "<!--") == 0) at = text.find("-->", at);
+    if (at == std::string::npos) break;
+    if (at + 1 >= text.size() || !std::isalpha(static_cast<unsigned char>(text[at + 1]))) continue;
+    const std::string name = text.substr(at + 1, text.find_first_of(" \t\r\n/>", at) - at - 1);
+    return name.substr(name.find(':') + 1);
+  }
+  return "";
+}
+
 }  // namespace
 
 Eigen::Quaterniond AttitudeRecord::to_reference(std::size_t sample, const Convention& convention) const {
@@ -43,11 +66,11 @@ std::vector<Eigen::Vector3d> AttitudeRecord::rates_in_radians() const {
 
 bool is_message(const std::filesystem::path& file) {
   const std::string word = first_word(file);
-  return word.starts_with("CCSDS_") || word.starts_with("<?xml") || word == "COMMENT";
+  return word.starts_with("CCSDS_") || is_xml(word) || word == "COMMENT";
 }
 
 bool is_orbit_message(const std::filesystem::path& file) {
-  return first_word(file).starts_with("CCSDS_OEM");
+  return first_word(file).starts_with("CCSDS_OEM") || root_of_xml(file) == "oem";
 }
 
 AttitudeRecord read_table(const std::filesystem::path& file, const TableColumns& columns) {

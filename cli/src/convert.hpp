@@ -13,7 +13,7 @@
 namespace vectrix::cli {
 
 struct ConvertOptions {
-  std::filesystem::path out;  // .aem or .oem, or .csv, says what is written
+  std::filesystem::path out;  // .aem or .oem, .csv, .czml or .a says what is written
   std::string frame{};        // EME2000 or GCRF, relative to which it is to be; empty for that of the file
   GivenText text{};           // of a message
   std::string body{};  // the name of its frame in a message; empty for that of the message that was read

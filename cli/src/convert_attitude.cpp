@@ -5,6 +5,7 @@
 #include "new_file.hpp"
 #include "plain_attitude.hpp"
 #include "table_text.hpp"
+#include "viewer_text.hpp"
 
 namespace vectrix::cli {
 namespace {
@@ -60,7 +61,8 @@ std::string attitude_message(const PlainAttitude& attitude, const MessageText& t
 }  // namespace
 
 void convert(const AttitudeSource& source, const ConvertOptions& options, std::ostream& out) {
-  const bool is_table = is_table_name(options.out, ".aem");
+  const bool is_for_viewer = is_viewer_name(options.out),
+             is_table = !is_for_viewer && is_table_name(options.out, ".aem");
   refuse_input(options.out, {source.file});
   require_one_line("--body", options.body);
   const AttitudeRecord record = read_attitude(source);
@@ -70,7 +72,18 @@ void convert(const AttitudeSource& source, const ConvertOptions& options, std::o
   if (!options.body.empty()) attitude.body = options.body;
   if (!options.frame.empty()) attitude = relative_to_frame(std::move(attitude), inertial_name(options.frame));
   std::string text;
-  if (is_table) {
+  if (is_for_viewer) {
+    if (!attitude.rates.empty()) attitude.computed.emplace_back("the rates are left out");
+    attitude.computed.emplace_back("the quaternions are divided by their norms");
+    if (options.out.extension() == ".a") {
+      text = stk_attitude(attitude);
+    } else {
+      const std::string object = object_name(options.text, record.message, record.file);
+      text = czml_attitude(attitude, object);
+      attitude.computed.emplace_back(
+          "the attitude is turned to the axes of the Earth, with UT1 = UTC: 14 arcsec");
+    }
+  } else if (is_table) {
     text = attitude_table(attitude, record.file);
   } else {
     attitude = as_in_a_message(std::move(attitude));

@@ -5,6 +5,7 @@
 #include "figures.hpp"
 #include "new_file.hpp"
 #include "table_text.hpp"
+#include "viewer_text.hpp"
 
 namespace vectrix::cli {
 namespace {
@@ -67,16 +68,21 @@ std::string orbit_message(const OrbitRecord& record, const ConvertOptions& optio
 }  // namespace
 
 void convert(const OrbitFile& orbit, const ConvertOptions& options, std::ostream& out) {
-  const bool is_table = is_table_name(options.out, ".oem");
+  const bool is_for_viewer = is_viewer_name(options.out),
+             is_table = !is_for_viewer && is_table_name(options.out, ".oem");
+  if (options.out.extension() == ".a") throw BadInput(options.out.string() + ": .a is of an attitude");
   refuse_input(options.out, {orbit.file});
   OrbitRecord record = read_orbit_file(orbit);
   if (!options.frame.empty()) record = relative_to_frame(std::move(record), inertial_name(options.frame));
-  write_new(options.out, is_table ? orbit_table(record) : orbit_message(record, options, orbit),
+  write_new(options.out,
+            is_for_viewer ? czml_orbit(record, object_name(options.text, record.message, record.file))
+            : is_table    ? orbit_table(record)
+                          : orbit_message(record, options, orbit),
             options.force);
   out << options.out.string() << ": " << record.lines.lines.size() << " samples of an orbit in "
       << record.lines.ref_frame << '\n';
   for (const std::string& what : record.computed) out << "  not to the last digit: " << what << '\n';
-  if (is_table && !record.lines.covariances.empty())
+  if ((is_table || is_for_viewer) && !record.lines.covariances.empty())
     out << "  left out: " << counted(record.lines.covariances.size(), "covariance") << '\n';
 }
 

@@ -176,10 +176,11 @@ void add_convert(CLI::App& app, ConvertWords& words) {
       "columns name frames and units. The digits are those of the file; what had to be computed is said.\n"
       "Exit code: 0, or 2 if the input is wrong; then nothing is written.\n\n"
       "  vectrix convert attitude.aem attitude.csv --frame GCRF");
-  add_attitude(convert, words.attitude, "CCSDS AEM or OEM (KVN), or a table with a header line");
+  add_attitude(convert, words.attitude, "CCSDS AEM or OEM (KVN or XML), or a table with a header line");
   convert
       .add_option("out", words.options.out,
-                  "attitude.aem or orbit.oem for a message of CCSDS (KVN), a .csv for a table")
+                  "attitude.aem or orbit.oem for a message of CCSDS (KVN), a .csv for a table, a .czml for "
+                  "Cesium, an attitude.a for STK")
       ->required();
   const char* orbit = "A table of an orbit";
   convert.add_option("--position", words.orbit.position, "the three columns of the position, with commas")

@@ -34,6 +34,15 @@ MessageText message_text(const GivenText& given, const std::optional<MessageText
   return text;
 }
 
+std::string object_name(const GivenText& given, const std::optional<MessageText>& read,
+                        const std::string& file) {
+  require_one_line("--object-name", given.object_name);
+  if (!given.object_name.empty()) return given.object_name;
+  if (!read || read->metadata.object_name.empty())
+    throw BadInput(file + ": the object has no name; missing: --object-name NAME");
+  return read->metadata.object_name;
+}
+
 void set_times(EphemerisMetadata& metadata, const Epoch& first, const Epoch& last, const std::string& file) {
   metadata.start_time = first;
   metadata.stop_time = last;

@@ -33,7 +33,7 @@ inline bool is_table_name(const std::filesystem::path& file, const std::string& 
   const std::string kind = file.extension().string();
   if (kind != ".csv" && kind != message)
     throw BadInput(file.string() + ": the name ends neither in " + message +
-                   " nor in .csv, which says what to write");
+                   " nor in .csv, .czml or .a, which says what to write");
   return kind == ".csv";
 }
 

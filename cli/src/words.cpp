@@ -7,6 +7,7 @@
 #include <system_error>
 
 #include "scales.hpp"
+#include "viewer_text.hpp"
 
 namespace vectrix::cli {
 namespace {
@@ -182,6 +183,16 @@ void set_message_words(ConvertOptions& options, const MessageWords& words, bool 
             {"--interpolation", interpolation.method},
             {"--degree", interpolation.degree}},
            options.out.string() + ": is to be a table; ", " is of a message");
+  if (is_viewer_name(options.out)) {
+    refuse({{"--object-id", words.object_id},
+            {"--originator", words.originator},
+            {"--aem-version", words.aem_version},
+            {"--interpolation", interpolation.method},
+            {"--degree", interpolation.degree}},
+           options.out.string() + ": is to be for a viewer; ", " is of a message");
+    if (options.out.extension() == ".a")
+      refuse({{"--object-name", words.object_name}}, options.out.string() + ": ", " has no place in it");
+  }
   if (of_orbit) {
     refuse({{"--body", words.body}, {"--aem-version", words.aem_version}}, "",
            " is of an attitude, and an orbit is converted");

@@ -6,6 +6,7 @@
 #include "ephemeris_writer.hpp"
 #include "shifted_number.hpp"
 #include "text_file.hpp"
+#include "xml_writer.hpp"
 
 namespace vectrix {
 namespace {
@@ -53,8 +54,13 @@ std::string AttitudeEphemerisMessage::text() const {
   return out;
 }
 
+std::string AttitudeEphemerisMessage::xml() const {
+  return detail::xml_of(text(), detail::attitude_ephemeris);
+}
+
 void AttitudeEphemerisMessage::write(const std::filesystem::path& file) const {
-  detail::write_file(std::string{detail::attitude_ephemeris.name} + " " + file.string(), file, text());
+  detail::write_file(std::string{detail::attitude_ephemeris.name} + " " + file.string(), file,
+                     file.extension() == ".xml" ? xml() : text());
 }
 
 }  // namespace vectrix

@@ -79,7 +79,8 @@ auto read_messages(const std::filesystem::path& file, const MessageKind& kind, R
   const std::string place = std::string{kind.name} + " " + file.string();
   const auto bytes = read_bytes(file);
   if (!bytes) throw BadInput(place + ": cannot be read");
-  return read_messages(place, *bytes, is_whole(*bytes), kind, read);
+  // A parameter message often has no line end at its end, and no other sign of it.
+  return read_messages(place, *bytes, is_whole(*bytes) || !kind.blocks.empty(), kind, read);
 }
 /// The only one.
 template <class Message> Message single(const std::string& place, std::vector<Message> messages) {

@@ -5,6 +5,7 @@
 #include "ephemeris_writer.hpp"
 #include "shifted_number.hpp"
 #include "text_file.hpp"
+#include "xml_writer.hpp"
 
 namespace vectrix {
 namespace {
@@ -59,8 +60,13 @@ std::string OrbitEphemerisMessage::text() const {
   return out;
 }
 
+std::string OrbitEphemerisMessage::xml() const {
+  return detail::xml_of(text(), detail::orbit_ephemeris);
+}
+
 void OrbitEphemerisMessage::write(const std::filesystem::path& file) const {
-  detail::write_file(std::string{detail::orbit_ephemeris.name} + " " + file.string(), file, text());
+  detail::write_file(std::string{detail::orbit_ephemeris.name} + " " + file.string(), file,
+                     file.extension() == ".xml" ? xml() : text());
 }
 
 }  // namespace vectrix

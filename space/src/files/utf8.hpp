@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
+#include <string_view>
 
 namespace vectrix::detail {
 
@@ -27,6 +29,23 @@ inline void append_utf8(std::string& text, std::uint32_t code) {
 
 constexpr bool is_surrogate(std::uint32_t code) {
   return code >= 0xD800U && code < 0xE000U;
+}
+
+/// Whether a text is UTF-8, without asking for the shortest form.
+inline bool is_utf8(std::string_view text) {
+  std::size_t following = 0;
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    const bool follows = (byte & 0xC0U) == 0x80U;
+    if (follows != (following > 0)) return false;
+    if (follows) {
+      --following;
+    } else if (byte >= 0x80U) {
+      if (byte < 0xC2U || byte > 0xF4U) return false;
+      following = byte < 0xE0U ? 1 : byte < 0xF0U ? 2 : 3;
+    }
+  }
+  return following == 0;
 }
 
 }  // namespace vectrix::detail

@@ -112,7 +112,9 @@ void XmlDocument::require_declaration(bool is_wide) const {
   const std::string encoding = upper_case(declaration.attribute("encoding").value());
   const bool is_known = is_wide ? encoding == "UTF-16" : encoding == "UTF-8" || encoding == "US-ASCII";
   if (!encoding.empty() && !is_known)
-    fail(declaration, "the encoding is '" + excerpt(encoding) + "'; UTF-8 is read, and UTF-16 with its mark");
+    fail(declaration, "the encoding is '" + excerpt(encoding) + "'; " +
+                          (is_wide ? "the mark of the file is that of UTF-16"
+                                   : "UTF-8 is read, and UTF-16 with its mark"));
 }
 
 std::string_view XmlDocument::name(pugi::xml_node element) {

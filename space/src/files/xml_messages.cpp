@@ -1,8 +1,6 @@
 #include "xml_messages.hpp"
 
 #include <algorithm>
-#include <array>
-#include <optional>
 #include <utility>
 
 #include <vectrix/frames/errors.hpp>
@@ -10,7 +8,9 @@
 #include "covariance_keyword.hpp"
 #include "message_kinds.hpp"
 #include "text_file.hpp"
+#include "xml_columns.hpp"
 #include "xml_document.hpp"
+#include "xml_text.hpp"
 
 namespace vectrix::detail {
 namespace {
@@ -41,68 +41,17 @@ constexpr XmlContainer orbit_containers[] = {
     {"stateVector"},          {"keplerianElements"}, {"meanElements"},       {"tleParameters"},
     {"spacecraftParameters"}, {"covarianceMatrix"},  {"maneuverParameters"}, {"userDefinedParameters"}};
 
-/// A number of a line of data.
-struct XmlColumn {
-  std::string name, unit{};
-};
-
-/// The columns of an AEM that its metadata name. Nothing for types that are not read.
-std::optional<std::vector<XmlColumn>> attitude_columns(const XmlDocument& document, xml_node metadata,
-                                                       const std::string& version) {
-  const auto word = [&](const char* keyword) {
-    const xml_node element = metadata.child(keyword);
-    return element ? upper_case(document.value(element).text) : std::string{};
-  };
-  const bool is_oldest = has_direction(version);
-  const std::string type = word("ATTITUDE_TYPE");
-  std::vector<XmlColumn> columns;
-  if (type == "EULER_ANGLE") {
-    const auto axes = parse_euler_sequence(word("EULER_ROT_SEQ"));
-    if (!axes) return std::nullopt;
-    for (std::size_t i = 0; i < axes->size(); ++i)
-      columns.push_back(
-          {is_oldest ? std::string(1, "XYZ"[(*axes)[i]]) + "_ANGLE" : "ANGLE_" + text(i + 1), "deg"});
-    return columns;
-  }
-  const bool has_derivative = type == "QUATERNION/DERIVATIVE";
-  if (type != "QUATERNION" && !has_derivative && type != type_name(AttitudeType::quaternion_rate, version))
-    return std::nullopt;
-  const bool is_scalar_first = is_oldest && word("QUATERNION_TYPE") == "FIRST";
-  const auto put_quaternion = [&](const std::string& ending, const std::string& unit) {
-    if (is_scalar_first) columns.push_back({"QC" + ending, unit});
-    for (const char* component : {"Q1", "Q2", "Q3"}) columns.push_back({component + ending, unit});
-    if (!is_scalar_first) columns.push_back({"QC" + ending, unit});
-  };
-  put_quaternion("", "");
-  if (has_derivative) put_quaternion("_DOT", "1/s");
-  if (has_derivative || type == "QUATERNION") return columns;
-  for (const char* axis : {"X", "Y", "Z"})
-    columns.push_back({is_oldest ? std::string{axis} + "_RATE" : "ANGVEL_" + std::string{axis}, "deg/s"});
-  return columns;
-}
-
-std::vector<XmlColumn> orbit_columns(xml_node state) {
-  std::vector<XmlColumn> columns;
-  for (std::size_t i = 0; i < state_components.size(); ++i)
-    columns.push_back({state_components[i], i < 3 ? "km" : "km/s"});
-  if (state.child("X_DDOT")) {
-    for (const char* name : {"X_DDOT", "Y_DDOT", "Z_DDOT"}) columns.push_back({name, "km/s**2"});
-  }
-  return columns;
-}
-
 /// Reads one message.
-class XmlMessageReader {
+class XmlMessageReader : XmlText {
  public:
   XmlMessageReader(const XmlDocument& document, xml_node message, const MessageKind& kind)
-      : document_(document),
+      : XmlText(document),
         element_(XmlDocument::name(message)),
-        version_(document.attribute(message, "version")),
-        written_{element_, document.position(message)} {
+        version_(document.attribute(message, "version")) {
     const std::string keyword = kind.version_keyword, id = document.attribute(message, "id");
     if (!id.empty() && id != keyword)
       document.fail(message, "its id is '" + excerpt(id) + "', not " + keyword);
-    put_keyword(keyword, written_.position, {version_, written_.position});
+    put_keyword(keyword, document.position(message), {version_, document.position(message)});
     if (!kind.has(version_)) return;  // it is refused by what it says
     document.require_elements(message);
     for (const xml_node part : message.children()) {
@@ -117,58 +66,11 @@ class XmlMessageReader {
     }
   }
 
-  XmlMessage message() && { return std::move(written_); }
+  XmlMessage message(const TextPosition& position) && {
+    return {std::move(element_), position, std::move(text_), std::move(origins_)};
+  }
 
  private:
-  void put(std::string_view text, const TextPosition& position) {
-    if (text.empty()) return;
-    written_.origins.push_back({written_.text.size(), position});
-    written_.text += text;
-  }
-  void put_keyword(const std::string& keyword, const TextPosition& place, const XmlDocument::Value& value) {
-    put(keyword + " =", place);
-    put(" ", value.position);
-    put(value.text, value.position);
-    put("\n", value.position);
-  }
-  void put_word(const std::string& word, xml_node element) { put(word + "\n", document_.position(element)); }
-
-  /// The text of an element, which must be one line.
-  [[nodiscard]] XmlDocument::Value value_of(xml_node entry) const {
-    XmlDocument::Value value = document_.value(entry);
-    if (value.text.find_first_of("\r\n") != std::string::npos)
-      document_.fail(entry, "its value is of several lines");
-    return value;
-  }
-  void put_comment(xml_node entry) {
-    const auto [text, position] = document_.value(entry);
-    std::string_view rest = text;
-    do {
-      const std::string_view line = take_line(rest);
-      put("COMMENT " + std::string{trimmed(line)} + "\n", position);
-    } while (!rest.empty());
-  }
-  /// The keyword of an element: its name, or what its attribute says.
-  [[nodiscard]] std::string keyword_of(xml_node entry) const {
-    const std::string name{XmlDocument::name(entry)};
-    if (name == "USER_DEFINED") return "USER_DEFINED_" + document_.attribute(entry, "parameter");
-    if (name.size() == 9 && name.starts_with("rotation")) {
-      const std::string angle = document_.attribute(entry, "angle"),
-                        rate = document_.attribute(entry, "rate");
-      return angle.empty() ? rate : angle;
-    }
-    return name;
-  }
-  void put_entry(xml_node entry) {
-    if (XmlDocument::name(entry) == "COMMENT") return put_comment(entry);
-    const std::string keyword = keyword_of(entry);
-    if (!is_keyword(keyword)) document_.fail(entry, "'" + excerpt(keyword) + "' is no keyword");
-    XmlDocument::Value value = value_of(entry);
-    const std::string unit = document_.attribute(entry, "units");
-    if (!unit.empty()) value.text += " [" + unit + "]";
-    put_keyword(keyword, document_.position(entry), value);
-  }
-
   void put_body(xml_node body) {
     document_.require_elements(body);
     for (const xml_node segment : body.children()) {
@@ -235,66 +137,20 @@ class XmlMessageReader {
     return element_ == "apm" ? find(attitude_containers) : find(orbit_containers);
   }
 
-  struct Field {
-    std::string name;
-    xml_node element;
-  };
-  /// The elements with values in an element, and the comments into the text.
-  std::vector<Field> fields_of(xml_node state, int depth = 0) {
-    constexpr int deepest = 3;
-    std::vector<Field> fields;
-    document_.require_elements(state);
-    for (const xml_node entry : state.children()) {
-      if (XmlDocument::name(entry) == "COMMENT") {
-        put_comment(entry);
-      } else if (entry.first_child().type() != pugi::node_element) {
-        fields.push_back({keyword_of(entry), entry});
-      } else {
-        if (depth == deepest) document_.fail(entry, "elements within so many others are not of a message");
-        for (Field& field : fields_of(entry, depth + 1)) fields.push_back(std::move(field));
-      }
-    }
-    return fields;
-  }
-  /// The fields in the order of the columns, which they must be, one each.
-  void put_line(xml_node state, const std::vector<XmlColumn>& columns) {
-    std::vector<Field> fields = fields_of(state);
-    for (const XmlColumn& column : columns) {
-      const auto field = std::find_if(fields.begin(), fields.end(),
-                                      [&](const Field& each) { return each.name == column.name; });
-      if (field == fields.end()) document_.fail(state, "there is no " + column.name);
-      put_number(field->element, column);
-      put(&column == &columns.back() ? "\n" : " ", document_.position(field->element));
-      fields.erase(field);
-    }
-    if (!fields.empty())
-      document_.fail(fields.front().element,
-                     "'" + excerpt(fields.front().name) + "' is not of this line of data, or twice");
-  }
-  void put_number(xml_node element, const XmlColumn& column) {
-    const XmlDocument::Value value = value_of(element);
-    if (value.text.empty()) document_.fail(element, "it is empty");
-    if (value.text.find_first_of(" \t") != std::string::npos)
-      document_.fail(value.position, "'" + excerpt(value.text) + "': more than one number");
-    const std::string unit = document_.attribute(element, "units");
-    if (!unit.empty() && upper_case(unit) != upper_case(column.unit))
-      document_.fail(element, "the unit is '" + excerpt(unit) + "'" +
-                                  (column.unit.empty() ? "; it has no unit" : ", not '" + column.unit + "'"));
-    put(value.text, value.position);
-  }
-
   void put_attitudes(xml_node metadata, xml_node data) {
-    const auto columns = attitude_columns(document_, metadata, version_);
+    const auto word = [&](const char* keyword) {
+      const xml_node element = metadata.child(keyword);
+      return element ? upper_case(document_.value(element).text) : std::string{};
+    };
+    const auto line = attitude_line(word, version_);
     put_word("DATA_START", data);
     for (const xml_node state : data.children()) {
       if (XmlDocument::name(state) == "COMMENT") {
         put_comment(state);
       } else if (XmlDocument::name(state) != "attitudeState") {
         document_.fail(state, "expected attitudeState");
-      } else if (columns) {
-        std::vector<XmlColumn> all{{"EPOCH"}};
-        all.insert(all.end(), columns->begin(), columns->end());
-        put_line(state, all);
+      } else if (line) {
+        put_line(state, line->columns);
       }
     }
     put_word("DATA_STOP", data);
@@ -307,9 +163,7 @@ class XmlMessageReader {
       if (name == "COMMENT") {
         put_comment(entry);
       } else if (name == "stateVector" && !has_covariance) {
-        std::vector<XmlColumn> all{{"EPOCH"}};
-        for (XmlColumn& column : orbit_columns(entry)) all.push_back(std::move(column));
-        put_line(entry, all);
+        put_line(entry, orbit_line(!entry.child("X_DDOT").empty()).columns);
       } else if (name == "covarianceMatrix") {
         if (!std::exchange(has_covariance, true)) put_word("COVARIANCE_START", entry);
         put_covariance(entry);
@@ -330,29 +184,25 @@ class XmlMessageReader {
       if (name != "COMMENT" && name != "EPOCH" && name != "COV_REF_FRAME" && !is_covariance_keyword(name))
         document_.fail(entry, "it is not of a covariance");
     }
-    constexpr std::array units{"km**2", "km**2/s", "km**2/s**2"};
     for (std::size_t row = 0; row < state_components.size(); ++row) {
       for (std::size_t column = 0; column <= row; ++column) {
         const std::string keyword = covariance_keyword(row, column);
         const xml_node entry = matrix.child(keyword.c_str());
         if (!entry) document_.fail(matrix, "there is no " + keyword);
         if (entry.next_sibling(keyword.c_str())) document_.fail(entry, "it is there twice");
-        put_number(entry, {keyword, units.at((row < 3 ? 0U : 1U) + (column < 3 ? 0U : 1U))});
-        put(column == row ? "\n" : " ", document_.position(entry));
+        put_number(entry, {keyword, covariance_unit(row, column)}, column == row ? "\n" : " ");
       }
     }
   }
 
-  const XmlDocument& document_;
   std::string element_, version_;
-  XmlMessage written_;
 };
 
 XmlMessage read_message_element(const XmlDocument& document, xml_node message) {
   const std::string name{XmlDocument::name(message)};
   const MessageKind* kind = kind_of_element(name);
   if (!kind) return {name, document.position(message)};
-  return XmlMessageReader(document, message, *kind).message();
+  return XmlMessageReader(document, message, *kind).message(document.position(message));
 }
 
 }  // namespace

@@ -422,10 +422,13 @@ TEST(AttitudeParameterMessage, RepeatedAxesAreInTheOrderOfTheirLines) {
   EXPECT_EQ(Message::parse(Message::parse(text).text()).text(), Message::parse(text).text());
 }
 
-TEST(AttitudeParameterMessage, ACutFileIsRefused) {
-  const TemporaryFile cut(two_forms.substr(0, two_forms.size() - 2));
+// The published file has no line end at its end. Cut before its last value it lacks something.
+TEST(AttitudeParameterMessage, AFileWithoutALastLineEnd) {
+  const TemporaryFile published(two_forms.substr(0, two_forms.size() - 1));
+  EXPECT_EQ(Message::read(published.path()).text(), Message::parse(two_forms).text());
+  const TemporaryFile cut(two_forms.substr(0, two_forms.find("MAN_TOR_3") + 5));
   EXPECT_EQ(complaint([&] { Message::read(cut.path()); }, cut.path()),
-            "attitude parameter message FILE, line 47: the file stops within this line; it was truncated");
+            "attitude parameter message FILE, line 47, column 1: 'MAN_T': expected keyword = value");
 }
 
 }  // namespace

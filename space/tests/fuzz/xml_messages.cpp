@@ -1,5 +1,5 @@
 // Any file is an XML document of messages or is refused. The text of each message in keyword-value notation
-// reads back as the same text.
+// reads back as the same text; so does the XML of an ephemeris, unless a comment is not UTF-8.
 #include <vectrix/space/files/navigation_data_message.hpp>
 
 #include "input_file.hpp"
@@ -13,6 +13,13 @@ template <class Message> void require_reads_back(const std::vector<Message>& mes
   }
 }
 
+template <class Message> void require_xml_reads_back(const std::vector<Message>& messages) {
+  for (const Message& message : messages) {
+    const auto xml = vectrix::fuzz::accepted([&] { return message.xml(); });
+    if (xml && Message::parse(*xml).text() != message.text()) std::abort();
+  }
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
@@ -21,6 +28,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   const auto message = fuzz::accepted([&] { return NavigationDataMessage::read(file.path()); });
   if (!message) return 0;
   require_reads_back(message->attitude_ephemerides);
+  require_xml_reads_back(message->attitude_ephemerides);
+  require_xml_reads_back(message->orbit_ephemerides);
   require_reads_back(message->attitude_parameters);
   require_reads_back(message->orbit_ephemerides);
   require_reads_back(message->orbit_parameters);

@@ -33,7 +33,9 @@ class VECTRIX_EXPORT AttitudeEphemerisMessage {
   /// The message as text: the numbers of the file in its units, otherwise as OrbitEphemerisMessage::text().
   /// A rate in rad/s is rounded when a segment takes it, to degrees.
   [[nodiscard]] std::string text() const;
-  /// Throws BadInput if the file cannot be written.
+  /// The same in XML. Comments lose the blanks around them. Throws BadInput if one is not UTF-8.
+  [[nodiscard]] std::string xml() const;
+  /// As XML if the name ends in .xml. Throws BadInput if the file cannot be written.
   void write(const std::filesystem::path& file) const;
 
   [[nodiscard]] const MessageHeader& header() const { return header_; }

@@ -35,7 +35,8 @@ class VECTRIX_EXPORT AttitudeParameterMessage : public ParameterMessage {
   /// The end of the text ends its last line. Throws BadInput with line, column, what was found there and why
   /// it is wrong, or the keyword that is missing.
   static AttitudeParameterMessage parse(std::string_view text);
-  /// Throws BadInput with the file, too, and if the file cannot be read or stops within a line.
+  /// Throws BadInput with the file, too, and if the file cannot be read. Its last line may have no line end,
+  /// as in published files: cut within its last value, it is read.
   static AttitudeParameterMessage read(const std::filesystem::path& file);
 
   [[nodiscard]] const std::vector<AttitudeEphemerisSegment>& states() const { return states_; }

@@ -34,7 +34,9 @@ class VECTRIX_EXPORT OrbitEphemerisMessage {
   /// parse(text()) has the same samples. An epoch has 3, 6, 9 or 12 decimals: one that was read from a text
   /// reads back as the same, any other within 1e-11 s.
   [[nodiscard]] std::string text() const;
-  /// Throws BadInput if the file cannot be written.
+  /// The same in XML. Comments lose the blanks around them. Throws BadInput if one is not UTF-8.
+  [[nodiscard]] std::string xml() const;
+  /// As XML if the name ends in .xml. Throws BadInput if the file cannot be written.
   void write(const std::filesystem::path& file) const;
 
   [[nodiscard]] const MessageHeader& header() const { return header_; }
