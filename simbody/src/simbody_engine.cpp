@@ -168,7 +168,7 @@ class SimbodyEngine::Acting : public SimTK::Force::Custom::Implementation {
                           SpatialVec(R_i_from_h * (scale * simbody(acting.torques[b])),
                                      R_i_from_h * (scale * simbody(acting.forces[b]))),
                           body_forces);
-    if (acting.field_i != std::array<double, 3>{}) {
+    if (s_.hub_has_place && acting.field_i != std::array<double, 3>{}) {
       const auto attract = [&](const MobilizedBody& body) {
         const Vec3 weight = scale * body.getBodyMass(state) * simbody(acting.field_i);
         body.applyForceToBodyPoint(state, body.getBodyMassCenterStation(state), weight, body_forces);
@@ -453,11 +453,9 @@ void SimbodyEngine::start(double t, const double* y, double stop, double longest
   s.locks = s.found_locks();
   s.lock(first);
   s.write(first, y);
-  if (s.hub_has_place) {
-    const int at = s.hub.getFirstUIndex(first);
-    const double far = std::max(1.0, three(y + 7).norm());
-    for (int k = 3; k < 6; ++k) first.updUWeights()[at + k] = 1.0 / far;
-  }
+  // Where a turning hub is, nothing depends on; so its error is none.
+  const double far = s.hub_has_place ? std::max(1.0, three(y + 7).norm()) : 1e12;
+  for (int k = 3; k < 6; ++k) first.updUWeights()[s.hub.getFirstUIndex(first) + k] = 1.0 / far;
   first.setTime(0.0);
   s.origin = t;
   s.stop = stop;
