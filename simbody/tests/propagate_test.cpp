@@ -130,26 +130,43 @@ TEST(PropagateWithSimbody, gives_the_states_at_the_output_times) {
   EXPECT_EQ(theirs.end(), end);
 }
 
-// A field moves a craft as a whole: a hub that is only turning does not see it. The unit of time in which
-// Simbody bounds its errors is none of the mechanics.
+const auto push_boom = [](const Now<Turning>& now, Forces<Turning>& forces) {
+  forces.force(of<Boom>, vector(in<Hub>, 0.3 * N, 0.2 * N, -0.5 * N));
+  forces.effort(of<Boom>, -2.0 * now.coordinate(of<Boom>).value() * N_m);
+};
+CraftState<Turning> turning_start(const Turning& craft) {
+  RandomCraft random(9);
+  return state(craft, 2.0 * s, moving<Gcrf, Hub>(random).turning, starts(of<Boom>, 0.2 * rad, 0.1 * rad_s),
+               spins(of<WheelOfHub>, 40.0 * rad_s));
+}
+
+// The unit of time in which Simbody bounds its errors is none of the mechanics.
 TEST(PropagateWithSimbody, turns_a_hub_without_a_place) {
   const Turning craft;
-  RandomCraft random(9);
-  const auto start = state(craft, 2.0 * s, moving<Gcrf, Hub>(random).turning,
-                           starts(of<Boom>, 0.2 * rad, 0.1 * rad_s), spins(of<WheelOfHub>, 40.0 * rad_s));
-  const auto flight = scenario(craft, [](const Now<Turning>& now, Forces<Turning>& forces) {
-    forces.force(of<Boom>, vector(in<Hub>, 0.3 * N, 0.2 * N, -0.5 * N));
-    forces.effort(of<Boom>, -2.0 * now.coordinate(of<Boom>).value() * N_m);
-    forces.field(vector(in<Gcrf>, 0.1 * (m_s / s), 0.2 * (m_s / s), 9.0 * (m_s / s)));
-  });
-  const auto ours = propagate(flight, start, exact_until(6.0 * s));
+  const auto flight = scenario(craft, push_boom);
+  const auto ours = propagate(flight, turning_start(craft), exact_until(6.0 * s));
   const auto difference = [&](double accuracy, const Quantity<si::time>& scale) {
     const SimbodyPropagation how{.end = 6.0 * s, .accuracy = accuracy, .time_scale = scale};
-    const auto found = compare(craft, ours, propagate_with_simbody(flight, start, how));
+    const auto found = compare(craft, ours, propagate_with_simbody(flight, turning_start(craft), how));
     return std::max(found.attitude(of<Hub>).size.value(), found.spin(of<WheelOfHub>).size.value());
   };
   for (const auto scale : {1.0 * s, 0.3 * s})
     EXPECT_LT(difference(1e-9, scale), largest_ratio * difference(1e-7, scale)) << scale.value();
+}
+
+// A craft whose place is not a state may fall far: that costs no step.
+TEST(PropagateWithSimbody, does_not_follow_a_hub_without_a_place) {
+  const Turning craft;
+  const auto steps = [&](double g) {
+    const auto flight = scenario(craft, push_boom, [g](const Now<Turning>&, Forces<Turning>& forces) {
+      forces.field(vector(in<Gcrf>, 0.0 * (m_s / s), 0.0 * (m_s / s), g * (m_s / s)));
+    });
+    return propagate_with_simbody(flight, turning_start(craft), {.end = 6.0 * s, .accuracy = 1e-10})
+        .solution()
+        .statistics()
+        .steps;
+  };
+  EXPECT_EQ(steps(9.8e6), steps(0.0));
 }
 
 // In a long segment the angle of a fast wheel has millions of radians: its rounding, 4e-10 rad here, must not

@@ -1,0 +1,191 @@
+#include "simbody_system.hpp"
+
+namespace vectrix::detail {
+namespace {
+
+constexpr double share_of_wheel = 0.05;
+
+/// Mass, centre and inertia about the centre of a body that lends mass to its wheels.
+struct Carrier {
+  double mass;
+  Vec3 centre;
+  Mat33 inertia;
+
+  Mat33 lend(const Vec3& axis, double J) {
+    const Mat33 along = axis * ~axis;
+    const Mat33 disc = J * along + 0.5 * J * (Mat33(1.0) - along);
+    inertia -= disc;
+    return disc;
+  }
+  SimTK::Body::Rigid rigid() const {
+    const Mat33 J = inertia + mass * (centre.normSqr() * Mat33(1.0) - centre * ~centre);
+    return SimTK::Body::Rigid(SimTK::MassProperties(
+        mass, centre, Inertia(SymMat33(J(0, 0), J(1, 0), J(1, 1), J(2, 0), J(2, 1), J(2, 2)))));
+  }
+};
+
+}  // namespace
+
+void SimbodyEngine::System::hang(const SimbodyCraft& craft) {
+  std::vector<Carrier> carriers{{craft.mass, simbody(craft.centre_b), simbody(craft.inertia_c_b)}};
+  for (const auto& b : craft.bodies)
+    carriers.push_back({b.mass, simbody(b.centre_b), simbody(b.inertia_c_b)});
+  std::vector<Carrier> discs;
+  for (const auto& rotor : craft.rotors) {
+    Carrier& carrier = carriers[static_cast<std::size_t>(rotor.body)];
+    const double mass = share_of_wheel * carrier.mass;
+    discs.push_back({mass, Vec3(0), carrier.lend(simbody(rotor.axis_b), rotor.inertia)});
+    carrier.mass -= mass;
+  }
+
+  hub = MobilizedBody::Free(matter.Ground(), Transform(), carriers[0].rigid(), Transform());
+  int at = hub_has_place ? 13 : 7;
+  for (std::size_t i = 0; i < craft.bodies.size(); ++i) {
+    const SimbodyBody& b = craft.bodies[i];
+    MobilizedBody parent = mobilized(b.parent);
+    const SimTK::Body::Rigid rigid = carriers[i + 1].rigid();
+    const Rotation R0(simbody(b.R_p_from_b), true);
+    const Vec3 p = simbody(b.r_pb_p);
+    // A joint's own frame has an axis along the given one, in the body and, turned by R0, in the parent.
+    const auto along = [&](const SimTK::CoordinateAxis& axis) {
+      return Rotation(UnitVec3(simbody(b.axis_1_b)), axis);
+    };
+    MobilizedBody body;
+    switch (b.joint) {
+      case SimbodyJoint::hinge: {
+        const Rotation Z = along(SimTK::ZAxis);
+        body = MobilizedBody::Pin(parent, Transform(R0 * Z, p), rigid, Transform(Z));
+        break;
+      }
+      case SimbodyJoint::slider: {
+        const Rotation X = along(SimTK::XAxis);
+        body = MobilizedBody::Slider(parent, Transform(R0 * X, p), rigid, Transform(X));
+        break;
+      }
+      case SimbodyJoint::gimbal: {
+        const Rotation F(UnitVec3(simbody(b.axis_1_b)), SimTK::XAxis, simbody(b.axis_2_b), SimTK::YAxis);
+        body = MobilizedBody::Universal(parent, Transform(R0 * F, p), rigid, Transform(F));
+        break;
+      }
+      case SimbodyJoint::ball:
+        body = MobilizedBody::Ball(parent, Transform(R0, p), rigid, Transform());
+        break;
+      case SimbodyJoint::free:
+        body = MobilizedBody::Free(parent, Transform(R0, p), rigid, Transform());
+        break;
+      case SimbodyJoint::fixed:
+        body = MobilizedBody::Weld(parent, Transform(R0, p), rigid, Transform());
+        break;
+    }
+    bodies.push_back({b.joint, body, R0, at, 0});
+    at += positions_of[static_cast<int>(b.joint)];
+  }
+  for (Hung& hung : bodies) {
+    hung.speeds_at = at;
+    at += hung.speeds();
+  }
+  wheels_at = at;
+  for (std::size_t i = 0; i < craft.rotors.size(); ++i) {
+    MobilizedBody carrier = mobilized(craft.rotors[i].body);
+    const Rotation Z(UnitVec3(simbody(craft.rotors[i].axis_b)), SimTK::ZAxis);
+    const Vec3 centre = carriers[static_cast<std::size_t>(craft.rotors[i].body)].centre;
+    wheels.push_back(MobilizedBody::Pin(carrier, Transform(Z, centre), discs[i].rigid(), Transform(Z)));
+  }
+  y.resize(static_cast<std::size_t>(at) + wheels.size());
+}
+
+// Simbody has the speeds of Ball and Free in the parent's axes at zero; ours are in the body's, and of the
+// origin in the parent's. Where a turning hub is, nothing depends on: it begins at rest at the origin.
+void SimbodyEngine::System::write(SimTK::State& s, const double* numbers) const {
+  const Vec4 q_h = Vec4(numbers[0], numbers[1], numbers[2], numbers[3]).normalize();
+  const Vec3 w_i = rotation(q_h) * three(numbers + 4) * T;
+  const Vec3 r = hub_has_place ? three(numbers + 7) : Vec3(0);
+  const Vec3 v = hub_has_place ? three(numbers + 10) * T : Vec3(0);
+  hub.setQ(s, SimTK::Vec7(q_h[0], q_h[1], q_h[2], q_h[3], r[0], r[1], r[2]));
+  hub.setU(s, SimTK::Vec6(w_i[0], w_i[1], w_i[2], v[0], v[1], v[2]));
+  for (const Hung& hung : bodies) {
+    const double* q = numbers + hung.positions_at;
+    const double* u = numbers + hung.speeds_at;
+    const auto set_speeds = [&](int first, const Vec3& speed) {
+      for (int k = 0; k < 3; ++k) hung.body.setOneU(s, first + k, speed[k] * T);
+    };
+    if (hung.turns_freely()) {
+      const Vec4 unit = Vec4(q[0], q[1], q[2], q[3]).normalize();
+      for (int k = 0; k < 4; ++k) hung.body.setOneQ(s, k, unit[k]);
+      set_speeds(0, rotation(unit) * three(u));
+      if (hung.joint == SimbodyJoint::free) {
+        const Vec3 moved = ~hung.mount * three(q + 4);
+        for (int k = 0; k < 3; ++k) hung.body.setOneQ(s, 4 + k, moved[k]);
+        set_speeds(3, ~hung.mount * three(u + 3));
+      }
+    } else {
+      for (int k = 0; k < hung.speeds(); ++k) {
+        hung.body.setOneQ(s, k, q[k]);
+        hung.body.setOneU(s, k, u[k] * T);
+      }
+    }
+  }
+  for (std::size_t i = 0; i < wheels.size(); ++i)
+    wheels[i].setOneU(s, 0, numbers[static_cast<std::size_t>(wheels_at) + i] * T);
+}
+
+void SimbodyEngine::System::read(const SimTK::State& s, double* numbers) const {
+  for (int k = 0; k < 4; ++k) numbers[k] = hub.getOneQ(s, k);
+  put(~turned(hub, s) * speeds(hub, s, 0) / T, numbers + 4);
+  if (hub_has_place) {
+    put(Vec3(hub.getOneQ(s, 4), hub.getOneQ(s, 5), hub.getOneQ(s, 6)), numbers + 7);
+    put(speeds(hub, s, 3) / T, numbers + 10);
+  }
+  for (const Hung& hung : bodies) {
+    double* q = numbers + hung.positions_at;
+    double* u = numbers + hung.speeds_at;
+    if (hung.turns_freely()) {
+      for (int k = 0; k < 4; ++k) q[k] = hung.body.getOneQ(s, k);
+      put(~turned(hung.body, s) * speeds(hung.body, s, 0) / T, u);
+      if (hung.joint == SimbodyJoint::free) {
+        const Vec3 moved(hung.body.getOneQ(s, 4), hung.body.getOneQ(s, 5), hung.body.getOneQ(s, 6));
+        put(hung.mount * moved, q + 4);
+        put(hung.mount * speeds(hung.body, s, 3) / T, u + 3);
+      }
+    } else {
+      for (int k = 0; k < hung.speeds(); ++k) {
+        q[k] = hung.body.getOneQ(s, k);
+        u[k] = hung.body.getOneU(s, k) / T;
+      }
+    }
+  }
+  for (std::size_t i = 0; i < wheels.size(); ++i)
+    numbers[static_cast<std::size_t>(wheels_at) + i] = wheels[i].getOneU(s, 0) / T;
+}
+
+// The axes of ours turn with the speed itself, which adds nothing to its derivative.
+void SimbodyEngine::System::read_rates(const SimTK::State& s, double* rates) const {
+  const double TT = T * T;
+  for (int k = 0; k < 4; ++k) rates[k] = hub.getOneQDot(s, k) / T;
+  put(~turned(hub, s) * accelerations(hub, s, 0) / TT, rates + 4);
+  if (hub_has_place) {
+    put(speeds(hub, s, 3) / T, rates + 7);
+    put(accelerations(hub, s, 3) / TT, rates + 10);
+  }
+  for (const Hung& hung : bodies) {
+    double* q = rates + hung.positions_at;
+    double* u = rates + hung.speeds_at;
+    if (hung.turns_freely()) {
+      for (int k = 0; k < 4; ++k) q[k] = hung.body.getOneQDot(s, k) / T;
+      put(~turned(hung.body, s) * accelerations(hung.body, s, 0) / TT, u);
+      if (hung.joint == SimbodyJoint::free) {
+        put(hung.mount * speeds(hung.body, s, 3) / T, q + 4);
+        put(hung.mount * accelerations(hung.body, s, 3) / TT, u + 3);
+      }
+    } else {
+      for (int k = 0; k < hung.speeds(); ++k) {
+        q[k] = hung.body.getOneQDot(s, k) / T;
+        u[k] = hung.body.getOneUDot(s, k) / TT;
+      }
+    }
+  }
+  for (std::size_t i = 0; i < wheels.size(); ++i)
+    rates[static_cast<std::size_t>(wheels_at) + i] = wheels[i].getOneUDot(s, 0) / TT;
+}
+
+}  // namespace vectrix::detail

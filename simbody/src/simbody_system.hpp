@@ -1,0 +1,112 @@
+#pragma once
+
+#include <Simbody.h>
+
+#include <array>
+#include <cstddef>
+#include <exception>
+#include <memory>
+#include <vector>
+#include <vectrix/simbody/engine.hpp>
+
+namespace vectrix::detail {
+
+using SimTK::Inertia;
+using SimTK::Mat33;
+using SimTK::MobilizedBody;
+using SimTK::Quaternion;
+using SimTK::Rotation;
+using SimTK::SpatialVec;
+using SimTK::SymMat33;
+using SimTK::Transform;
+using SimTK::UnitVec3;
+using SimTK::Vec3;
+using SimTK::Vec4;
+
+inline Vec3 simbody(const std::array<double, 3>& v) {
+  return {v[0], v[1], v[2]};
+}
+inline Vec3 three(const double* v) {
+  return {v[0], v[1], v[2]};
+}
+inline Mat33 simbody(const std::array<double, 9>& m) {
+  return {m[0], m[1], m[2], m[3], m[4], m[5], m[6], m[7], m[8]};
+}
+inline std::array<double, 3> plain(const Vec3& v) {
+  return {v[0], v[1], v[2]};
+}
+inline void put(const Vec3& v, double* to) {
+  for (int k = 0; k < 3; ++k) to[k] = v[k];
+}
+inline Rotation rotation(const Vec4& q) {
+  return Rotation(Quaternion(q.normalize(), true));
+}
+
+constexpr int positions_of[]{1, 1, 2, 4, 7, 0};
+constexpr int speeds_of[]{1, 1, 2, 3, 6, 0};
+
+/// A body with the places of its numbers in a state of ours.
+struct Hung {
+  SimbodyJoint joint;
+  MobilizedBody body;
+  Rotation mount;
+  int positions_at, speeds_at;
+
+  bool turns_freely() const { return joint == SimbodyJoint::ball || joint == SimbodyJoint::free; }
+  int speeds() const { return speeds_of[static_cast<int>(joint)]; }
+};
+
+inline Vec3 speeds(const MobilizedBody& body, const SimTK::State& s, int first) {
+  return {body.getOneU(s, first), body.getOneU(s, first + 1), body.getOneU(s, first + 2)};
+}
+inline Vec3 accelerations(const MobilizedBody& body, const SimTK::State& s, int first) {
+  return {body.getOneUDot(s, first), body.getOneUDot(s, first + 1), body.getOneUDot(s, first + 2)};
+}
+inline Rotation turned(const MobilizedBody& body, const SimTK::State& s) {
+  return rotation(Vec4(body.getOneQ(s, 0), body.getOneQ(s, 1), body.getOneQ(s, 2), body.getOneQ(s, 3)));
+}
+
+/// The craft in Simbody, and what is kept from call to call. `y` are the numbers that the loads see; what
+/// they throw is kept in `trouble`.
+struct SimbodyEngine::System {
+  SimTK::MultibodySystem system;
+  SimTK::SimbodyMatterSubsystem matter{system};
+  SimTK::GeneralForceSubsystem forces{system};
+  MobilizedBody::Free hub;
+  std::vector<Hung> bodies;
+  std::vector<MobilizedBody> wheels;
+  bool hub_has_place;
+  int wheels_at;
+
+  SimbodyPair pair;
+  double accuracy, T;
+  Loads loads;
+  SimbodyLoads acting;
+  struct Locks {
+    std::vector<char> joints, rotors;
+    bool operator!=(const Locks& other) const { return joints != other.joints || rotors != other.rotors; }
+  };
+  Locks locks, asked_locks;  // those of the state that is realized, and of `asked`
+  std::vector<double> y;
+  double origin = 0.0, stop = 0.0, longest = 0.0;
+  std::exception_ptr trouble;
+  std::size_t evaluations = 0, failures_before = 0;
+
+  SimTK::State fresh, asked;
+  std::unique_ptr<SimTK::Integrator> integrator;
+
+  MobilizedBody mobilized(int body) const {
+    return body == 0 ? MobilizedBody(hub) : bodies[static_cast<std::size_t>(body) - 1].body;
+  }
+  void hang(const SimbodyCraft& craft);
+  void write(SimTK::State& s, const double* numbers) const;
+  void read(const SimTK::State& s, double* numbers) const;
+  void read_rates(const SimTK::State& s, double* rates) const;
+  Locks found_locks() const { return {acting.locked_joints, acting.locked_rotors}; }
+  void lock(SimTK::State& s) const;
+  void make_integrator(const SimTK::State& s);
+  void turn_wheels_back();
+  void require_no_trouble();
+};
+
+}  // namespace vectrix::detail
