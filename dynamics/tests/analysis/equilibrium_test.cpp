@@ -189,7 +189,7 @@ TEST(Equilibrium, IsRefusedWhereThereIsNone) {
 }
 
 // In a circular orbit the principal axes of a body lie along the vertical, the velocity and the normal of the
-// orbit. About that attitude, Hughes, Spacecraft Attitude Dynamics, section 9.3: with k1 = (Jy - Jz)/Jx,
+// orbit. About that attitude, Hughes, Spacecraft Attitude Dynamics, chapter 9: with k1 = (Jy - Jz)/Jx,
 // k3 = (Jy - Jx)/Jz, x along the velocity, y against the normal, z down,
 //     pitch w^2 = 3 n^2 (Jx - Jz)/Jy,   roll and yaw s^4 + (1 + 3 k1 + k1 k3) n^2 s^2 + 4 k1 k3 n^4 = 0
 TEST(Equilibrium, AGravityGradientTrimAndItsLibrations) {
