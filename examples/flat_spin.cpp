@@ -4,7 +4,7 @@
 //     H = J w + J_s Omega z + (what the damper's mass adds) is constant in the inertial frame
 //     damper: a mass m on the hub at (r, 0, q), m q'' + c q' + k q = -m a_z
 //     flat spin: energy goes where H is constant, until w is along the axis of most inertia, w = H/J_max
-//     turn: J_s (Omega' + w_z') = tau, until J_s Omega = H: then z is along H, and the hub nearly stands
+//     turn: J_s (Omega' + w_z') = tau, until J_s Omega = H: then z is near H, and the hub nearly stands
 //
 // About the first spin the linear system of the craft is constant, because it turns steadily: its unstable
 // mode says how fast the nutation grows before it is large. Nutation and energy to a table: flat_spin <data>
@@ -18,6 +18,7 @@
 #include <iostream>
 #include <numbers>
 #include <string>
+#include <utility>
 #include <vectrix/dynamics.hpp>
 
 namespace {
@@ -46,9 +47,10 @@ auto make_sat() {
           mass_properties(60.0 * si::kilogram, coincident(of<CentreOfMassOf<Hub>>, relative_to<Hub>, in<Hub>),
                           inertia_from_principal_moments(in<Hub>, 28.0 * kg_m2, 30.0 * kg_m2, 12.0 * kg_m2)),
           turning_in<Gcrf>),
-      body(mass_properties(0.8 * si::kilogram, coincident(of<CentreOfMassOf<Bob>>, relative_to<Bob>, in<Bob>),
-                           inertia_from_principal_moments(in<Bob>, 1e-3 * kg_m2, 1e-3 * kg_m2, 1e-3 * kg_m2)),
-           slider(X_h_from_bob, unit_z(in<Bob>))),
+      body(
+          mass_properties(0.05 * si::kilogram, coincident(of<CentreOfMassOf<Bob>>, relative_to<Bob>, in<Bob>),
+                          inertia_from_principal_moments(in<Bob>, 1e-5 * kg_m2, 1e-5 * kg_m2, 1e-5 * kg_m2)),
+          slider(X_h_from_bob, unit_z(in<Bob>))),
       rotor(of<Wheel>, unit_z(in<Hub>), J_s * kg_m2));
 }
 struct Sat : decltype(make_sat()) {
@@ -95,7 +97,8 @@ auto fly(const char* title, const Scenario& scenario, const CraftState<Sat>& sta
                   now.spin(of<Wheel>).value());
     table << title << ',' << t << ',' << nutation(now) << ',' << rate << ',' << now.energy().value() << '\n';
   };
-  for (int i = 0; i <= 300; ++i) print(end * i / 300.0, i % 25 == 0);
+  const double last = flight.end().value();
+  for (int i = 0; i <= 300; ++i) print(last * i / 300.0, i % 30 == 0);
   return flight;
 }
 
@@ -103,8 +106,8 @@ void run(const std::string& path) {
   std::ofstream table(path);
   table << "case,t_s,nutation_deg,rate_rad_s,energy_J\n";
   const Sat sat;
-  const auto spring_of_damper = spring(sat, of<Bob>, 1.1 * (si::newton / m), 0.0 * m);
-  const auto dashpot = damper(sat, of<Bob>, 0.2 * (si::newton / (m / s)));
+  const auto spring_of_damper = spring(sat, of<Bob>, 0.0686 * (si::newton / m), 0.0 * m);
+  const auto dashpot = damper(sat, of<Bob>, 0.012 * (si::newton / (m / s)));
 
   // The wheel stands still: it is locked.
   const auto locked = [](const auto&, auto& forces) { forces.lock(of<Wheel>); };
@@ -113,11 +116,15 @@ void run(const std::string& path) {
   std::printf("Modes about a spin of 2 rad/s about the axis of least inertia: %zu zeros\n", modes.zeros);
   double growth = 0.0;
   for (const NaturalMode& mode : modes.list) {
-    std::printf("  %.5f rad/s, damping ratio %+.5f\n", mode.frequency.value(), mode.damping_ratio);
+    std::printf("  %.5f rad/s, damping ratio %.5f\n", mode.frequency.value(),
+                std::round(1e5 * mode.damping_ratio) / 1e5 + 0.0);
     growth = std::max(growth, mode.eigenvalue.real());
   }
-  const auto flat = fly("Flat spin", spinner, spinning(sat, 0.002, 0.0, 2.0), 1500.0, table);
-  const auto nutation_at = [&](double t) { return nutation(motion_at(spinner, flat, t * s).now()); };
+  const auto flat = fly("Flat spin", spinner, spinning(sat, 0.002, 0.0, 2.0), 2000.0, table);
+  const auto nutation_at = [&](double t) {
+    const auto motion = motion_at(spinner, flat, t * s);
+    return nutation(motion.now());
+  };
   // The nutation angle of an asymmetric body swings: both instants are whole periods of it apart.
   const double period = std::numbers::pi / modes.list.back().eigenvalue.imag();
   double early = 0.0, late = 0.0;
@@ -128,20 +135,22 @@ void run(const std::string& path) {
   std::printf("the nutation grows by %.4f %% per second, the unstable mode by %.4f %%\n",
               std::log(late / early), 100.0 * growth);
 
-  // H = 28.8 kg m^2 * 0.3 rad/s, nearly: the wheel is to take it all.
+  // The slower the wheel takes the momentum, the less nutation is left.
   const auto start = spinning(sat, 0.0, 0.3, 0.0);
   const double H = motion(sat, start, spring_of_damper, dashpot).angular_momentum().coordinates().norm();
-  const auto turn = scenario(
-      sat, spring_of_damper, dashpot,
-      [](const Now<Sat>&, Forces<Sat>& forces, const Motor& motor) { forces.motor(of<Wheel>, motor.torque); },
-      held(Motor{0.05 * N_m}),
-      when(
-          "the wheel has the momentum",
-          [H](const Now<Sat>& now) { return now.spin(of<Wheel>).value() - H / J_s; }, ode::Direction::rising,
-          becomes(Motor{0.0 * N_m})));
-  const auto flight = fly("Dual-spin turn", turn, start, 1500.0, table);
-  for (const auto& event : flight.events())
-    std::printf("%s at %.3f s\n", event.name.c_str(), event.state.time().value());
+  const auto drive = [](const Now<Sat>&, Forces<Sat>& forces, const Motor& motor) {
+    forces.motor(of<Wheel>, motor.torque);
+  };
+  for (const auto& [title, torque] :
+       {std::pair{"Dual-spin turn by 0.05 N m", 0.05}, {"Dual-spin turn by 0.005 N m", 0.005}}) {
+    const auto turn =
+        scenario(sat, spring_of_damper, dashpot, drive, held(Motor{torque * N_m}),
+                 when(
+                     "done", [H](const Now<Sat>& now) { return now.spin(of<Wheel>).value() - H / J_s; },
+                     ode::Direction::rising, stop));
+    const auto flight = fly(title, turn, start, 2000.0, table);
+    std::printf("the wheel has the momentum at %.3f s\n", flight.end().value());
+  }
 }
 
 }  // namespace

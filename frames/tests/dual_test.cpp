@@ -49,6 +49,8 @@ TEST(Dual, HasTheDerivativesOfFunctions) {
   }
 }
 
+#undef LAW
+
 TEST(Dual, WhereTheDerivativeIsNotFiniteItSaysSo) {
   EXPECT_FALSE(isfinite(sqrt(Dual(0.0, 1.0))));
   EXPECT_TRUE(isfinite(sqrt(Dual(0.0))));  // a constant has no derivative

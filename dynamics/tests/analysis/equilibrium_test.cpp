@@ -125,10 +125,19 @@ TEST(Equilibrium, ASpinPullsASpring) {
   const auto steady = equilibrium(pulled, guess, fine);
   EXPECT_NEAR(steady.coordinate(of<Near>).value(), k * 0.4 / (k - mu * w * w), 1e-12);
   EXPECT_EQ(steady.speed(of<Near>).value(), 0.0);
-  // A joint that is locked stays where it is.
+  // A joint that is locked stays where it is, also where moving it would help to bring the spin to an axis.
+  const auto tilted =
+      state(pair, 0.0 * s,
+            moving_dcm(turned_x(to<Star>, from<Hub>, 0.3 * rad),
+                       angular_velocity(of<Hub>, relative_to<Star>,
+                                        vector(in<Hub>, 0.02 * rad_s, 0.1 * rad_s, w * rad_s))),
+            starts(of<Near>, 0.4 * m, 0.0 * m_s));
   const auto locked = scenario(pair, spring(pair, of<Near>, k * N_per_m, 0.4 * m),
                                [](const auto&, auto& forces) { forces.lock(of<Near>); });
-  EXPECT_EQ(equilibrium(locked, guess, fine).coordinate(of<Near>).value(), 0.4);
+  const auto upright = equilibrium(locked, tilted, fine);
+  EXPECT_EQ(upright.coordinate(of<Near>).value(), 0.4);
+  const Vector3d w_b = upright.turning().angular_velocity.coordinates();
+  EXPECT_NEAR(w_b.z(), std::sqrt(0.02 * 0.02 + 0.1 * 0.1 + w * w), 1e-12);
 }
 
 template <class Call> NoEquilibrium refusal(const Call& call) {
@@ -180,7 +189,7 @@ TEST(Equilibrium, IsRefusedWhereThereIsNone) {
 }
 
 // In a circular orbit the principal axes of a body lie along the vertical, the velocity and the normal of the
-// orbit. About that attitude, Hughes, Spacecraft Attitude Dynamics, section 9.3: with k1 = (Jy - Jz)/Jx,
+// orbit. About that attitude, Hughes, Spacecraft Attitude Dynamics, chapter 9: with k1 = (Jy - Jz)/Jx,
 // k3 = (Jy - Jx)/Jz, x along the velocity, y against the normal, z down,
 //     pitch w^2 = 3 n^2 (Jx - Jz)/Jy,   roll and yaw s^4 + (1 + 3 k1 + k1 k3) n^2 s^2 + 4 k1 k3 n^4 = 0
 TEST(Equilibrium, AGravityGradientTrimAndItsLibrations) {

@@ -1,8 +1,11 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
+#include <string>
 #include <vector>
 
 #include <vectrix/dynamics/analysis/linearise.hpp>
@@ -40,7 +43,8 @@ VectorXd errors(const Numbers& y0, const Numbers& y) {
   for (std::size_t i = 0; i < y.size(); ++i) {
     if (is_quaternion(i)) {
       const Eigen::AngleAxisd turn(quaternion_at(y0, i).conjugate() * quaternion_at(y, i));
-      const double angle = turn.angle() > M_PI ? turn.angle() - 2.0 * M_PI : turn.angle();
+      const double angle =
+          turn.angle() > std::numbers::pi ? turn.angle() - 2.0 * std::numbers::pi : turn.angle();
       x.segment<3>(k) = angle * turn.axis();
       k += 3, i += 3;
     } else {

@@ -92,7 +92,7 @@ auto system(const Sat& sat, const CraftState<Sat>& start) {
 
 namespace a_state_of_another_craft {
 // mistake: the state of a probe in the scenario of a satellite
-// expect: linearise\(scenario, state, ...\): a state of the scenario's craft
+// expect: IsAStateOf<Probe>
 auto system(const Sat& sat, const CraftState<Sat>& of_sat, const CraftState<Probe>& of_probe) {
 #ifdef REPAIRED
   static_cast<void>(of_probe);

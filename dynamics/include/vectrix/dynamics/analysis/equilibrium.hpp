@@ -16,36 +16,29 @@ namespace vectrix {
 /// derivatives; each acceleration that is left is below its tolerance. Throws BadInput for a tolerance that
 /// is not positive, NoEquilibrium if none is found.
 template <CraftType C, class... Parts>
-  requires std::is_same_v<
-      typename detail::LinearFault<C, CraftScenario<C, Parts...>, CraftInputs<>, CraftOutputs<>>::type,
-      Nothing>
-      CraftState<C> equilibrium(const CraftScenario<C, Parts...>& scenario, const CraftState<C>& guess,
-                                const EquilibriumTolerances& tolerances) {
-    const auto start = detail::start_of_run(scenario, guess);
-    const detail::CraftCore& core = *scenario.craft().core();
-    auto rates =
-        detail::dual_rates<C>(detail::in_duals(core), detail::held_loads(scenario.parts(), start.held),
-                              detail::InputLoad<C, Dual>{nullptr});
-    const double t = guess.time().value();
-    const auto y =
-        detail::steady_state({core, start.y, [&](const Dual* state, Dual* ydot) { rates(t, state, ydot); },
-                              rates.work(), tolerances});
-    typename CraftState<C>::Numbers numbers;
-    std::copy(y.begin(), y.end(), numbers.begin());
-    return {detail::trusted, guess.time(), numbers};
-  }
+  requires(std::is_same_v<
+           detail::FaultOfLinear<C, C, CraftScenario<C, Parts...>, CraftInputs<>, CraftOutputs<>>, Nothing>)
+CraftState<C> equilibrium(const CraftScenario<C, Parts...>& scenario, const CraftState<C>& guess,
+                          const EquilibriumTolerances& tolerances) {
+  const auto start = detail::start_of_run(scenario, guess);
+  const detail::CraftCore& core = *scenario.craft().core();
+  auto rates = detail::dual_rates<C>(detail::in_duals(core), detail::held_loads(scenario.parts(), start.held),
+                                     detail::InputLoad<C, Dual>{nullptr});
+  const double t = guess.time().value();
+  const auto y =
+      detail::steady_state({core, start.y, [&](const Dual* state, Dual* ydot) { rates(t, state, ydot); },
+                            rates.work(), tolerances});
+  typename CraftState<C>::Numbers numbers;
+  std::copy(y.begin(), y.end(), numbers.begin());
+  return {detail::trusted, guess.time(), numbers};
+}
 
-template <CraftType C, class... Parts, CraftType GivenC>
-  requires(!std::is_same_v<C, GivenC>)
-auto equilibrium(  // equilibrium(scenario, guess, tolerances): a state of the scenario's craft
-    const CraftScenario<C, Parts...>&, const CraftState<GivenC>&, const EquilibriumTolerances&)
-    -> Refused = delete;
-template <CraftType C, class... Parts,
-          class Fault = typename detail::LinearFault<C, CraftScenario<C, Parts...>, CraftInputs<>,
-                                                     CraftOutputs<>>::type>
+template <CraftType C, class... Parts, CraftType GivenC,
+          class Fault =
+              detail::FaultOfLinear<C, GivenC, CraftScenario<C, Parts...>, CraftInputs<>, CraftOutputs<>>>
   requires(!std::is_same_v<Fault, Nothing>)
-auto equilibrium(  // loads of any scalar: []<class S>(const Now<C, S>&, Forces<C, S>&)
-    const CraftScenario<C, Parts...>&, const CraftState<C>&, const EquilibriumTolerances&)
+auto equilibrium(  // a state of the scenario's craft; loads of any scalar: see Fault
+    const CraftScenario<C, Parts...>&, const CraftState<GivenC>&, const EquilibriumTolerances&)
     -> Refused = delete;
 
 }  // namespace vectrix

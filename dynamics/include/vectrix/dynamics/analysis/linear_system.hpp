@@ -2,6 +2,9 @@
 
 #include <Eigen/Core>
 #include <string>
+#include <tuple>
+#include <type_traits>
+#include <utility>
 #include <vector>
 #include <vectrix/dynamics/analysis/inputs.hpp>
 
@@ -29,18 +32,20 @@ template <CraftType Craft, class... Input> class LinearCraft : public LinearSyst
   static constexpr bool turns = is_hub<F> || Shape::template has_joint_of<F, JointKind::ball> ||
                                 Shape::template has_joint_of<F, JointKind::free>;
 
-  // Each quaternion is a number longer than its error.
-  template <class F> static consteval std::size_t turning_before() {
-    std::size_t turning = 1;
+  // Each quaternion is a number longer than its error: how many are before those of F.
+  template <class F, class... Part>
+  static constexpr std::size_t quaternions_before(std::type_identity<std::tuple<Part...>>) {
+    std::size_t count = 1;
     bool found = false;
-    [&]<class... Part>(std::type_identity<std::tuple<Part...>>) {
-      ((found = found || std::is_same_v<typename Part::frame, F>,
-        turning += !found && !is_hub<typename Part::frame> && turns<typename Part::frame> ? 1 : 0),
-       ...);
-    }(std::type_identity<typename Shape::parts>{});
-    return turning;
+    ((found = found || std::is_same_v<typename Part::frame, F>,
+      count += !found && !is_hub<typename Part::frame> && turns<typename Part::frame> ? 1 : 0),
+     ...);
+    return count;
   }
-  static consteval std::size_t all_turning() { return turning_before<void>(); }
+  template <class F> static constexpr std::size_t turning_before() {
+    return quaternions_before<F>(std::type_identity<typename Shape::parts>{});
+  }
+  static constexpr std::size_t all_turning() { return turning_before<void>(); }
   template <std::size_t at, std::size_t count> static auto sequence() {
     if constexpr (count == 1)
       return static_cast<Eigen::Index>(at);

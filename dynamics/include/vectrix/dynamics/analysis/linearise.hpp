@@ -20,6 +20,7 @@ namespace vectrix {
 // A load that is not for any scalar, for messages: []<class S>(const Now<C, S>&, Forces<C, S>&), or a generic
 // function.
 template <class Load> struct TakesNoDuals {};
+template <class GivenC> struct IsAStateOf {};
 
 namespace detail {
 
@@ -67,6 +68,11 @@ struct LinearFault<C, CraftScenario<C, Parts...>, CraftInputs<Input...>, CraftOu
   using type = typename decltype(fault())::type;
 };
 
+template <class C, class GivenC, class Scenario, class Inputs, class Outputs>
+using FaultOfLinear =
+    typename std::conditional_t<std::is_same_v<C, GivenC>, LinearFault<C, Scenario, Inputs, Outputs>,
+                                std::type_identity<IsAStateOf<GivenC>>>::type;
+
 /// The rates of a craft in duals, under loads and inputs.
 template <CraftType C, class... Input, class... Loads>
 auto dual_rates(const std::shared_ptr<const CraftCoreIn<Dual>>& core, const std::tuple<Loads...>& loads,
@@ -82,89 +88,85 @@ auto dual_rates(const std::shared_ptr<const CraftCoreIn<Dual>>& core, const std:
 
 /// The derivatives of the motion of a scenario about a state, by automatic differentiation, with the values
 /// that a run from this state holds at its start. The coordinates of x are
-///     theta            R_h^i = R0_h^i exp([theta]x), in the axes of the hub; likewise of ball and free
-///     joints rho, nu          place and velocity of a free hub, R0^T (r - r0) and R0^T (v - v0)
-/// and the differences of all other numbers of the state. If the state is not one of rest or of steady
-/// turning, A holds at this instant of the motion only. Loads take any scalar: generic functions, or
-/// []<class S>(const Now<C, S>&, Forces<C, S>&). Throws BadInput if a derivative is not finite.
+///     theta     R_h^i = R0_h^i exp([theta]x), in the axes of the hub
+///     rho, nu   place and velocity of a free hub, R0^T (r - r0) and R0^T (v - v0)
+/// the same theta of ball and free joints, and the differences of all other numbers of the state. If the
+/// state is not one of rest or of steady turning, A holds at this instant of the motion only. Loads take any
+/// scalar: generic functions, or []<class S>(const Now<C, S>&, Forces<C, S>&). Throws BadInput if a
+/// derivative is not finite.
 template <CraftType C, class... Parts, class... Input, class... F>
-  requires std::is_same_v<typename detail::LinearFault<C, CraftScenario<C, Parts...>, CraftInputs<Input...>,
-                                                       CraftOutputs<F...>>::type,
-                          Nothing>
-      LinearCraft<C, Input...> linearise(const CraftScenario<C, Parts...>& scenario,
-                                         const CraftState<C>& state, const CraftInputs<Input...>& = {},
-                                         const CraftOutputs<F...>& outputs = {}) {
-    using Motion = CraftMotion<C, Dual>;
-    constexpr std::size_t inputs = (std::size_t{0} + ... + detail::InputOn<C, Input>::size);
-    const auto start = detail::start_of_run(scenario, state);
-    const detail::CraftCore& core = *scenario.craft().core();
-    const auto duals = detail::in_duals(core);
-    const detail::ErrorsOfState errors(core);
-    const auto n = static_cast<Eigen::Index>(errors.size()), m = static_cast<Eigen::Index>(inputs);
+  requires(std::is_same_v<
+           detail::FaultOfLinear<C, C, CraftScenario<C, Parts...>, CraftInputs<Input...>, CraftOutputs<F...>>,
+           Nothing>)
+LinearCraft<C, Input...> linearise(const CraftScenario<C, Parts...>& scenario, const CraftState<C>& state,
+                                   const CraftInputs<Input...>& = {},
+                                   const CraftOutputs<F...>& outputs = {}) {
+  using Motion = CraftMotion<C, Dual>;
+  constexpr std::size_t inputs = (std::size_t{0} + ... + detail::InputOn<C, Input>::size);
+  const auto start = detail::start_of_run(scenario, state);
+  const detail::CraftCore& core = *scenario.craft().core();
+  const auto duals = detail::in_duals(core);
+  const detail::ErrorsOfState errors(core);
+  const auto n = static_cast<Eigen::Index>(errors.size()), m = static_cast<Eigen::Index>(inputs);
 
-    std::array<Dual, inputs + 1> u{};
-    auto rates = detail::dual_rates(duals, detail::held_loads(scenario.parts(), start.held),
-                                    detail::InputLoad<C, Dual, Input...>{u.data()});
-    LinearSystem system;
-    Eigen::MatrixXd of_outputs;
-    const auto column = [&](const Eigen::VectorXd& along, Eigen::Index i) {
-      typename CraftState<C, Dual>::Numbers y{}, ydot{};
-      errors.depart(start.y, along, y);
-      rates(state.time().value(), y.data(), ydot.data());
-      if constexpr (sizeof...(F) > 0) {
-        const Motion motion(detail::trusted, duals, CraftState<C, Dual>(detail::trusted, state.time(), y),
-                            ydot, rates.work());
-        std::vector<Dual> measured;
-        std::apply(
-            [&](const auto&... output) { (detail::append_numbers(output.function(motion), measured), ...); },
-            outputs.list);
-        of_outputs.conservativeResize(static_cast<Eigen::Index>(measured.size()), n + m);
-        for (std::size_t k = 0; k < measured.size(); ++k)
-          of_outputs(static_cast<Eigen::Index>(k), i) = measured[k].derivatives();
-      }
-      return errors.rates(start.y, along, y, ydot);
-    };
-    of_outputs.resize(0, n + m);
-    system.A.resize(n, n);
-    system.B.resize(n, m);
-    for (Eigen::Index i = 0; i < n; ++i) system.A.col(i) = column(Eigen::VectorXd::Unit(n, i), i);
-    for (Eigen::Index i = 0; i < m; ++i) {
-      u[static_cast<std::size_t>(i)] = {0.0, 1.0};
-      system.B.col(i) = column(Eigen::VectorXd::Zero(n), n + i);
-      u[static_cast<std::size_t>(i)] = 0.0;
+  std::array<Dual, inputs + 1> u{};
+  auto rates = detail::dual_rates(duals, detail::held_loads(scenario.parts(), start.held),
+                                  detail::InputLoad<C, Dual, Input...>{u.data()});
+  LinearSystem system;
+  Eigen::MatrixXd of_outputs;
+  const auto column = [&](const Eigen::VectorXd& along, Eigen::Index i) {
+    typename CraftState<C, Dual>::Numbers y{}, ydot{};
+    errors.depart(start.y, along, y);
+    rates(state.time().value(), y.data(), ydot.data());
+    if constexpr (sizeof...(F) > 0) {
+      const Motion motion(detail::trusted, duals, CraftState<C, Dual>(detail::trusted, state.time(), y), ydot,
+                          rates.work());
+      std::vector<Dual> measured;
+      std::apply(
+          [&](const auto&... output) { (detail::append_numbers(output.function(motion), measured), ...); },
+          outputs.list);
+      of_outputs.conservativeResize(static_cast<Eigen::Index>(measured.size()), n + m);
+      for (std::size_t k = 0; k < measured.size(); ++k)
+        of_outputs(static_cast<Eigen::Index>(k), i) = measured[k].derivatives();
     }
-    system.C = of_outputs.leftCols(n);
-    system.D = of_outputs.rightCols(m);
-
-    const auto add = [](std::vector<std::string>& names, const std::vector<std::string>& more) {
-      names.insert(names.end(), more.begin(), more.end());
-    };
-    system.state_names = errors.names();
-    (add(system.input_names, detail::InputOn<C, Input>::names()), ...);
-    std::apply(
-        [&](const auto&... output) {
-          (add(system.output_names, detail::names_of_output<detail::OutputValue<C, F>>(output.name)), ...);
-        },
-        outputs.list);
-    detail::require_derivatives(core, system.A, system.state_names, system.state_names);
-    detail::require_derivatives(core, system.B, system.state_names, system.input_names);
-    detail::require_derivatives(core, system.C, system.output_names, system.state_names);
-    detail::require_derivatives(core, system.D, system.output_names, system.input_names);
-    return LinearCraft<C, Input...>(std::move(system));
+    return errors.rates(start.y, along, y, ydot);
+  };
+  of_outputs.resize(0, n + m);
+  system.A.resize(n, n);
+  system.B.resize(n, m);
+  for (Eigen::Index i = 0; i < n; ++i) system.A.col(i) = column(Eigen::VectorXd::Unit(n, i), i);
+  for (Eigen::Index i = 0; i < m; ++i) {
+    u[static_cast<std::size_t>(i)] = {0.0, 1.0};
+    system.B.col(i) = column(Eigen::VectorXd::Zero(n), n + i);
+    u[static_cast<std::size_t>(i)] = 0.0;
   }
+  system.C = of_outputs.leftCols(n);
+  system.D = of_outputs.rightCols(m);
+
+  const auto add = [](std::vector<std::string>& names, const std::vector<std::string>& more) {
+    names.insert(names.end(), more.begin(), more.end());
+  };
+  system.state_names = errors.names();
+  (add(system.input_names, detail::InputOn<C, Input>::names()), ...);
+  std::apply(
+      [&](const auto&... output) {
+        (add(system.output_names, detail::names_of_output<detail::OutputValue<C, F>>(output.name)), ...);
+      },
+      outputs.list);
+  detail::require_derivatives(core, system.A, system.state_names, system.state_names);
+  detail::require_derivatives(core, system.B, system.state_names, system.input_names);
+  detail::require_derivatives(core, system.C, system.output_names, system.state_names);
+  detail::require_derivatives(core, system.D, system.output_names, system.input_names);
+  return LinearCraft<C, Input...>(std::move(system));
+}
 
 template <CraftType C, class... Parts, CraftType GivenC, class Inputs = CraftInputs<>,
-          class Outputs = CraftOutputs<>>
-  requires(!std::is_same_v<C, GivenC>)
-auto linearise(  // linearise(scenario, state, ...): a state of the scenario's craft
-    const CraftScenario<C, Parts...>&, const CraftState<GivenC>&, const Inputs& = {}, const Outputs& = {})
-    -> Refused = delete;
-template <CraftType C, class... Parts, class Inputs = CraftInputs<>, class Outputs = CraftOutputs<>,
-          class Fault = typename detail::LinearFault<C, CraftScenario<C, Parts...>, Inputs, Outputs>::type>
+          class Outputs = CraftOutputs<>,
+          class Fault = detail::FaultOfLinear<C, GivenC, CraftScenario<C, Parts...>, Inputs, Outputs>>
   requires(!std::is_same_v<Fault, Nothing>)
-auto linearise(  // loads of any scalar; inputs(...) on parts of the craft; outputs(output(name, f), ...):
-                 // Fault
-    const CraftScenario<C, Parts...>&, const CraftState<C>&, const Inputs& = {}, const Outputs& = {})
+auto linearise(  // a state of the scenario's craft; loads of any scalar; inputs() on its parts; outputs():
+                 // see Fault
+    const CraftScenario<C, Parts...>&, const CraftState<GivenC>&, const Inputs& = {}, const Outputs& = {})
     -> Refused = delete;
 
 }  // namespace vectrix

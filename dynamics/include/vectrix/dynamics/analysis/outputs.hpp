@@ -7,6 +7,7 @@
 #include <type_traits>
 #include <utility>
 #include <vector>
+#include <vectrix/dynamics/analysis/duals.hpp>
 #include <vectrix/dynamics/analysis/inputs.hpp>
 #include <vectrix/dynamics/craft/motion.hpp>
 
