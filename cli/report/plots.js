@@ -23,33 +23,41 @@ function valueRange(limits) {
   };
 }
 
-function drawLimits(limits) {
+// Where the names of lines stand, the lowest line first: just above them, moved so that none covers another.
+function textPlaces(lines, top, dot) {
+  const places = [];
+  for (const line of lines) places.push(Math.min(line - 5 * dot, (places.at(-1) ?? Infinity) - 15 * dot));
+  let highest = top + 12 * dot;
+  for (let i = places.length - 1; i >= 0; i--) {
+    places[i] = Math.max(places[i], highest);
+    highest = places[i] + 15 * dot;
+  }
+  return places;
+}
+
+function drawLimits(unordered) {
+  const limits = [...unordered].sort((a, b) => a.value - b.value);
   return (u) => {
     const { ctx, bbox } = u;
     const dot = devicePixelRatio;
+    const right = bbox.left + bbox.width;
+    const lines = limits.map(({ value }) => u.valToPos(value, 'y', true));
+    const places = textPlaces(lines, bbox.top, dot);
     ctx.save();
-    ctx.strokeStyle = ctx.fillStyle = colour('--limit');
-    ctx.lineWidth = dot;
-    ctx.setLineDash([6 * dot, 4 * dot]);
+    Object.assign(ctx, { fillStyle: colour('--limit'), textAlign: 'right', lineJoin: 'round' });
     ctx.font = `${12 * dot}px ${getComputedStyle(document.body).fontFamily}`;
-    ctx.textAlign = 'right';
-    const write = (text, x, y) => {
-      ctx.save();
-      Object.assign(ctx, { strokeStyle: colour('--paper'), lineWidth: 4 * dot, lineJoin: 'round' });
-      ctx.setLineDash([]);
-      ctx.strokeText(text, x, y);
-      ctx.restore();
-      ctx.fillText(text, x, y);
-    };
-    for (const { name, value } of limits) {
-      const y = u.valToPos(value, 'y', true);
+    limits.forEach(({ name }, i) => {
+      Object.assign(ctx, { strokeStyle: colour('--limit'), lineWidth: dot });
+      ctx.setLineDash([6 * dot, 4 * dot]);
       ctx.beginPath();
-      ctx.moveTo(bbox.left, y);
-      ctx.lineTo(bbox.left + bbox.width, y);
+      ctx.moveTo(bbox.left, lines[i]);
+      ctx.lineTo(right, lines[i]);
       ctx.stroke();
-      const above = y - 5 * dot;
-      write(name, bbox.left + bbox.width - 4 * dot, above > bbox.top + 12 * dot ? above : y + 15 * dot);
-    }
+      Object.assign(ctx, { strokeStyle: colour('--paper'), lineWidth: 4 * dot });
+      ctx.setLineDash([]);
+      ctx.strokeText(name, right - 4 * dot, places[i]);
+      ctx.fillText(name, right - 4 * dot, places[i]);
+    });
     ctx.restore();
   };
 }

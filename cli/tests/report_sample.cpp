@@ -150,7 +150,7 @@ Report cubesat() {
   scene.views = {{"LVLH", {}}, {"ITRF", {}}};
   Report::Plot angle{
       .title = "Angle between boresight and Sun", .unit = "deg", .axes = "", .seconds = {}, .curves = {}};
-  angle.limits = {{0.5, "0.5 deg for 95 %"}};
+  angle.limits = {{0.5, "0.5 deg for 95 %"}, {0.1, "0.1 deg for 99.7 %"}};
   Report::Plot difference{
       .title = "The same less what was published", .unit = "arcsec", .axes = "", .seconds = {}, .curves = {}};
   Report::Plot rate{

@@ -273,6 +273,19 @@ RC_GTEST_PROP(Ticks, AreEvenAndWithinTheAxis, ()) {
   }
 }
 
+RC_GTEST_PROP(TextPlaces, DoNotCoverEachOtherAndKeepTheOrderOfTheirLines, ()) {
+  std::vector<double> lines(*rc::gen::inRange<std::size_t>(1, 8));
+  for (double& line : lines) line = *rc::gen::inRange(10, 178);
+  std::sort(lines.rbegin(), lines.rend());
+  const auto places = text_places(lines, 10.0);
+  RC_ASSERT(places.size() == lines.size());
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    RC_ASSERT(places[i] >= 21.0);  // the text is 11 pixels high
+    RC_ASSERT(i == 0 || places[i] <= places[i - 1] - 14.0);
+    if (lines.size() == 1) RC_ASSERT(places[i] == std::max(lines[i] - 4.0, 21.0));
+  }
+}
+
 TEST(Report, CutsTheGroundTrackAtTheDateLine) {
   Report::Scene given = scene(4);
   given.ground_track = {{0.0, 170.0}, {10.0, 179.0}, {20.0, -172.0}, {30.0, -163.0}};
