@@ -7,8 +7,14 @@ const colour = (name) => getComputedStyle(document.documentElement).getPropertyV
 const curveColour = (i) => () => colour(`--c${i % 8}`);
 
 export function number(x, digits = 6) {
-  if (x == null) return '\u2013';
   return String(Number(x.toPrecision(digits))).replace('-', '\u2212');
+}
+
+// To six digits; of a curve with an offset, of what it is above that.
+function valueText(x, { offset, spread }) {
+  if (x == null) return '\u2013';
+  const digits = offset && spread ? 6 + Math.ceil(Math.log10(Math.abs(offset) / spread)) : offset ? 15 : 6;
+  return number(x, Math.min(15, digits));
 }
 
 // The smallest and the largest value that can be seen, and the limits; with a margin.
@@ -18,7 +24,7 @@ function valueRange(limits) {
     if (!all.length) return [-1, 1];
     const from = Math.min(...all);
     const to = Math.max(...all);
-    const pad = Math.max(0.05 * (to - from), 1e-6 * Math.abs(to)) || 1e-3;
+    const pad = Math.max(0.05 * (to - from), 1e-10 * Math.abs(to)) || 1e-3;
     return [from - pad, to + pad];
   };
 }
@@ -93,7 +99,7 @@ class Plot {
         scales: { x: { time: false }, y: { range: valueRange(data.limits) } },
         axes: [
           { ...axis, size: 26, space: 70, label: `time, ${unitName}`, labelSize: 18, labelFont: axis.font },
-          { ...axis, size: 72, values: (u, ticks) => ticks.map((x) => number(x)) },
+          { ...axis, size: 72, values: (u, ticks) => ticks.map((x) => number(x, 12)) },
         ],
         series: [
           {},
@@ -158,7 +164,7 @@ class Plot {
   write() {
     if (this.t === undefined) return;
     const at = this.u?.cursor.idx ?? place(this.data.seconds, this.t);
-    this.outputs.forEach((output, i) => (output.value = number(this.data.curves[i].values[at])));
+    this.outputs.forEach((output, i) => (output.value = valueText(this.data.curves[i].values[at], this.data.curves[i])));
   }
 }
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
-#include "figures.hpp"
 #include "report_text.hpp"
 
 namespace vectrix::cli {
@@ -35,9 +35,10 @@ std::vector<double> text_places(const std::vector<double>& lines, double top) {
 
 std::string tick_text(double value, int decimals) {
   constexpr int most_decimals = 5;
-  constexpr double longest = 1e6;
-  const bool is_long = decimals > most_decimals || std::abs(value) >= longest;
-  return is_long ? shown(value) : with_decimals(value, decimals);
+  if (decimals <= most_decimals) return with_decimals(value, decimals);
+  char text[32];
+  std::snprintf(text, sizeof text, "%.12g", value);
+  return text;
 }
 
 }  // namespace vectrix::cli

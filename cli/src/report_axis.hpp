@@ -18,7 +18,7 @@ struct Ticks {
   int decimals;
 };
 Ticks ticks(double from, double to, int most);
-/// The number at a tick: of very large and very small ones four digits with an exponent.
+/// The number at a tick; if it needs more than five decimals, with an exponent.
 std::string tick_text(double value, int decimals);
 
 /// Where texts stand that belong to lines at these pixels, the lowest line first: just above their

@@ -23,7 +23,7 @@ DrawnAxis value_axis(const Report::Plot& plot) {
   for (const auto& curve : plot.curves) std::for_each(curve.values.begin(), curve.values.end(), include);
   for (const auto& limit : plot.limits) include(limit.value);
   if (low > high) low = high = 0.0;  // gaps only
-  constexpr double margin = 0.05, least = 1e-6;
+  constexpr double margin = 0.05, least = 1e-10;
   const double pad = std::max({margin * (high - low), least * std::abs(high), high == low ? 1e-3 : 0.0});
   return {low - pad, high + pad, plot_bottom, plot_top};
 }
