@@ -49,6 +49,10 @@ export function place(seconds, t) {
   return low;
 }
 
+export function isWithin(seconds, t) {
+  return t >= seconds[0] && t <= seconds[seconds.length - 1];
+}
+
 // Between which two samples t is, and how far from the first to the second.
 export function between(seconds, t) {
   const from = place(seconds, t);

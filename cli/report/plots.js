@@ -1,5 +1,5 @@
 import uPlot from 'uplot';
-import { place } from './data.js';
+import { isWithin, place } from './data.js';
 
 const HEIGHT = 220;
 
@@ -98,7 +98,7 @@ class Plot {
         cursor: { sync: { key: 'time', scales: ['x', null] }, drag: { x: true, y: false }, points: { size: 6 } },
         scales: { x: { time: false }, y: { range: valueRange(data.limits) } },
         axes: [
-          { ...axis, size: 26, space: 70, label: `time, ${unitName}`, labelSize: 18, labelFont: axis.font },
+          { ...axis, size: 26, space: 70, values: (u, ticks) => ticks.map((x) => number(x, 12)), label: `time, ${unitName}`, labelSize: 18, labelFont: axis.font },
           { ...axis, size: 72, values: (u, ticks) => ticks.map((x) => number(x, 12)) },
         ],
         series: [
@@ -160,11 +160,12 @@ class Plot {
     this.mark.style.left = `${this.u.valToPos(x, 'x')}px`;
   }
 
-  // The sample under the cursor, or else the last one that is not after the time.
+  // Of the sample under the cursor, or else of the last one that is not after the time.
   write() {
     if (this.t === undefined) return;
-    const at = this.u?.cursor.idx ?? place(this.data.seconds, this.t);
-    this.outputs.forEach((output, i) => (output.value = valueText(this.data.curves[i].values[at], this.data.curves[i])));
+    const { seconds, curves } = this.data;
+    const at = this.u?.cursor.idx ?? (isWithin(seconds, this.t) ? place(seconds, this.t) : -1);
+    this.outputs.forEach((output, i) => (output.value = valueText(curves[i].values[at], curves[i])));
   }
 }
 

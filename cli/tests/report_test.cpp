@@ -254,6 +254,21 @@ TEST(Report, DrawsTheSceneAsItIsSeenFromTheReference) {
       holds(page, "<line class=\"arrow body y\" x1=\"240.0\" y1=\"240.0\" x2=\"128.6\" y2=\"210.8\">"));
 }
 
+TEST(Report, SaysWhenItsTimesAre) {
+  Report::Plot early = plot({1.0, 2.0});
+  EXPECT_TRUE(holds(html(report({early})),
+                    "<p>From 2026-11-29T00:00:00.000000 UTC to 2026-11-29T00:00:00.500000 UTC, 0.5 s</p>"));
+  early.seconds = {-60.0, 0.0};
+  Report all = report(scene(2));
+  all.plots = {early};
+  all.scene->seconds = {1.0, 2.0};
+  const std::string page = html(all);
+  EXPECT_TRUE(holds(page,
+                    "<p>Time 0 is 2026-11-29T00:00:00.000000 UTC. From 2026-11-28T23:59:00.000000 UTC to "
+                    "2026-11-29T00:00:02.000000 UTC, 62 s</p>"));
+  EXPECT_TRUE(holds(page, "the drawing is of the first time, 2026-11-29T00:00:01.000000 UTC."));
+}
+
 TEST(Report, WritesDifferentNumbersAtDifferentTicks) {
   const std::string page = html(report({plot({6838121.0, 6838125.0})}));
   for (const char* tick : {">6838121</text>", ">6838122</text>", ">6838125</text>"})

@@ -313,6 +313,19 @@ test('names that end a script are only names', () =>
     assert.equal(await page.value("document.querySelectorAll('script').length"), 2);
   }));
 
+test('outside its times a motion is not shown, nor a value', () =>
+  withPage('hostile', {}, async (page) => {
+    const shown = () => page.value("[...document.querySelectorAll('.label')].some((label) => !label.hidden)");
+    const value = () => page.value("document.querySelector('.plot output').value");
+    assert.equal(await state(page, 'time'), 0); // the first time of the scene
+    assert.equal(await shown(), true);
+    assert.equal(await value(), '1');
+    await page.key('Home');
+    assert.equal(await state(page, 'time'), -1);
+    assert.equal(await shown(), false);
+    assert.equal(await value(), '\u2013');
+  }));
+
 test('a sample between gaps is a dot at its place, and a limit a line at its value', () =>
   withPage('hostile', {}, async (page) => {
     const filled = (counts) => counts.flatMap((count, i) => (count ? [i] : []));
