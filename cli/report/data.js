@@ -6,10 +6,11 @@ function bytes(text) {
 const singles = (text) => new Float32Array(bytes(text));
 const doubles = (text) => new Float64Array(bytes(text));
 
-// NaN becomes null, as a gap is for uPlot.
+// NaN becomes null, as a gap is for uPlot. `spread` is how far the values are from the offset at most.
 function curve({ name, offset, values }) {
-  const numbers = Array.from(singles(values), (x) => (Number.isNaN(x) ? null : x + offset));
-  return { name, values: numbers };
+  const less = singles(values);
+  const spread = less.reduce((most, x) => (Math.abs(x) > most ? Math.abs(x) : most), 0);
+  return { name, offset, spread, values: Array.from(less, (x) => (Number.isNaN(x) ? null : x + offset)) };
 }
 
 function scene(data) {
@@ -46,6 +47,10 @@ export function place(seconds, t) {
     else high = middle;
   }
   return low;
+}
+
+export function isWithin(seconds, t) {
+  return t >= seconds[0] && t <= seconds[seconds.length - 1];
 }
 
 // Between which two samples t is, and how far from the first to the second.

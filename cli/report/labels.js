@@ -29,10 +29,10 @@ export class Labels {
     for (const { element, colourName } of this.all) element.style.color = colour(colourName);
   }
 
-  place(camera, width, height) {
+  place(camera, width, height, wanted) {
     const tips = [];
     for (const label of this.all) {
-      const seen = label.group.visible && label.group.parent.visible;
+      const seen = wanted && label.group.visible && label.group.parent.visible;
       label.element.hidden = !seen;
       if (seen) tips.push(this.tip(label, camera, width, height));
     }

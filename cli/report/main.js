@@ -1,4 +1,4 @@
-import { between, read } from './data.js';
+import { between, isWithin, read } from './data.js';
 import { number, Plots } from './plots.js';
 import { Scene } from './scene.js';
 
@@ -21,7 +21,7 @@ class Player {
     byId('speed').addEventListener('change', (event) => (this.speed = Number(event.target.value)));
     this.button.addEventListener('click', () => this.toggle());
     this.slider.addEventListener('input', () => this.go(Number(this.slider.value)));
-    this.go(data.first);
+    this.go(data.scene ? data.scene.seconds[0] : data.first);
   }
 
   go(t) {
@@ -159,8 +159,9 @@ function groundTrack() {
     const { from, to, part } = between(seconds, t);
     const near = part < 0.5 ? from : to;
     const [latitude, longitude] = [track[2 * near], track[2 * near + 1]];
-    place.setAttribute('visibility', Number.isNaN(latitude) ? 'hidden' : 'visible');
-    if (Number.isNaN(latitude)) return;
+    const isThere = isWithin(seconds, t) && !Number.isNaN(latitude);
+    place.setAttribute('visibility', isThere ? 'visible' : 'hidden');
+    if (!isThere) return;
     place.setAttribute('cx', left + ((longitude + 180) / 360) * (right - left));
     place.setAttribute('cy', bottom + ((latitude + 90) / 180) * (top - bottom));
   };

@@ -1,5 +1,5 @@
 import uPlot from 'uplot';
-import { place } from './data.js';
+import { isWithin, place } from './data.js';
 
 const HEIGHT = 220;
 
@@ -7,8 +7,14 @@ const colour = (name) => getComputedStyle(document.documentElement).getPropertyV
 const curveColour = (i) => () => colour(`--c${i % 8}`);
 
 export function number(x, digits = 6) {
-  if (x == null) return '\u2013';
   return String(Number(x.toPrecision(digits))).replace('-', '\u2212');
+}
+
+// To six digits; of a curve with an offset, of what it is above that.
+function valueText(x, { offset, spread }) {
+  if (x == null) return '\u2013';
+  const digits = offset && spread ? 6 + Math.ceil(Math.log10(Math.abs(offset) / spread)) : offset ? 15 : 6;
+  return number(x, Math.min(15, digits));
 }
 
 // The smallest and the largest value that can be seen, and the limits; with a margin.
@@ -18,38 +24,46 @@ function valueRange(limits) {
     if (!all.length) return [-1, 1];
     const from = Math.min(...all);
     const to = Math.max(...all);
-    const pad = Math.max(0.05 * (to - from), 1e-6 * Math.abs(to)) || 1e-3;
+    const pad = Math.max(0.05 * (to - from), 1e-10 * Math.abs(to)) || 1e-3;
     return [from - pad, to + pad];
   };
 }
 
-function drawLimits(limits) {
+// Where the names of lines stand, the lowest line first: just above them, moved so that none covers another.
+function textPlaces(lines, top, dot) {
+  const places = [];
+  for (const line of lines) places.push(Math.min(line - 5 * dot, (places.at(-1) ?? Infinity) - 15 * dot));
+  let highest = top + 12 * dot;
+  for (let i = places.length - 1; i >= 0; i--) {
+    places[i] = Math.max(places[i], highest);
+    highest = places[i] + 15 * dot;
+  }
+  return places;
+}
+
+function drawLimits(unordered) {
+  const limits = [...unordered].sort((a, b) => a.value - b.value);
   return (u) => {
     const { ctx, bbox } = u;
     const dot = devicePixelRatio;
+    const right = bbox.left + bbox.width;
+    const lines = limits.map(({ value }) => u.valToPos(value, 'y', true));
+    const places = textPlaces(lines, bbox.top, dot);
     ctx.save();
-    ctx.strokeStyle = ctx.fillStyle = colour('--limit');
-    ctx.lineWidth = dot;
-    ctx.setLineDash([6 * dot, 4 * dot]);
+    Object.assign(ctx, { fillStyle: colour('--limit'), textAlign: 'right', lineJoin: 'round' });
     ctx.font = `${12 * dot}px ${getComputedStyle(document.body).fontFamily}`;
-    ctx.textAlign = 'right';
-    const write = (text, x, y) => {
-      ctx.save();
-      Object.assign(ctx, { strokeStyle: colour('--paper'), lineWidth: 4 * dot, lineJoin: 'round' });
-      ctx.setLineDash([]);
-      ctx.strokeText(text, x, y);
-      ctx.restore();
-      ctx.fillText(text, x, y);
-    };
-    for (const { name, value } of limits) {
-      const y = u.valToPos(value, 'y', true);
+    limits.forEach(({ name }, i) => {
+      Object.assign(ctx, { strokeStyle: colour('--limit'), lineWidth: dot });
+      ctx.setLineDash([6 * dot, 4 * dot]);
       ctx.beginPath();
-      ctx.moveTo(bbox.left, y);
-      ctx.lineTo(bbox.left + bbox.width, y);
+      ctx.moveTo(bbox.left, lines[i]);
+      ctx.lineTo(right, lines[i]);
       ctx.stroke();
-      const above = y - 5 * dot;
-      write(name, bbox.left + bbox.width - 4 * dot, above > bbox.top + 12 * dot ? above : y + 15 * dot);
-    }
+      Object.assign(ctx, { strokeStyle: colour('--paper'), lineWidth: 4 * dot });
+      ctx.setLineDash([]);
+      ctx.strokeText(name, right - 4 * dot, places[i]);
+      ctx.fillText(name, right - 4 * dot, places[i]);
+    });
     ctx.restore();
   };
 }
@@ -84,8 +98,8 @@ class Plot {
         cursor: { sync: { key: 'time', scales: ['x', null] }, drag: { x: true, y: false }, points: { size: 6 } },
         scales: { x: { time: false }, y: { range: valueRange(data.limits) } },
         axes: [
-          { ...axis, size: 26, space: 70, label: `time, ${unitName}`, labelSize: 18, labelFont: axis.font },
-          { ...axis, size: 72, values: (u, ticks) => ticks.map((x) => number(x)) },
+          { ...axis, size: 26, space: 70, values: (u, ticks) => ticks.map((x) => number(x, 12)), label: `time, ${unitName}`, labelSize: 18, labelFont: axis.font },
+          { ...axis, size: 72, values: (u, ticks) => ticks.map((x) => number(x, 12)) },
         ],
         series: [
           {},
@@ -146,11 +160,12 @@ class Plot {
     this.mark.style.left = `${this.u.valToPos(x, 'x')}px`;
   }
 
-  // The sample under the cursor, or else the last one that is not after the time.
+  // Of the sample under the cursor, or else of the last one that is not after the time.
   write() {
     if (this.t === undefined) return;
-    const at = this.u?.cursor.idx ?? place(this.data.seconds, this.t);
-    this.outputs.forEach((output, i) => (output.value = number(this.data.curves[i].values[at])));
+    const { seconds, curves } = this.data;
+    const at = this.u?.cursor.idx ?? (isWithin(seconds, this.t) ? place(seconds, this.t) : -1);
+    this.outputs.forEach((output, i) => (output.value = valueText(curves[i].values[at], curves[i])));
   }
 }
 

@@ -4,7 +4,7 @@ import {
   Quaternion, Scene as ThreeScene, Vector3, WebGLRenderer,
 } from 'three';
 import { Camera } from './camera.js';
-import { between } from './data.js';
+import { between, isWithin } from './data.js';
 import { Labels } from './labels.js';
 
 const DEGREE = Math.PI / 180;
@@ -198,6 +198,7 @@ export class Scene {
   show(t) {
     if (t === undefined) return;
     this.t = t;
+    this.world.visible = isWithin(this.data.seconds, t);
     const at = between(this.data.seconds, t);
     const view = this.turned((i) => this.viewAt(i), at);
     const attitude = this.turned((i) => quaternionAt(this.data.attitude, i), at).premultiply(view);
@@ -254,6 +255,6 @@ export class Scene {
     this.camera.fit(width, height);
     this.light.position.copy(this.camera.three.position).add(new Vector3(0, 0, 6));
     this.renderer.render(this.world, this.camera.three);
-    this.labels.place(this.camera.three, width, height);
+    this.labels.place(this.camera.three, width, height, this.world.visible);
   }
 }

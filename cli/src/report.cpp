@@ -15,10 +15,13 @@
 namespace vectrix::cli {
 namespace {
 
-std::string start_text(const Report& report) {
+std::string time_text(const Report& report, double seconds) {
   std::ostringstream out;
-  out << report.start;
+  out << report.start + seconds * si::second;
   return out.str();
+}
+std::string start_text(const Report& report) {
+  return time_text(report, 0.0);
 }
 
 std::string page_section(const std::string& name, const std::string& inside) {
@@ -39,9 +42,11 @@ std::string html_table(const std::vector<std::string>& headings,
 }
 
 std::string page_header(const Report& report) {
-  std::string under = "Starts at " + start_text(report);
+  std::string under = "Time 0 is " + start_text(report);
   if (const auto axis = time_axis(report))
-    under += ", lasts " + shown(axis->in_unit(axis->last - axis->first)) + " " + axis->unit;
+    under = (axis->first == 0.0 ? "" : under + ". ") + "From " + time_text(report, axis->first) + " to " +
+            time_text(report, axis->last) + ", " + shown(axis->in_unit(axis->last - axis->first)) + " " +
+            axis->unit;
   return element("header", element("h1", escaped(report.title)) + element("p", escaped(under)));
 }
 
@@ -104,7 +109,7 @@ std::string time_controls(const Report& report) {
 }
 
 // How the samples between those that are kept turn.
-std::string attitude_caption(const Report::Scene& scene, const std::string& start) {
+std::string attitude_caption(const Report::Scene& scene, const std::string& first) {
   const auto places = even_samples(scene.seconds.size(), most_samples(scene));
   double largest = 0.0;
   for (std::size_t k = 0; k + 1 < places.size(); ++k) {
@@ -115,16 +120,16 @@ std::string attitude_caption(const Report::Scene& scene, const std::string& star
   }
   return detail::text(places.size()) + " of " + counted(scene.seconds.size(), "sample") +
          "; from one to the next the body turns by at most " + shown(degrees * largest) +
-         " deg. On paper, and in a browser without WebGL, the drawing is of the first time, " + start + ".";
+         " deg. On paper, and in a browser without WebGL, the drawing is of the first time, " + first + ".";
 }
 
-std::string scene_figure(const Report::Scene& scene, const std::string& start) {
+std::string scene_figure(const Report::Scene& scene, const std::string& first) {
   return element(
       "figure", {{"id", "scene"}},
       element("figcaption", element("b", escaped(scene.body + " relative to " + scene.reference))) +
           "<div id=\"canvas\" hidden tabindex=\"0\" role=\"img\" aria-label=\"three-dimensional view; "
           "the arrow keys turn it, plus and minus change its size\"></div>" +
-          scene_svg(scene) + element("p", {{"class", "note"}}, escaped(attitude_caption(scene, start))) +
+          scene_svg(scene) + element("p", {{"class", "note"}}, escaped(attitude_caption(scene, first))) +
           element("details", {{"id", "shown"}, {"hidden", ""}}, element("summary", "What is shown")));
 }
 
@@ -166,11 +171,14 @@ std::string motion_section(const Report& report) {
       "<kbd>-</kbd> zoom the time of all plots, <kbd>0</kbd> shows all of it. In the view the arrows turn "
       "it. With a "
       "mouse: drag in a plot to zoom, double-click to see all, click to go to a time.</p>");
-  return page_section(report.scene ? "Motion" : "Curves",
-                      time_controls(report) + keys +
-                          element("div", {{"id", "figures"}, {"class", report.scene ? "two" : "one"}},
-                                  (report.scene ? scene_figure(*report.scene, start_text(report)) : "") +
-                                      element("div", {{"id", "plots"}}, plots)));
+  return page_section(
+      report.scene ? "Motion" : "Curves",
+      time_controls(report) + keys +
+          element(
+              "div", {{"id", "figures"}, {"class", report.scene ? "two" : "one"}},
+              (report.scene ? scene_figure(*report.scene, time_text(report, report.scene->seconds.front()))
+                            : "") +
+                  element("div", {{"id", "plots"}}, plots)));
 }
 
 std::string table_sections(const Report& report) {

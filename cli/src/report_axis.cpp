@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
-#include "figures.hpp"
 #include "report_text.hpp"
 
 namespace vectrix::cli {
@@ -22,11 +22,23 @@ Ticks ticks(double from, double to, int most) {
   return found;
 }
 
+std::vector<double> text_places(const std::vector<double>& lines, double top) {
+  constexpr double above = 4.0, height = 14.0, ascent = 11.0;
+  std::vector<double> places;
+  for (const double line : lines)
+    places.push_back(places.empty() ? line - above : std::min(line - above, places.back() - height));
+  double highest = top + ascent;
+  for (auto place = places.rbegin(); place != places.rend(); ++place, highest += height)
+    highest = *place = std::max(*place, highest);
+  return places;
+}
+
 std::string tick_text(double value, int decimals) {
   constexpr int most_decimals = 5;
-  constexpr double longest = 1e6;
-  const bool is_long = decimals > most_decimals || std::abs(value) >= longest;
-  return is_long ? shown(value) : with_decimals(value, decimals);
+  if (decimals <= most_decimals) return with_decimals(value, decimals);
+  char text[32];
+  std::snprintf(text, sizeof text, "%.12g", value);
+  return text;
 }
 
 }  // namespace vectrix::cli

@@ -18,7 +18,11 @@ struct Ticks {
   int decimals;
 };
 Ticks ticks(double from, double to, int most);
-/// The number at a tick: of very large and very small ones four digits with an exponent.
+/// The number at a tick; if it needs more than five decimals, with an exponent.
 std::string tick_text(double value, int decimals);
+
+/// Where texts stand that belong to lines at these pixels, the lowest line first: just above their
+/// lines, moved so that none covers another and none is above `top`.
+std::vector<double> text_places(const std::vector<double>& lines, double top);
 
 }  // namespace vectrix::cli

@@ -23,7 +23,7 @@ DrawnAxis value_axis(const Report::Plot& plot) {
   for (const auto& curve : plot.curves) std::for_each(curve.values.begin(), curve.values.end(), include);
   for (const auto& limit : plot.limits) include(limit.value);
   if (low > high) low = high = 0.0;  // gaps only
-  constexpr double margin = 0.05, least = 1e-6;
+  constexpr double margin = 0.05, least = 1e-10;
   const double pad = std::max({margin * (high - low), least * std::abs(high), high == low ? 1e-3 : 0.0});
   return {low - pad, high + pad, plot_bottom, plot_top};
 }
@@ -44,6 +44,18 @@ std::string polylines(const std::vector<double>& seconds, const Report::Curve& c
     add_point(points, x.at(time.in_unit(seconds[i])), y.at(curve.values[i]));
   }
   finish();
+  return text;
+}
+
+std::string limit_lines(std::vector<Report::Limit> limits, const DrawnAxis& y) {
+  std::sort(limits.begin(), limits.end(), [](const auto& a, const auto& b) { return a.value < b.value; });
+  std::vector<double> lines;
+  for (const auto& limit : limits) lines.push_back(y.at(limit.value));
+  const auto places = text_places(lines, plot_top);
+  std::string text;
+  for (std::size_t i = 0; i < limits.size(); ++i)
+    text += svg_line(plot_left, lines[i], plot_right, lines[i], "limit") +
+            svg_text(plot_right - 4.0, places[i], "limit side", limits[i].name);
   return text;
 }
 
@@ -75,12 +87,7 @@ std::string plot_svg(const Report::Plot& plot, const TimeAxis& time, const std::
   text += svg_text(0.5 * (plot_left + plot_right), plot_bottom + 34.0, "tick", time.unit + " since " + start);
   for (std::size_t i = 0; i < plot.curves.size(); ++i)
     text += polylines(plot.seconds, plot.curves[i], x, y, time, i);
-  for (const auto& limit : plot.limits) {
-    text += svg_line(plot_left, y.at(limit.value), plot_right, y.at(limit.value), "limit");
-    const double above = y.at(limit.value) - 4.0;
-    text +=
-        svg_text(plot_right - 4.0, above > plot_top + 10.0 ? above : above + 18.0, "limit side", limit.name);
-  }
+  text += limit_lines(plot.limits, y);
   return svg("still", plot_width, plot_height, heading_of(plot), text);
 }
 

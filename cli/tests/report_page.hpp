@@ -39,8 +39,8 @@ template <class Number> std::vector<Number> numbers_of(const std::string& base64
 }
 
 /// What stands between the two texts, after the first place of `after`.
-inline std::string between(const std::string& text, const std::string& after, const std::string& from,
-                           const std::string& until) {
+inline std::string text_between(const std::string& text, const std::string& after, const std::string& from,
+                                const std::string& until) {
   const auto place = text.find(after);
   const auto start = place == std::string::npos ? place : text.find(from, place);
   if (start == std::string::npos) throw std::runtime_error("the page has no " + from + " after " + after);
@@ -49,13 +49,13 @@ inline std::string between(const std::string& text, const std::string& after, co
 }
 
 inline std::vector<double> page_times(const std::string& page, const std::string& plot) {
-  return numbers_of<double>(between(page, "\"title\":\"" + plot + '"', "\"seconds\":\"", "\""));
+  return numbers_of<double>(text_between(page, "\"title\":\"" + plot + '"', "\"seconds\":\"", "\""));
 }
 inline std::vector<double> page_values(const std::string& page, const std::string& curve) {
   const std::string named = "\"name\":\"" + curve + '"';
-  const double offset = std::stod(between(page, named, "\"offset\":", ","));
+  const double offset = std::stod(text_between(page, named, "\"offset\":", ","));
   std::vector<double> values;
-  for (const float x : numbers_of<float>(between(page, named, "\"values\":\"", "\"")))
+  for (const float x : numbers_of<float>(text_between(page, named, "\"values\":\"", "\"")))
     values.push_back(static_cast<double>(x) + offset);
   return values;
 }

@@ -150,7 +150,7 @@ Report cubesat() {
   scene.views = {{"LVLH", {}}, {"ITRF", {}}};
   Report::Plot angle{
       .title = "Angle between boresight and Sun", .unit = "deg", .axes = "", .seconds = {}, .curves = {}};
-  angle.limits = {{0.5, "0.5 deg for 95 %"}};
+  angle.limits = {{0.5, "0.5 deg for 95 %"}, {0.1, "0.1 deg for 99.7 %"}};
   Report::Plot difference{
       .title = "The same less what was published", .unit = "arcsec", .axes = "", .seconds = {}, .curves = {}};
   Report::Plot rate{
@@ -229,7 +229,7 @@ Report hostile() {
   const std::string name = "</script><script>document.title = 'taken'</script><!-- & \"";
   Report report{.title = name, .start = Epoch::from_utc("2026-11-29T00:00:00"), .version = VECTRIX_VERSION};
   report.verdicts = {{name, name, name, name, false}};
-  report.plots = {{name, name, name, {0.0, 1.0, 2.0}, {{name, {nan, 1.0, nan}}}, {{0.0, name}}}};
+  report.plots = {{name, name, name, {-1.0, 0.0, 1.0}, {{name, {nan, 1.0, nan}}}, {{0.0, name}}}};
   report.scene =
       Report::Scene{.body = name, .reference = name, .seconds = {0.0, 1.0}, .reference_from_body = {}};
   report.scene->reference_from_body.assign(2, Eigen::Quaterniond::Identity());

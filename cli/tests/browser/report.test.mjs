@@ -67,10 +67,11 @@ const choose = (page, id, text) => page.value(`(() => {
   select.dispatchEvent(new Event('change'));
 })()`);
 
-// How many pixels of the first plot have about the colour of a variable of the style, by columns and by rows.
-const coloured = (page, variable, top = 1) => page.value(`(() => {
-  const canvas = document.querySelector('.plot canvas');
-  const over = document.querySelector('.plot .u-over');
+// How many pixels of a plot have about the colour of a variable of the style, by columns and by rows.
+const coloured = (page, variable, { top = 1, plot = 0 } = {}) => page.value(`(() => {
+  const figure = document.querySelectorAll('.plot')[${plot}];
+  const canvas = figure.querySelector('canvas');
+  const over = figure.querySelector('.u-over');
   const [left, width] = [over.offsetLeft, over.offsetWidth];
   const probe = document.body.appendChild(Object.assign(document.createElement('i'), { style: 'color: var(${variable})' }));
   const wanted = getComputedStyle(probe).color.match(/\\d+/g).map(Number);
@@ -255,7 +256,7 @@ test('what is not wanted is not shown', () =>
 test('in dark mode the page and the plots are dark, also when it changes', () =>
   withPage('cubesat', { dark: true }, async (page) => {
     const paper = () => page.value("getComputedStyle(document.body).backgroundColor.match(/\\d+/g).map(Number)");
-    const drawn = async () => (await coloured(page, '--c1')).columns.filter(Boolean).length;
+    const drawn = async () => (await coloured(page, '--c0', { plot: 1 })).columns.filter(Boolean).length;
     assert.ok(Math.max(...(await paper())) < 40);
     const many = 500; // of the columns, more than 600, have a bit of the curve
     assert.ok((await drawn()) > many);
@@ -312,6 +313,19 @@ test('names that end a script are only names', () =>
     assert.equal(await page.value("document.querySelectorAll('script').length"), 2);
   }));
 
+test('outside its times a motion is not shown, nor a value', () =>
+  withPage('hostile', {}, async (page) => {
+    const shown = () => page.value("[...document.querySelectorAll('.label')].some((label) => !label.hidden)");
+    const value = () => page.value("document.querySelector('.plot output').value");
+    assert.equal(await state(page, 'time'), 0); // the first time of the scene
+    assert.equal(await shown(), true);
+    assert.equal(await value(), '1');
+    await page.key('Home');
+    assert.equal(await state(page, 'time'), -1);
+    assert.equal(await shown(), false);
+    assert.equal(await value(), '\u2013');
+  }));
+
 test('a sample between gaps is a dot at its place, and a limit a line at its value', () =>
   withPage('hostile', {}, async (page) => {
     const filled = (counts) => counts.flatMap((count, i) => (count ? [i] : []));
@@ -329,7 +343,7 @@ test('a sample between gaps is a dot at its place, and a limit a line at its val
 test('a million samples: below 5 MB, the extreme is drawn at its place, the gap is empty, and it is smooth', () =>
   withPage('long', {}, async (page) => {
     assert.ok(statSync(join(folder, 'long.html')).size < 5e6);
-    const { columns } = await coloured(page, '--c0', 0.45); // above all of the curve but its extreme
+    const { columns } = await coloured(page, '--c0', { top: 0.45 }); // above all of the curve but its extreme
     const at = columns.flatMap((count, i) => (count ? [i] : []));
     assert.ok(at.length > 0 && at.at(-1) - at[0] <= 3, `one extreme: ${at}`);
     near(at[0] / columns.length, 0.654321, 0.005);
