@@ -110,7 +110,8 @@ void AttitudeRecords::check_records(std::uint64_t from) const {
     const double square = x[0] * x[0] + x[1] * x[1] + x[2] * x[2] + x[3] * x[3];
     double rest = 0.0;
     for (std::size_t k = 4; k < stride; ++k) rest += std::abs(x[k]);
-    if (square > 0.0 && square + rest < HUGE_VAL) [[likely]]
+    constexpr double least = 1e-290;  // of a square that is not rounded
+    if (square > least && square + rest < HUGE_VAL) [[likely]]
       continue;
     const std::string record = ", record " + text(from + i / stride + 1) + ": ";
     for (std::size_t k = 0; k < stride; ++k) {
