@@ -180,14 +180,23 @@ std::string DafFile::comments() const {
   fail(": the comments have no end");
 }
 
+void DafFile::require_elements(const Array& array, std::uint64_t from, std::uint64_t count,
+                               bool are_read) const {
+  const bool are_there = from <= array.size && count <= array.size - from;
+  if (are_there && are_read) return;
+  fail(", array '" + array.name + "': the elements " + detail::text(from + 1) + " to " +
+       detail::text(from + count) + (are_there ? " cannot be read" : " of " + detail::text(array.size)));
+}
+
+void DafFile::read(const Array& array, std::uint64_t from, std::span<double> into) const {
+  require_elements(array, from, into.size(), true);
+  require_elements(array, from, into.size(), words_->read(array.first + from, into));
+}
+
 std::vector<double> DafFile::read(const Array& array, std::uint64_t from, std::uint64_t count) const {
-  const auto words = [&] {
-    return ", array '" + array.name + "': the elements " + detail::text(from + 1) + " to " +
-           detail::text(from + count);
-  };
-  if (from > array.size || count > array.size - from) fail(words() + " of " + detail::text(array.size));
+  require_elements(array, from, count, true);
   std::vector<double> numbers(count);
-  if (!words_->read(array.first + from, numbers)) fail(words() + " cannot be read");
+  read(array, from, numbers);
   return numbers;
 }
 
