@@ -20,6 +20,10 @@ using FlownOrbit = std::function<PointMotion<earth::Gcrf, Satellite, earth::Gcrf
 /// ends.
 FlownOrbit orbit_of_elements(const std::filesystem::path& file, const TimeSpan& span);
 
+/// The motion of the one spacecraft of an ephemeris kernel. Throws BadInput as EphemerisKernel does, and if
+/// there are several spacecraft or none.
+FlownOrbit orbit_of_kernel(const std::filesystem::path& file, const TimeSpan& span);
+
 /// Of an orbit ephemeris message in EME2000, GCRF or TEME, about the Earth: each epoch by the first segment
 /// that has it, interpolated as the segment says, or else as `stated`. Throws BadInput as the message does,
 /// for another frame, an epoch in no segment, fewer samples than the interpolation needs, an interpolation
