@@ -79,8 +79,7 @@ void write_attitude_kernel(const std::filesystem::path& file, const AttitudeKern
                                 detail::claim_among<B>(called...));
 }
 template <class Samples, class... Given>
-auto write_attitude_kernel(  // file, text, samples of b relative to a by Epoch, rates in a, clock, frames,
-                             // called<B>("NAME")
+auto write_attitude_kernel(  // file, text, samples of b relative to a by Epoch, rates in a, clock, frames
     const std::filesystem::path&, const AttitudeKernelText&, const Samples&, const Given&...)
     -> Refused = delete;
 
