@@ -40,6 +40,7 @@ struct AttitudeRecord {
   std::string reference;  // EME2000 or GCRF
   Convention stated{};
   bool has_quaternions = true;  // else Euler angles, whose numbers have no other order
+  bool are_normalised = false;  // of a kernel, where the norm does not matter
   std::vector<Epoch> times;
   std::vector<std::array<double, 4>> numbers;  // in the order of the file
   std::vector<Eigen::Vector3d> rates{};  // of the body relative to the reference; empty if there are none

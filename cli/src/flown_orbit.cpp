@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <set>
 
 #include "figures.hpp"
 #include "plain_words.hpp"
@@ -96,7 +97,31 @@ FlownOrbit orbit_of(const std::string& file, const OrbitEphemerisSegment& segmen
   return flown(segment.sampled_edge<Gcrf, Satellite>(gap));
 }
 
+// The one spacecraft of a kernel: SPICE gives spacecraft negative numbers.
+std::int32_t spacecraft_of(const std::string& file, const EphemerisKernel& kernel) {
+  std::set<std::int32_t> there;
+  for (const EphemerisKernelSegment& segment : kernel.segments())
+    if (segment.target < 0) there.insert(segment.target);
+  std::string list;
+  for (const std::int32_t id : there) list += (list.empty() ? "" : ", ") + detail::text(id);
+  if (there.size() != 1)
+    throw BadInput(file + ": --spk takes a kernel of one spacecraft; it has " +
+                   (list.empty() ? "none" : list));
+  return *there.begin();
+}
+
 }  // namespace
+
+FlownOrbit orbit_of_kernel(const std::filesystem::path& file, const TimeSpan& span) {
+  const auto kernel = EphemerisKernel::open(file);
+  const auto satellite = called<Satellite>(detail::text(spacecraft_of(file.string(), kernel)));
+  return in_plain_words(file.string(), [&] {
+    const auto orbit = kernel.motion(of<Satellite>, relative_to<Gcrf>, span, satellite);
+    return FlownOrbit([orbit, name = file.string()](const Epoch& t) {
+      return in_plain_words(name, [&] { return orbit.at(t); });
+    });
+  });
+}
 
 FlownOrbit orbit_of_elements(const std::filesystem::path& file, const TimeSpan& span) {
   const auto sets = TwoLineElements::read(file);

@@ -29,6 +29,10 @@ struct StatedInterpolation {
   [[nodiscard]] std::string name() const { return word.substr(0, word.find(' ')); }
 };
 
+/// The motion of the one spacecraft of an ephemeris kernel. Throws BadInput as EphemerisKernel does, and if
+/// there are several spacecraft or none.
+FlownOrbit orbit_of_kernel(const std::filesystem::path& file, const TimeSpan& span);
+
 /// Of an orbit ephemeris message in EME2000, GCRF or TEME, or in ITRF if the orientation of the Earth is
 /// given, about the Earth: each epoch by the first segment that has it, interpolated as the segment says, or
 /// else as `stated`. Throws BadInput as the message does,

@@ -54,13 +54,20 @@ const std::map<std::string, Target> targets{{"sun", Target::sun},
 const std::map<std::string, SkyCorrection> corrections{
     {"geometric", geometric}, {"light_time", light_time}, {"apparent", apparent}};
 
-constexpr const char* attitude_file = "CCSDS AEM (KVN), or a table with a header line";
+constexpr const char* attitude_file =
+    "CCSDS AEM (KVN), a kernel of SPICE (CK), or a table with a header line";
 
 void add_attitude(CLI::App& command, AttitudeWords& words, const char* file) {
   command.add_option("file", words.file, file)->required();
   command.add_option("--segment", words.segment, "of a message with several: which one, counted from 1");
   command.add_option("--from", words.from, "only samples from this time on: '2023-04-20T05:00:00 UTC'");
   command.add_option("--until", words.until, "only samples until this time");
+  const char* kernel = "A kernel of SPICE";
+  command.add_option("--sclk", words.kernel.clock, "its clock kernel")->group(kernel);
+  command.add_option("--fk", words.kernel.frames, "its frame kernel, for names")->group(kernel);
+  command.add_option("--lsk", words.kernel.leap_seconds, "a kernel with newer leap seconds")->group(kernel);
+  command.add_option("--ck-frame", words.kernel.frame, "of several frames: which one, by name or number")
+      ->group(kernel);
   const char* table = "A table";
   command.add_option("--time", words.time, "column of the time")->group(table);
   command.add_option("--scale", words.scale, "of the time: utc, tai, tt, tdb, gps")
@@ -97,6 +104,7 @@ void add_interpolation(CLI::App& command, InterpolationWords& words, const char*
 void add_orbit(CLI::App& command, OrbitSource& orbit, InterpolationWords& words, const char* group) {
   command.add_option("--tle", orbit.elements, "file of two-line elements")->group(group);
   command.add_option("--oem", orbit.message, "CCSDS OEM (KVN) in EME2000, GCRF or TEME")->group(group);
+  command.add_option("--spk", orbit.kernel, "kernel of SPICE (SPK) with one spacecraft")->group(group);
   add_interpolation(command, words, "of an OEM that does not say it: hermite or lagrange", group);
 }
 
@@ -176,7 +184,8 @@ void add_convert(CLI::App& app, ConvertWords& words) {
       "columns name frames and units. The digits are those of the file; what had to be computed is said.\n"
       "Exit code: 0, or 2 if the input is wrong; then nothing is written.\n\n"
       "  vectrix convert attitude.aem attitude.csv --frame GCRF");
-  add_attitude(convert, words.attitude, "CCSDS AEM or OEM (KVN or XML), or a table with a header line");
+  add_attitude(convert, words.attitude,
+               "CCSDS AEM or OEM (KVN or XML), a kernel of SPICE (CK), or a table with a header line");
   convert
       .add_option("out", words.options.out,
                   "attitude.aem or orbit.oem for a message of CCSDS (KVN), a .csv for a table, a .czml for "
@@ -270,6 +279,7 @@ std::string now() {
 // Of the messages that name types: of an orbit, or else of the attitude.
 std::string place_of(const AttitudeWords& attitude, const OrbitSource& orbit) {
   if (!orbit.message.empty()) return orbit.message.string();
+  if (!orbit.kernel.empty()) return orbit.kernel.string();
   return orbit.elements.empty() ? attitude.file.string() : orbit.elements.string();
 }
 

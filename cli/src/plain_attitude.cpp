@@ -24,6 +24,9 @@ PlainAttitude plain(const AttitudeRecord& record) {
   for (Eigen::Vector3d& w : attitude.rates) w.array() += 0.0;
   if (!record.has_quaternions)
     attitude.computed.emplace_back("the quaternions are computed from Euler angles");
+  if (record.are_normalised)
+    attitude.computed.emplace_back(
+        "the quaternions are divided by their norms, and the times computed from ticks");
   const bool first = record.stated.scalar == Convention::Scalar::first;
   const double sign = record.stated.maps == Convention::Maps::to_reference ? 1.0 : -1.0;
   for (const auto& n : record.numbers) {

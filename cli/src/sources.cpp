@@ -1,10 +1,13 @@
 #include "sources.hpp"
 
+#include <utility>
+
 namespace vectrix::cli {
 
 AttitudeRecord read_attitude(const AttitudeSource& source) {
-  AttitudeRecord record =
-      source.columns ? read_table(source.file, *source.columns) : read_message(source.file, source.selection);
+  AttitudeRecord record = source.kernel    ? read_kernel(source.file, *source.kernel, source.selection)
+                          : source.columns ? read_table(source.file, *source.columns)
+                                           : read_message(source.file, source.selection);
   const Places places = selected(record.times, source.selection, record.file);
   keep(record.times, places);
   keep(record.numbers, places);
@@ -13,9 +16,16 @@ AttitudeRecord read_attitude(const AttitudeSource& source) {
 }
 
 FlownOrbit read_orbit(const OrbitSource& source, const TimeSpan& span) {
-  if (!source.elements.empty() && !source.message.empty())
-    throw BadInput("two orbits are given, --tle " + source.elements.string() + " and --oem " +
-                   source.message.string());
+  std::string given;
+  int count = 0;
+  for (const auto& [option, file] :
+       {std::pair{"--tle ", &source.elements}, {"--oem ", &source.message}, {"--spk ", &source.kernel}}) {
+    if (file->empty()) continue;
+    given += (given.empty() ? "" : " and ") + std::string(option) + file->string();
+    ++count;
+  }
+  if (count > 1) throw BadInput("two orbits are given, " + given);
+  if (!source.kernel.empty()) return orbit_of_kernel(source.kernel, span);
   if (!source.elements.empty()) return orbit_of_elements(source.elements, span);
   if (!source.message.empty())
     return orbit_of_message(source.message, span, source.interpolation, source.orientation);

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "attitude_kernel_record.hpp"
 #include "attitude_record.hpp"
 #include "flown_orbit.hpp"
 #include "interpolation.hpp"
@@ -15,19 +16,21 @@ struct AttitudeSource {
   std::filesystem::path file;
   std::optional<TableColumns> columns{};  // of a table; a message says them itself
   Selection selection{};
+  std::optional<KernelWords> kernel{};  // of a kernel of SPICE
 };
-/// Throws BadInput as read_table or read_message does, and if fewer than two samples are within the times.
+/// Throws BadInput as read_table, read_message or read_kernel does, and if fewer than two samples are within
+/// the times.
 AttitudeRecord read_attitude(const AttitudeSource& source);
 
 /// The file of an orbit; all are empty if none is given.
 struct OrbitSource {
-  std::filesystem::path elements{}, message{};
+  std::filesystem::path elements{}, message{}, kernel{};
   std::optional<OrbitFile> table{};
   StatedInterpolation interpolation{};            // of a table, or a message that does not say it
   std::optional<EarthOrientation> orientation{};  // of an orbit in ITRF
 };
-/// Nothing if none is given. Throws BadInput for two, and as orbit_of_elements, orbit_of_message or
-/// orbit_of_table does.
+/// Nothing if none is given. Throws BadInput for two, and as orbit_of_elements, orbit_of_message,
+/// orbit_of_kernel or orbit_of_table does.
 FlownOrbit read_orbit(const OrbitSource& source, const TimeSpan& span);
 
 }  // namespace vectrix::cli

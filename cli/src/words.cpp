@@ -27,6 +27,13 @@ Words only_of_orbits(const OrbitWords& words) {
   return {{"--position", words.position}, {"--velocity", words.velocity}, {"--unit", words.unit}};
 }
 
+Words only_of_kernels(const AttitudeWords& words) {
+  return {{"--sclk", words.kernel.clock},
+          {"--fk", words.kernel.frames},
+          {"--lsk", words.kernel.leap_seconds},
+          {"--ck-frame", words.kernel.frame}};
+}
+
 void refuse_columns_of_message(const AttitudeWords& words) {
   const std::string is = words.file.string() + ": is a message and says itself what its data are; ";
   refuse({{"--time", words.time}, {"--scale", words.scale}, {"--reference", words.reference}}, is,
@@ -140,6 +147,16 @@ Eigen::Vector3d axis_of(const std::string& text) {
 AttitudeSource attitude_source(const AttitudeWords& words) {
   AttitudeSource source{words.file};
   source.selection = selection_of(words);
+  if (is_kernel(words.file)) {
+    const std::string is = words.file.string() + ": is a kernel and says itself what its data are; ";
+    refuse({{"--segment", words.segment}}, is, " is of a message");
+    refuse({{"--time", words.time}, {"--scale", words.scale}, {"--reference", words.reference}}, is,
+           " is of a table");
+    refuse(only_of_attitudes(words), is, " is of a table");
+    source.kernel = words.kernel;
+    return source;
+  }
+  refuse(only_of_kernels(words), words.file.string() + ": is no kernel of SPICE; ", " is of one");
   if (is_message(words.file)) {
     refuse_columns_of_message(words);
   } else {
@@ -149,6 +166,7 @@ AttitudeSource attitude_source(const AttitudeWords& words) {
 }
 
 OrbitFile orbit_file(const AttitudeWords& words, const OrbitWords& orbit) {
+  refuse(only_of_kernels(words), words.file.string() + ": is no kernel of SPICE; ", " is of one");
   OrbitFile file{words.file};
   file.selection = selection_of(words);
   if (is_message(words.file)) {
@@ -162,6 +180,11 @@ OrbitFile orbit_file(const AttitudeWords& words, const OrbitWords& orbit) {
 }
 
 bool is_orbit(const AttitudeWords& words, const OrbitWords& orbit) {
+  if (is_kernel(words.file)) {
+    refuse(only_of_orbits(orbit), words.file.string() + ": is a kernel and says itself what its data are; ",
+           " is of a table");
+    return false;
+  }
   if (is_message(words.file)) {
     refuse(only_of_orbits(orbit), words.file.string() + ": is a message and says itself what its data are; ",
            " is of a table");

@@ -17,6 +17,7 @@ struct AttitudeWords {
   std::string segment{}, from{}, until{};
   std::string time{}, scale{}, reference{};  // of a table
   std::string quaternion{}, scalar{}, maps{}, rates{}, rate_unit{}, rate_axes{};
+  KernelWords kernel{};
 };
 /// What the options say of a table of an orbit.
 struct OrbitWords {

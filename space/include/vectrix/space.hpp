@@ -17,6 +17,7 @@
 #include <vectrix/space/fields/magnetic_field.hpp>
 #include <vectrix/space/files/attitude_ephemeris_message.hpp>
 #include <vectrix/space/files/attitude_kernel.hpp>
+#include <vectrix/space/files/attitude_kernel_writer.hpp>
 #include <vectrix/space/files/attitude_parameter_message.hpp>
 #include <vectrix/space/files/csv_table.hpp>
 #include <vectrix/space/files/daf_file.hpp>

@@ -13,12 +13,6 @@
 #include "kernel_names.hpp"
 
 namespace vectrix {
-namespace {
-
-constexpr std::int32_t frames_of_a_spacecraft = 1000;
-
-}  // namespace
-
 namespace detail {
 
 KernelTurns::KernelTurns(std::string place, const SpacecraftClock& clock,
@@ -32,8 +26,11 @@ KernelTurn KernelTurns::at(const Epoch& epoch) const {
   for (const AttitudeRecords& records : *segments_) {
     const auto where = records.find(ticks);
     if (!where) continue;
-    if (records.type() == 2) return records.at(*where, 0.0);
-    return records.at(*where, records.ticks_of_step(*where) * clock_.seconds_per_tick(trusted, ticks));
+    const double step = records.ticks_of_step(*where) * clock_.seconds_per_tick(trusted, ticks);
+    const KernelTurn now = records.at(*where, step);
+    if (!now.q_a_from_b.coeffs().allFinite() || !now.w_ab_b.allFinite())
+      throw BadInput(records.place() + ": at " + shown(epoch) + " its numbers are too large");
+    return now;
   }
   throw BadInput(place_ + ": the epoch " + shown(epoch) + ", " + text(ticks) +
                  " ticks, is outside the intervals that were read");
@@ -76,7 +73,7 @@ AttitudeKernel AttitudeKernel::open(const std::filesystem::path& file, const Spa
                      "; the types 1, 2 and 3 are read");
     if (flag != 0 && flag != 1) throw BadInput(place + ": the flag of the rates is " + detail::text(flag));
     segment.has_rates = flag == 1 || segment.type == 2;
-    kernel.require_clock(array, place);
+    kernel.frames_.require_clock(place, segment.frame, clock.id());
     if (!(array.doubles[0] <= array.doubles[1]))
       throw BadInput(place + ": it goes from " + detail::text(array.doubles[0]) + " to " +
                      detail::text(array.doubles[1]) + " ticks");
@@ -97,15 +94,6 @@ std::string AttitudeKernel::place_of(std::size_t segment) const {
          detail::text(segment + 1) + " '" + segments_[segment].name + "'";
 }
 
-void AttitudeKernel::require_clock(const DafFile::Array& array, const std::string& place) const {
-  const std::int32_t frame = array.integers[0];
-  const auto said = frames_.clock_of(frame);
-  const std::int32_t wanted = said ? *said : frame / frames_of_a_spacecraft;
-  if (wanted != clock_.id())
-    throw BadInput(place + ": the ticks of the frame " + detail::text(frame) + " are those of the clock " +
-                   detail::text(wanted) + "; given was the clock " + detail::text(clock_.id()));
-}
-
 TimeSpan AttitudeKernel::span() const {
   Epoch start = segments_.front().start, end = segments_.front().end;
   for (const AttitudeKernelSegment& segment : segments_) {
@@ -117,12 +105,7 @@ TimeSpan AttitudeKernel::span() const {
 
 std::vector<std::size_t> AttitudeKernel::segments_of(const detail::FrameClaim& b,
                                                      const detail::FrameClaim& a) const {
-  std::int32_t frame = frames_.id_of(b);
-  const std::int32_t reference = frames_.id_of(a);
-  constexpr std::int32_t of_attitude_kernels = 3;
-  if (const KernelFrame* const known = frames_.find(frame);
-      known && known->frame_class == of_attitude_kernels)
-    frame = known->class_id;
+  const std::int32_t frame = frames_.attitude_id_of(b), reference = frames_.id_of(a);
   std::vector<std::size_t> found;
   std::set<std::string> others;
   constexpr std::size_t most_others = 5;

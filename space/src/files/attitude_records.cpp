@@ -103,14 +103,15 @@ void AttitudeRecords::require_increasing(const std::vector<double>& numbers, std
   }
 }
 
-void AttitudeRecords::check_records(std::uint64_t from) const {
+void AttitudeRecords::check_records(std::span<const double> records, std::uint64_t from) const {
   const std::size_t stride = layout_.stride;
-  for (std::size_t i = 0; i < records_.size(); i += stride) {
-    const double* const x = &records_[i];
+  for (std::size_t i = 0; i < records.size(); i += stride) {
+    const double* const x = &records[i];
     const double square = x[0] * x[0] + x[1] * x[1] + x[2] * x[2] + x[3] * x[3];
     double rest = 0.0;
     for (std::size_t k = 4; k < stride; ++k) rest += std::abs(x[k]);
-    if (square > 0.0 && square + rest < HUGE_VAL) [[likely]]
+    constexpr double least = 1e-290;  // of a square that is not rounded
+    if (square > least && square + rest < HUGE_VAL) [[likely]]
       continue;
     const std::string record = ", record " + text(from + i / stride + 1) + ": ";
     for (std::size_t k = 0; k < stride; ++k) {
@@ -124,8 +125,16 @@ void AttitudeRecords::load_records(const DafFile& file, const DafFile::Array& ar
                                    std::uint64_t end) {
   ticks_ = file.read(array, layout_.ticks + from, end - from);
   require_increasing(ticks_, from, "record");
-  records_ = file.read(array, from * layout_.stride, (end - from) * layout_.stride);
-  check_records(from);
+  // Each block is checked while it is in the cache.
+  constexpr std::uint64_t records_of_block = 4096;
+  const std::uint64_t stride = layout_.stride;
+  records_.resize((end - from) * stride);
+  for (std::uint64_t at = from; at < end; at += records_of_block) {
+    const std::uint64_t count = std::min(records_of_block, end - at);
+    const auto block = std::span(records_).subspan((at - from) * stride, count * stride);
+    file.read(array, at * stride, block);
+    check_records(block, at);
+  }
 }
 
 void AttitudeRecords::load_pointing(const DafFile& file, const DafFile::Array& array) {

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -56,7 +57,7 @@ class AttitudeRecords {
   void load_rotating(const DafFile& file, const DafFile::Array& array);
   void load_records(const DafFile& file, const DafFile::Array& array, std::uint64_t from, std::uint64_t end);
   void require_increasing(const std::vector<double>& numbers, std::uint64_t from, const char* what) const;
-  void check_records(std::uint64_t from) const;
+  void check_records(std::span<const double> records, std::uint64_t from) const;
   [[noreturn]] void fail(const std::string& reason) const;
 
   std::string place_;

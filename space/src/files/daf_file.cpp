@@ -11,6 +11,7 @@
 #include <vectrix/frames/errors.hpp>
 
 #include "daf_words.hpp"
+#include "daf_writer.hpp"
 #include "text_file.hpp"
 
 namespace vectrix {
@@ -22,8 +23,6 @@ using detail::ByteOrder, detail::daf_record, detail::daf_word;
 constexpr std::size_t count_of_doubles = 8, count_of_integers = 12, internal_name_at = 16, first_summary = 76,
                       format_at = 88, name_size = 60;
 constexpr std::uint64_t words_of_record = daf_record / daf_word, words_before_summaries = 3;
-// Bytes that a transfer as text changes: line ends, zeros, characters above 127.
-constexpr std::string_view transfer_check("FTPSTR:\r:\n:\r\n:\r\0:\x81:\x10\xce:ENDFTP", 28);
 
 std::string_view without_padding(std::string_view text) {
   const auto last = text.find_last_not_of(std::string_view(" \0", 2));
@@ -91,7 +90,8 @@ void DafFile::read_binary(const std::filesystem::path& file) {
   if (text.starts_with("DAF/")) kind_ = without_padding(text.substr(4, 4));
   internal_name_ = without_padding(text.substr(internal_name_at, name_size));
   if (const auto at = text.find("FTPSTR");
-      at != std::string_view::npos && text.substr(at, transfer_check.size()) != transfer_check)
+      at != std::string_view::npos &&
+      text.substr(at, detail::daf_transfer_check.size()) != detail::daf_transfer_check)
     fail(", record 1: the file was damaged by a transfer as text");
   const std::string_view format = text.substr(format_at, 8);
   const auto order = order_of(format, record.data());
@@ -180,14 +180,23 @@ std::string DafFile::comments() const {
   fail(": the comments have no end");
 }
 
+void DafFile::require_elements(const Array& array, std::uint64_t from, std::uint64_t count,
+                               bool are_read) const {
+  const bool are_there = from <= array.size && count <= array.size - from;
+  if (are_there && are_read) return;
+  fail(", array '" + array.name + "': the elements " + detail::text(from + 1) + " to " +
+       detail::text(from + count) + (are_there ? " cannot be read" : " of " + detail::text(array.size)));
+}
+
+void DafFile::read(const Array& array, std::uint64_t from, std::span<double> into) const {
+  require_elements(array, from, into.size(), true);
+  require_elements(array, from, into.size(), words_->read(array.first + from, into));
+}
+
 std::vector<double> DafFile::read(const Array& array, std::uint64_t from, std::uint64_t count) const {
-  const auto words = [&] {
-    return ", array '" + array.name + "': the elements " + detail::text(from + 1) + " to " +
-           detail::text(from + count);
-  };
-  if (from > array.size || count > array.size - from) fail(words() + " of " + detail::text(array.size));
+  require_elements(array, from, count, true);
   std::vector<double> numbers(count);
-  if (!words_->read(array.first + from, numbers)) fail(words() + " cannot be read");
+  read(array, from, numbers);
   return numbers;
 }
 

@@ -30,7 +30,7 @@ double double64(const char* bytes, ByteOrder order) {
   return std::bit_cast<double>(integer64(bytes, order));
 }
 
-bool KeptWords::read(std::uint64_t first, std::vector<double>& into) const {
+bool KeptWords::read(std::uint64_t first, std::span<double> into) const {
   if (first > words_.size() || into.size() > words_.size() - first) return false;
   std::copy_n(words_.begin() + static_cast<std::ptrdiff_t>(first), into.size(), into.begin());
   return true;
@@ -44,7 +44,7 @@ bool FileWords::read_bytes(std::uint64_t first, char* into, std::size_t size) co
   return static_cast<bool>(in_);
 }
 
-bool FileWords::read(std::uint64_t first, std::vector<double>& into) const {
+bool FileWords::read(std::uint64_t first, std::span<double> into) const {
   char* const bytes = reinterpret_cast<char*>(into.data());
   if (!read_bytes(first * daf_word, bytes, into.size() * daf_word)) return false;
   if (order_ != native) {

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 #include <mutex>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -28,14 +29,14 @@ class DafWords {
   virtual ~DafWords() = default;
 
   /// Whether all of them could be read.
-  virtual bool read(std::uint64_t first, std::vector<double>& into) const = 0;
+  virtual bool read(std::uint64_t first, std::span<double> into) const = 0;
 };
 
 /// Those in memory, of a transfer form.
 class KeptWords : public DafWords {
  public:
   explicit KeptWords(std::vector<double> words) : words_(std::move(words)) {}
-  bool read(std::uint64_t first, std::vector<double>& into) const override;
+  bool read(std::uint64_t first, std::span<double> into) const override;
 
  private:
   std::vector<double> words_;
@@ -48,7 +49,7 @@ class FileWords : public DafWords {
 
   void set_order(ByteOrder order) { order_ = order; }
   [[nodiscard]] ByteOrder order() const { return order_; }
-  bool read(std::uint64_t first, std::vector<double>& into) const override;
+  bool read(std::uint64_t first, std::span<double> into) const override;
   bool read_bytes(std::uint64_t first, char* into, std::size_t size) const;
 
  private:

@@ -140,6 +140,8 @@ PlainMotion detail::KernelOrbit::at(const Epoch& epoch) const {
   };
   for (std::size_t i = 0; up.bodies[i] != *meeting; ++i) add(*up.segments[i], 1.0);
   for (std::size_t i = 0; down.bodies[i] != *meeting; ++i) add(*down.segments[i], -1.0);
+  if (!sum.position.allFinite() || !sum.velocity.allFinite())
+    throw BadInput(all.place + ": at " + shown(epoch) + " its numbers are too large");
   if (all.in_ecliptic)
     sum = {R_equator_from_ecliptic.transpose() * sum.position,
            R_equator_from_ecliptic.transpose() * sum.velocity};

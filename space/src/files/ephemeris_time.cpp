@@ -35,9 +35,10 @@ Epoch epoch_of_terrestrial_time(const SecondsSince2000& tt, const std::string& p
   const double seconds = tt.whole + tt.part;
   if (!(std::abs(seconds) <= limit))
     throw BadInput(place + ": the time " + text(seconds) + " s is more than 9000 years from 2000");
-  const double days = std::floor(tt.whole / ERFA_DAYSEC);
-  return Epoch::from_julian_date(scale::tt, ERFA_DJ00 + days,
-                                 (tt.part + (tt.whole - days * ERFA_DAYSEC)) / ERFA_DAYSEC);
+  // The days first, which are whole: the sum of all seconds would be rounded.
+  static const Epoch j2000 = Epoch::from_julian_date(scale::tt, ERFA_DJ00);
+  const double days = std::floor(tt.whole / ERFA_DAYSEC) * ERFA_DAYSEC;
+  return (j2000 + days * si::second) + (tt.part + (tt.whole - days)) * si::second;
 }
 
 Epoch epoch_of_ephemeris_time(const SecondsSince2000& et, const std::string& place) {

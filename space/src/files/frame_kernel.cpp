@@ -121,6 +121,22 @@ std::int32_t FrameKernel::id_of(const detail::FrameClaim& claim) const {
   return frame->id;
 }
 
+std::int32_t FrameKernel::attitude_id_of(const detail::FrameClaim& claim) const {
+  const std::int32_t id = id_of(claim);
+  constexpr std::int32_t of_attitude_kernels = 3;
+  const KernelFrame* const frame = find(id);
+  return frame && frame->frame_class == of_attitude_kernels ? frame->class_id : id;
+}
+
+void FrameKernel::require_clock(const std::string& place, std::int32_t class_id, std::int32_t clock) const {
+  constexpr std::int32_t frames_of_a_spacecraft = 1000;
+  const auto said = clock_of(class_id);
+  const std::int32_t wanted = said ? *said : class_id / frames_of_a_spacecraft;
+  if (wanted != clock)
+    throw BadInput(place + ": the ticks of the frame " + detail::text(class_id) + " are those of the clock " +
+                   detail::text(wanted) + "; given was the clock " + detail::text(clock));
+}
+
 std::optional<FrameKernel::Mount> FrameKernel::mount_of(std::int32_t id) const {
   const KernelFrame* const frame = find(id);
   constexpr std::int32_t mounted_class = 4;

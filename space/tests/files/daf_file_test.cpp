@@ -50,6 +50,18 @@ TEST(DafFile, IsReadInBothByteOrders) {
   }
 }
 
+TEST(DafFile, GivesNoMoreThanAnArrayHas) {
+  const TemporaryFile file(daf_bytes("CK", two));
+  const auto daf = DafFile::open(file.path());
+  const auto asked = [&](std::uint64_t from, std::uint64_t count) {
+    return complaint([&] { static_cast<void>(daf.read(daf.arrays()[0], from, count)); }, file.path());
+  };
+  EXPECT_EQ(asked(1, 2), "nothing was thrown");
+  EXPECT_EQ(asked(2, 2), "DAF file FILE, array 'first': the elements 3 to 4 of 3");
+  EXPECT_EQ(asked(0, std::uint64_t{1} << 60),
+            "DAF file FILE, array 'first': the elements 1 to 1152921504606846976 of 3");
+}
+
 TEST(DafFile, HasSummariesInManyRecords) {
   std::vector<DafTestArray> many;
   for (int i = 0; i < 100; ++i)

@@ -41,14 +41,14 @@ class DafBytes {
   std::string bytes_;
 };
 
-/// A binary DAF file with one record of comments, and `in_record` summaries in each record.
+/// A binary DAF file with one record of comments, if there are any, and `in_record` summaries in each record.
 inline std::string daf_bytes(const std::string& kind, const std::vector<DafTestArray>& arrays,
                              bool big = false, std::size_t in_record = 25,
                              const std::string& comments = "A comment\n") {
   constexpr std::size_t record = 1024, words = 128;
   const std::size_t nd = arrays.front().doubles.size(), ni = arrays.front().integers.size() + 2,
                     summary = nd + (ni + 1) / 2;
-  const std::size_t pairs = (arrays.size() + in_record - 1) / in_record, first = 3;
+  const std::size_t pairs = (arrays.size() + in_record - 1) / in_record, first = comments.empty() ? 2 : 3;
   const std::size_t data = first + 2 * pairs;  // record
   std::vector<std::size_t> begins{(data - 1) * words + 1};
   for (const auto& array : arrays) begins.push_back(begins.back() + array.numbers.size());
@@ -60,7 +60,7 @@ inline std::string daf_bytes(const std::string& kind, const std::vector<DafTestA
   out.text(std::string("FTPSTR:\r:\n:\r\n:\r\0:\x81:\x10\xce:ENDFTP", 28), 28).fill(record);
   std::string area = comments;
   for (char& c : area) c = c == '\n' ? '\0' : c;
-  out.text(area + '\4', record, '\0');
+  if (!area.empty()) out.text(area + '\4', record, '\0');
   for (std::size_t pair = 0; pair < pairs; ++pair) {
     const std::size_t from = pair * in_record, end = std::min(from + in_record, arrays.size());
     out.number(pair + 1 == pairs ? 0.0 : static_cast<double>(first + 2 * (pair + 1)));

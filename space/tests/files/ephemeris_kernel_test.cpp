@@ -197,6 +197,37 @@ TEST(EphemerisKernel, OfEachTypeIsExactForACubic) {
   }
 }
 
+TEST(EphemerisKernel, TakesTheStatesAroundTheInstant) {
+  // x alone is 1 at the fourth of eight states, and 0 at the others: the value says which states were taken.
+  const auto at = [](int type, double window, double t) {
+    std::vector<double> numbers;
+    for (int i = 0; i < 8; ++i) numbers.insert(numbers.end(), {i == 3 ? 1.0 : 0.0, 0.0, 0.0, 0.0, 0.0, 0.0});
+    if (type == 8) numbers.insert(numbers.end(), {0.0, 1000.0});
+    if (type == 9) {
+      for (int i = 0; i < 8; ++i) numbers.push_back(1000.0 * i);
+    }
+    numbers.insert(numbers.end(), {window, 8.0});
+    const auto kernel = written({segment(type, numbers, 0.0, 7000.0)});
+    const auto orbit = kernel.motion(of<Ship>, relative_to<Gcrf>, kernel.span(), called<Ship>("-77"));
+    return orbit.at(at_seconds(t)).position.coordinates().x() / km;
+  };
+  constexpr double of_time_per_step = 1e-6;
+  for (const int type : {8, 9}) {
+    // Two states: a straight line from one to the next.
+    EXPECT_NEAR(at(type, 1.0, 2250.0), 0.25, of_time_per_step);
+    EXPECT_NEAR(at(type, 1.0, 3250.0), 0.75, of_time_per_step);
+    EXPECT_NEAR(at(type, 1.0, 4250.0), 0.0, of_time_per_step);
+    // Three: the nearest one and its neighbours. At 2.6 that is the fourth, at 2.4 the third.
+    EXPECT_NEAR(at(type, 2.0, 2600.0), 1.0 - 0.4 * 0.4, of_time_per_step);
+    EXPECT_NEAR(at(type, 2.0, 2400.0), 0.4 * 1.4 / 2.0, of_time_per_step);
+    // Four: two on each side.
+    EXPECT_NEAR(at(type, 3.0, 4500.0), -1.0 / 16.0, of_time_per_step);
+    EXPECT_NEAR(at(type, 3.0, 3500.0), 9.0 / 16.0, of_time_per_step);
+    // At an end the first ones.
+    EXPECT_NEAR(at(type, 3.0, 500.0), 1.0 / 16.0, of_time_per_step);
+  }
+}
+
 TEST(EphemerisKernel, IsAnEdge) {
   const auto kernel = written({of_type(13)});
   const auto graph =

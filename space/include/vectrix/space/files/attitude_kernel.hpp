@@ -181,7 +181,6 @@ class VECTRIX_EXPORT AttitudeKernel {
                                                      const detail::FrameClaim& a) const;
   [[nodiscard]] std::vector<detail::AttitudeRecords> load(const std::vector<std::size_t>& segments,
                                                           const TimeSpan& span) const;
-  void require_clock(const DafFile::Array& array, const std::string& place) const;
   [[nodiscard]] std::string place_of(std::size_t segment) const;
 
   DafFile file_;

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -46,6 +47,8 @@ class VECTRIX_EXPORT DafFile {
   /// `count` doubles of an array, from its element `from` on. Throws BadInput if the array has not so many,
   /// or the file cannot be read.
   [[nodiscard]] std::vector<double> read(const Array& array, std::uint64_t from, std::uint64_t count) const;
+  /// As many as the place has.
+  void read(const Array& array, std::uint64_t from, std::span<double> into) const;
 
  private:
   explicit DafFile(const std::filesystem::path& file);
@@ -53,6 +56,8 @@ class VECTRIX_EXPORT DafFile {
   void read_binary(const std::filesystem::path& file);
   void read_transfer(const std::filesystem::path& file);
   void require_disjoint_arrays() const;
+  /// Throws BadInput if the array has not so many, or they could not be read.
+  void require_elements(const Array& array, std::uint64_t from, std::uint64_t count, bool are_read) const;
   [[noreturn]] void fail(const std::string& reason) const;
 
   std::string place_, kind_, internal_name_, comments_;

@@ -95,6 +95,11 @@ class VECTRIX_EXPORT FrameKernel {
   [[nodiscard]] std::string shown(std::int32_t id) const;
   /// The number of the claimed frame. Throws BadInput if the kernel does not have its name.
   [[nodiscard]] std::int32_t id_of(const detail::FrameClaim& claim) const;
+  /// The number that a frame of class 3 has in attitude kernels.
+  [[nodiscard]] std::int32_t attitude_id_of(const detail::FrameClaim& claim) const;
+  /// Throws BadInput if the clock of a frame in attitude kernels is another one: that of CK_..._SCLK, or the
+  /// number of the spacecraft, a thousandth of that of the frame.
+  void require_clock(const std::string& place, std::int32_t class_id, std::int32_t clock) const;
 
  private:
   [[nodiscard]] detail::KernelRotation mounted(const detail::FrameClaim& to,

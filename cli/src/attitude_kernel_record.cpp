@@ -1,0 +1,81 @@
+#include "attitude_kernel_record.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <set>
+
+namespace vectrix::cli {
+namespace {
+
+struct Reference : inertial_frame {};
+struct Body : moving_frame {};
+
+// The number of the frame whose attitude is read.
+std::int32_t frame_of(const DafFile& file, const std::string& named, const FrameKernel& frames) {
+  std::set<std::int32_t> there;
+  for (const DafFile::Array& array : file.arrays())
+    if (!array.integers.empty()) there.insert(array.integers.front());
+  if (there.empty()) throw BadInput(file.place() + ": it has no segments");
+  const std::int32_t wanted =
+      named.empty() ? *there.begin() : frames.attitude_id_of(detail::claim_of<Body>(called<Body>(named)));
+  if (named.empty() ? there.size() != 1 : !there.contains(wanted)) {
+    std::string list;
+    for (const std::int32_t id : there) list += (list.empty() ? "" : ", ") + detail::text(id);
+    throw BadInput(file.place() + ": it has the frames " + list + "; " +
+                   (named.empty() ? "missing: --ck-frame NAME" : "--ck-frame is " + named));
+  }
+  return wanted;
+}
+
+}  // namespace
+
+bool is_kernel(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  if (!in) throw BadInput(file.string() + ": cannot be read");
+  std::string word(8, ' ');
+  in.read(word.data(), static_cast<std::streamsize>(word.size()));
+  return word.starts_with("DAF/") || word.starts_with("DAFETF") || word == "NAIF/DAF";
+}
+
+AttitudeRecord read_kernel(const std::filesystem::path& file, const KernelWords& words,
+                           const Selection& selection) {
+  if (words.clock.empty())
+    throw BadInput(file.string() + ": a kernel has times of a clock; missing: --sclk FILE");
+  if (!words.leap_seconds.empty()) use_leap_seconds(read_leap_second_kernel(words.leap_seconds));
+  const auto frames = words.frames.empty() ? FrameKernel() : FrameKernel::read(words.frames);
+  const std::int32_t frame = frame_of(DafFile::open(file), words.frame, frames);
+  constexpr std::int32_t frames_of_a_spacecraft = 1000;
+  const auto clock =
+      SpacecraftClock::read(words.clock, frames.clock_of(frame).value_or(frame / frames_of_a_spacecraft));
+  const auto kernel = AttitudeKernel::open(file, clock, frames);
+
+  const KernelFrame* const known = frames.find(frame);
+  AttitudeRecord record;
+  record.file = file.string();
+  record.body = known ? known->name : detail::text(frame);
+  record.reference = "GCRF";  // that is what J2000 means in kernels
+  record.stated = {Convention::Scalar::first, Convention::Maps::to_body};
+  record.rate_axes = RateAxes::reference;
+  record.are_normalised = true;
+  const TimeSpan all = kernel.span();
+  const auto span = from_until(std::max(all.start(), selection.from.value_or(all.start())),
+                               std::min(all.end(), selection.until.value_or(all.end())));
+  const auto body = called<Body>(detail::text(frame));
+  const auto reference = called<Reference>("J2000");
+  for (const auto& [time, q_reference_from_body] :
+       kernel.samples(of<Body>, relative_to<Reference>, span, body, reference)) {
+    const auto q = inverse(q_reference_from_body).eigen();
+    record.times.push_back(time);
+    record.numbers.push_back({q.w(), q.x(), q.y(), q.z()});
+  }
+  const auto& segments = kernel.segments();
+  if (std::all_of(segments.begin(), segments.end(), [](const auto& segment) { return segment.has_rates; })) {
+    for (const auto& w : kernel.recorded_rates(of<Body>, relative_to<Reference>, span, body, reference))
+      record.rates.push_back(w.coordinates());
+  }
+  if (record.size() < 2)
+    throw BadInput(record.file + ": fewer than two records are in the times that are asked for");
+  return record;
+}
+
+}  // namespace vectrix::cli

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "attitude_record.hpp"
+#include "selection.hpp"
+
+namespace vectrix::cli {
+
+/// What an attitude kernel of SPICE needs beside it. Empty: not given.
+struct KernelWords {
+  std::string clock{}, frames{}, leap_seconds{};  // files
+  std::string frame{};                            // the name or the number of the body's frame
+};
+
+/// Whether the file begins as a binary kernel or a transfer file does. Throws BadInput if it cannot be read.
+bool is_kernel(const std::filesystem::path& file);
+
+/// The records between the selected times. Throws BadInput as AttitudeKernel does, without a clock, for
+/// several frames of which none is named, and for attitudes relative to another frame than J2000.
+AttitudeRecord read_kernel(const std::filesystem::path& file, const KernelWords& words,
+                           const Selection& selection);
+
+}  // namespace vectrix::cli
