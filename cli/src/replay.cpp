@@ -100,8 +100,12 @@ bool replay(const ReplayOptions& options, Progress& progress, std::ostream& out)
       << flight.attitude.body << " relative to " << flight.attitude.reference << ", "
       << range(flight.attitude) << "\n\n";
   write_measures(scenario, measures, out);
-  out << '\n';
   const bool fulfilled = write_verdicts(scenario, judged, out);
+  for (std::size_t i = 0; i < measures.size(); ++i)
+    if (const std::string better = better_readings(flight, measures[i]); !better.empty())
+      out << scenario.measures[i].name
+          << " is on its target if the quaternions are read otherwise: " << better
+          << ". vectrix check compares the readings.\n";
   if (!scenario.csv.empty()) {
     write_new(scenario.csv, table(scenario, flight, measures), options.force);
     out << "Written: " << scenario.csv.string() << '\n';

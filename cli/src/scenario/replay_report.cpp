@@ -10,6 +10,7 @@
 #include "figures.hpp"
 #include "pointing_error.hpp"
 #include "quantile.hpp"
+#include "reading.hpp"
 #include "sample_faults.hpp"
 #include "sha256.hpp"
 
@@ -171,6 +172,18 @@ Report::Table statistics(const Scenario& scenario, const Flight& flight,
   return table;
 }
 
+Report::Table by_reading(const Scenario& scenario, const Flight& flight,
+                         const std::vector<Measured>& measures) {
+  Report::Table table{"Median angle, deg, if the quaternions were read otherwise", {"measure"}, {}};
+  for (const Reading& reading : readings_of(flight.attitude)) table.headings.emplace_back(reading.name());
+  for (std::size_t k = 0; k < measures.size(); ++k) {
+    table.rows.push_back({scenario.measures[k].name});
+    for (const double median : measures[k].by_reading)
+      table.rows.back().push_back(decimals(degrees * median));
+  }
+  return table;
+}
+
 Report::Table faults(const AttitudeRecord& record) {
   const SampleFaults found = faults_of(record);
   Report::Table table{"Samples of the file", {"what", "how many", "most", "at, UTC"}, {}};
@@ -263,7 +276,10 @@ Report replay_report(const Scenario& scenario, const Flight& flight, const std::
   if (!measures.empty()) report.plots.push_back(angles(scenario, measures, curves));
   report.plots.push_back(components(attitude, q, curves));
   add_rates(report, flight.flown.record);
-  if (!measures.empty()) report.tables.push_back(statistics(scenario, flight, measures));
+  if (!measures.empty()) {
+    report.tables.push_back(statistics(scenario, flight, measures));
+    report.tables.push_back(by_reading(scenario, flight, measures));
+  }
   report.tables.push_back(faults(flight.flown.record));
   std::vector<double> seconds;
   for (const Epoch& t : attitude.times) seconds.push_back((t - report.start).value());
