@@ -144,7 +144,7 @@ TEST(Replay, ReadsAMessage) {
   bool is_said = false;
   for (const auto& choice : report.choices)
     is_said = is_said || (choice.by == aem.string() &&
-                          choice.value.ends_with("coordinates to SC_BODY_1, the scalar is last"));
+                          choice.value.ends_with("coordinates to GCRF, the scalar is last"));
   EXPECT_TRUE(is_said);
 }
 
