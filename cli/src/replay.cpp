@@ -29,6 +29,7 @@ void write_measures(const Scenario& scenario, const std::vector<Measured>& measu
         << decimals(figures.quantile(50.0)) << ", rms " << decimals(figures.rms()) << ": " << measures[i].what
         << '\n';
   }
+  if (!measures.empty()) out << '\n';
 }
 
 bool write_verdicts(const Scenario& scenario, const std::vector<Report::Verdict>& verdicts,
