@@ -12,6 +12,7 @@
 #include "quantile.hpp"
 #include "reading.hpp"
 #include "sample_faults.hpp"
+#include "selection.hpp"
 #include "sha256.hpp"
 
 namespace vectrix::cli {
@@ -99,8 +100,8 @@ Report::Plot angles(const Scenario& scenario, const std::vector<Measured>& measu
                                        [&](std::size_t i) { return degrees * measures[k].angles[i]; }));
   for (const Requirement& required : scenario.requirements)
     if (!required.window)
-      plot.limits.push_back(
-          {required.degrees, scenario.measures[required.measure].name + ": " + required.text});
+      plot.limits.push_back({required.degrees, scenario.measures[required.measure].name + " at most " +
+                                                   detail::text(required.degrees) + " deg"});
   return plot;
 }
 
@@ -156,6 +157,18 @@ void add_rates(Report& report, const AttitudeRecord& record) {
                                        : Vector3d(degrees * (0.5 * (rates[i] + rates[i + 1]) - turns[i]));
   });
   report.plots.push_back(std::move(differences));
+}
+
+// The samples of the file from the one before the first instant to the one after the last.
+AttitudeRecord around(AttitudeRecord record, const Epoch& first, const Epoch& last) {
+  const auto& times = record.times;
+  const auto begin = std::upper_bound(times.begin() + 1, times.end(), first) - 1;
+  const auto end = std::lower_bound(times.begin(), times.end() - 1, last) + 1;
+  const Places places{begin - times.begin(), end - times.begin()};
+  keep(record.times, places);
+  keep(record.numbers, places);
+  keep(record.rates, places);
+  return record;
 }
 
 Report::Table statistics(const Scenario& scenario, const Flight& flight,
@@ -275,7 +288,7 @@ Report replay_report(const Scenario& scenario, const Flight& flight, const std::
   const auto q = quaternions(attitude);
   if (!measures.empty()) report.plots.push_back(angles(scenario, measures, curves));
   report.plots.push_back(components(attitude, q, curves));
-  add_rates(report, flight.flown.record);
+  add_rates(report, around(flight.flown.record, attitude.times.front(), attitude.times.back()));
   if (!measures.empty()) {
     report.tables.push_back(statistics(scenario, flight, measures));
     report.tables.push_back(by_reading(scenario, flight, measures));

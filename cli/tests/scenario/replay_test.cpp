@@ -196,6 +196,10 @@ TEST(Replay, FillsAReport) {
   EXPECT_EQ(report.verdicts.size(), 2U);
   ASSERT_EQ(report.plots.size(), 3U);
   EXPECT_EQ(report.plots[0].limits.at(0).value, 0.36);
+  EXPECT_EQ(report.plots[0].limits.at(0).name, "off-Sun at most 0.36 deg");
+  // The samples around the instants, each 10 s at 9.001 s of it.
+  EXPECT_NEAR(report.plots[2].seconds.front(), -0.999, 1e-9);
+  EXPECT_NEAR(report.plots[2].seconds.back(), 2999.001, 1e-9);
   for (const auto& plot : report.plots) {
     for (const auto& curve : plot.curves) EXPECT_EQ(curve.values.size(), plot.seconds.size());
     for (std::size_t i = 1; i < plot.seconds.size(); ++i) EXPECT_GT(plot.seconds[i], plot.seconds[i - 1]);
