@@ -172,5 +172,53 @@ TEST(FlownOrbit, NamesNoTypes) {
   EXPECT_EQ(gap.find("::"), std::string::npos) << gap;
 }
 
+// Kilometres, in the axes of the table.
+TEST(OrbitTable, IsTheMotionOfItsLines) {
+  std::string text = "t,x,y,z,u,v,w\n";
+  for (double seconds = -600.0; seconds <= 4200.0; seconds += 60.0) {
+    const Epoch t = start + seconds * si::second;
+    const auto [r, v] = motion<Gcrf>(t);
+    text += t.tt(9);
+    for (const Vector3d& numbers : {Vector3d(r.coordinates()), Vector3d(v.coordinates())})
+      for (const double number : numbers) text += "," + detail::text(1e-3 * number);
+    text += "\n";
+  }
+  const TemporaryFile file(text);
+  OrbitColumns columns{"t", scale::tt, {"x", "y", "z"}, {"u", "v", "w"}, true, "GCRF"};
+  const Interpolation hermite{"HERMITE", 7};
+  const auto orbit = orbit_of_table({file.path(), columns, {}}, span, hermite, std::nullopt);
+  const Epoch t = start + 1234.5 * si::second;
+  EXPECT_LE((orbit(t).position.coordinates() - motion<Gcrf>(t).position.coordinates()).norm(),
+            of_interpolation);
+  columns.reference = "EME2000";
+  const auto turned = orbit_of_table({file.path(), columns, {}}, span, hermite, std::nullopt);
+  const Vector3d r = (inverse(eme2000_from_gcrf()).matrix() * motion<Gcrf>(t).position.coordinates());
+  EXPECT_LE((turned(t).position.coordinates() - r).norm(), of_interpolation);
+  columns.reference = "ITRF";
+  EXPECT_EQ(complaint(
+                [&] {
+                  (void)orbit_of_table({file.path(), columns, {}}, span, hermite, std::nullopt);
+                },
+                file.path()),
+            "FILE: REF_FRAME is 'ITRF'; --oem takes EME2000, GCRF or TEME");
+  EXPECT_EQ(complaint(
+                [&] {
+                  (void)orbit_of_table({file.path(), columns, {}}, span, {"LAGRANGE", 90}, std::nullopt);
+                },
+                file.path()),
+            "FILE: LAGRANGE interpolation of degree 90 does not exist; the degree is 2 to 15");
+}
+
+TEST(OrbitMessage, SaysHowToStateItsInterpolation) {
+  OrbitEphemerisSegment silent = segment<Gcrf>(-600.0, 4200.0);
+  EphemerisMetadata metadata = silent.metadata();
+  metadata.interpolation.clear();
+  metadata.interpolation_degree.reset();
+  const TemporaryFile file(message({{detail::trusted, metadata, silent.lines(detail::trusted)}}));
+  const StatedInterpolation none{std::nullopt, "interpolation = { ... } in [orbit]"};
+  EXPECT_EQ(complaint([&] { (void)orbit_of_message(file.path(), span, none); }, file.path()),
+            "FILE: the file does not say how to interpolate; missing: interpolation = { ... } in [orbit]");
+}
+
 }  // namespace
 }  // namespace vectrix::cli::flown_orbit_test
