@@ -85,13 +85,14 @@ TEST(FlownOrbit, TakesTemeOfDateByBothNames) {
   EXPECT_EQ(of(text), of(with(text, "= TEME", "= TEMEOFDATE")));
   TemporaryFile stopped(with(text, "TIME_SYSTEM", "REF_FRAME_EPOCH = 2023-04-20T00:00:00\nTIME_SYSTEM"));
   EXPECT_EQ(complaint([&] { (void)orbit_of_message(stopped.path(), span); }, stopped.path()),
-            "FILE: REF_FRAME_EPOCH stops TEME; --oem takes it of date");
+            "FILE: REF_FRAME_EPOCH stops TEME; it is taken of date");
 }
 
 TEST(FlownOrbit, RefusesAnEarthFixedMessageAndOldElements) {
   TemporaryFile file(message({segment<Itrf>(0.0, 3600.0)}));
   EXPECT_EQ(complaint([&] { (void)orbit_of_message(file.path(), span); }, file.path()),
-            "FILE: REF_FRAME is 'ITRF'; --oem takes EME2000, GCRF or TEME");
+            "FILE: REF_FRAME is 'ITRF'; ITRF needs the orientation of the Earth: orientation = \"FILE\" in "
+            "[earth] of a scenario");
   const auto elements = std::filesystem::path(VECTRIX_SOURCE_DIR) / "examples/data/CTIM_20230419.tle";
   const auto later = [](const char* time) { return from_until(Epoch::from_utc(time), 60.0 * si::second); };
   EXPECT_EQ(
@@ -200,7 +201,8 @@ TEST(OrbitTable, IsTheMotionOfItsLines) {
                   (void)orbit_of_table({file.path(), columns, {}}, span, hermite, std::nullopt);
                 },
                 file.path()),
-            "FILE: REF_FRAME is 'ITRF'; --oem takes EME2000, GCRF or TEME");
+            "FILE: REF_FRAME is 'ITRF'; ITRF needs the orientation of the Earth: orientation = \"FILE\" in "
+            "[earth] of a scenario");
   EXPECT_EQ(complaint(
                 [&] {
                   (void)orbit_of_table({file.path(), columns, {}}, span, {"LAGRANGE", 90}, std::nullopt);
