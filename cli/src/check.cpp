@@ -170,11 +170,10 @@ bool check(const CheckOptions& options, std::ostream& out) {
   }
   if (options.target) {
     const auto& a = *options.axis;
-    constexpr double largest = 5.0 / degrees;  // what is farther off does not look at the target
     write_angles(record, off_target(record, a, *options.target, orbit),
                  "Median angle between the axis " + name_of(a) + " of " + record.body + " and " +
                      name_of(*options.target) + ", deg",
-                 largest, findings, text);
+                 largest_off_target, findings, text);
   }
   const bool fits = findings.conclude(!orbit && !options.target);
   out << text.str();

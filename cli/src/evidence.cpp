@@ -164,7 +164,11 @@ std::vector<double> steadiness(const AttitudeRecord& record, const FlownOrbit& o
 
 std::vector<double> off_target(const AttitudeRecord& record, const Vector3d& axis, Target target,
                                const FlownOrbit& orbit) {
-  const auto to_target = directions(record, target, geometric, orbit);
+  return off_directions(record, axis, directions(record, target, geometric, orbit));
+}
+
+std::vector<double> off_directions(const AttitudeRecord& record, const Vector3d& axis,
+                                   const std::vector<Vector3d>& to_target) {
   std::vector<double> found;
   for (const Reading& reading : readings_of(record)) {
     const auto q = to_reference(record, reading);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <vector>
@@ -42,6 +43,12 @@ std::vector<double> steadiness(const AttitudeRecord& record, const FlownOrbit& o
 /// The median angle between an axis of the body and the target, rad, by reading. The target is geometric.
 std::vector<double> off_target(const AttitudeRecord& record, const Eigen::Vector3d& axis, Target target,
                                const FlownOrbit& orbit);
+
+/// The same of a target whose directions along the axes of the reference are known.
+std::vector<double> off_directions(const AttitudeRecord& record, const Eigen::Vector3d& axis,
+                                   const std::vector<Eigen::Vector3d>& to_target);
+/// rad. What is farther off does not look at its target.
+inline constexpr double largest_off_target = 5.0 * std::numbers::pi / 180.0;
 
 /// Which readings fit, of a list of disagreements, the stated one first: those that are at most three times
 /// the smallest, or a thousandth of `largest`; none if all exceed that.

@@ -83,11 +83,16 @@ FlownOrbit orbit_of(const std::string& file, const OrbitEphemerisSegment& segmen
   const std::string name = small(segment.ref_frame());
   const bool is_teme = name == "teme" || name == "temeofdate";
   const auto reference = inertial(name);
-  const bool is_itrf = name.starts_with("itrf") && orientation;
+  const bool is_itrf = name.starts_with("itrf");
+  if (is_itrf && !orientation)
+    throw BadInput(
+        file + ": REF_FRAME is '" + segment.ref_frame() +
+        "'; ITRF needs the orientation of the Earth: orientation = \"FILE\" in [earth] of a scenario");
   if (!is_teme && !reference && !is_itrf)
-    throw BadInput(file + ": REF_FRAME is '" + segment.ref_frame() + "'; --oem takes EME2000, GCRF or TEME");
+    throw BadInput(file + ": REF_FRAME is '" + segment.ref_frame() +
+                   "', none of EME2000, GCRF, TEME and ITRF");
   if (is_teme && segment.ref_frame_epoch())
-    throw BadInput(file + ": REF_FRAME_EPOCH stops " + segment.ref_frame() + "; --oem takes it of date");
+    throw BadInput(file + ": REF_FRAME_EPOCH stops " + segment.ref_frame() + "; it is taken of date");
   const auto gap = longest_gap * si::second;
   if (is_itrf)
     return flown(edge(EarthMotion(*orientation, span)), segment.sampled_edge<Itrf, Satellite>(gap));

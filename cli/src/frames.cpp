@@ -35,10 +35,8 @@ class Frames {
       const auto stated = std::find_if(scenario.frames.begin(), scenario.frames.end(),
                                        [&](const FixedFrame& each) { return each.name == frame.name; });
       if (stated != scenario.frames.end())
-        hang(
-            stated->name,
-            {stated->parent, "fixed, " + stated->place.file + ':' + std::to_string(stated->place.line), true},
-            stated->parent_from_frame.toRotationMatrix(), Eigen::Vector3d(0.0, 0.0, 0.0));
+        hang(stated->name, {stated->parent, "fixed, " + stated->place.line_text(), true},
+             stated->parent_from_frame.toRotationMatrix(), Eigen::Vector3d(0.0, 0.0, 0.0));
     }
     if (scenario.orientation) {
       const auto earth = scenario.orientation->at(t);

@@ -29,6 +29,7 @@ void write_measures(const Scenario& scenario, const std::vector<Measured>& measu
         << decimals(figures.quantile(50.0)) << ", rms " << decimals(figures.rms()) << ": " << measures[i].what
         << '\n';
   }
+  if (!measures.empty()) out << '\n';
 }
 
 bool write_verdicts(const Scenario& scenario, const std::vector<Report::Verdict>& verdicts,
@@ -100,8 +101,12 @@ bool replay(const ReplayOptions& options, Progress& progress, std::ostream& out)
       << flight.attitude.body << " relative to " << flight.attitude.reference << ", "
       << range(flight.attitude) << "\n\n";
   write_measures(scenario, measures, out);
-  out << '\n';
   const bool fulfilled = write_verdicts(scenario, judged, out);
+  for (std::size_t i = 0; i < measures.size(); ++i)
+    if (const std::string better = better_readings(flight, measures[i]); !better.empty())
+      out << scenario.measures[i].name
+          << " is on its target if the quaternions are read otherwise: " << better
+          << ". vectrix check compares the readings.\n";
   if (!scenario.csv.empty()) {
     write_new(scenario.csv, table(scenario, flight, measures), options.force);
     out << "Written: " << scenario.csv.string() << '\n';

@@ -39,6 +39,14 @@ AttitudeStep in_step(const AttitudeRecord& record, std::size_t i, const Epoch& t
   return {i, Eigen::Quaterniond(motion.rotation.matrix()), motion.angular_velocity.coordinates()};
 }
 
+// As a file of this convention has them.
+std::array<double, 4> numbers_of(const Eigen::Quaterniond& to_reference, const Convention& convention) {
+  const Eigen::Quaterniond q =
+      convention.maps == Convention::Maps::to_reference ? to_reference : to_reference.conjugate();
+  if (convention.scalar == Convention::Scalar::first) return {q.w(), q.x(), q.y(), q.z()};
+  return {q.x(), q.y(), q.z(), q.w()};
+}
+
 }  // namespace
 
 AttitudeStep step_at(const AttitudeRecord& record, const Epoch& t) {
@@ -53,8 +61,6 @@ AttitudeStep step_at(const AttitudeRecord& record, const Epoch& t) {
 AttitudeRecord resampled(const AttitudeRecord& record, const std::vector<Epoch>& times) {
   const double longest = longest_step(record, median(durations_of(record)));
   AttitudeRecord at = record;
-  at.has_quaternions = true;
-  at.stated = {Convention::Scalar::first, Convention::Maps::to_reference};
   at.times.clear();
   at.numbers.clear();
   at.rates.clear();
@@ -63,7 +69,7 @@ AttitudeRecord resampled(const AttitudeRecord& record, const std::vector<Epoch>&
     if (!step) continue;
     const auto q = in_step(record, *step, t).to_reference;
     at.times.push_back(t);
-    at.numbers.push_back({q.w(), q.x(), q.y(), q.z()});
+    at.numbers.push_back(numbers_of(q, record.stated));
   }
   if (at.size() < 2)
     throw BadInput(record.file + ": " + counted(at.size(), "instant") + " of " +

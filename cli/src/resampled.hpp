@@ -17,7 +17,8 @@ struct AttitudeStep {
 /// way is not known.
 AttitudeStep step_at(const AttitudeRecord& record, const Epoch& t);
 
-/// The attitude at other times: without those outside the samples and those in a gap, and without rates.
+/// The attitude at other times, in the convention of the record: without those outside the samples and those
+/// in a gap, and without rates.
 /// Throws BadInput if fewer than two are left, and as step_at.
 AttitudeRecord resampled(const AttitudeRecord& record, const std::vector<Epoch>& times);
 

@@ -85,13 +85,14 @@ TEST(FlownOrbit, TakesTemeOfDateByBothNames) {
   EXPECT_EQ(of(text), of(with(text, "= TEME", "= TEMEOFDATE")));
   TemporaryFile stopped(with(text, "TIME_SYSTEM", "REF_FRAME_EPOCH = 2023-04-20T00:00:00\nTIME_SYSTEM"));
   EXPECT_EQ(complaint([&] { (void)orbit_of_message(stopped.path(), span); }, stopped.path()),
-            "FILE: REF_FRAME_EPOCH stops TEME; --oem takes it of date");
+            "FILE: REF_FRAME_EPOCH stops TEME; it is taken of date");
 }
 
 TEST(FlownOrbit, RefusesAnEarthFixedMessageAndOldElements) {
   TemporaryFile file(message({segment<Itrf>(0.0, 3600.0)}));
   EXPECT_EQ(complaint([&] { (void)orbit_of_message(file.path(), span); }, file.path()),
-            "FILE: REF_FRAME is 'ITRF'; --oem takes EME2000, GCRF or TEME");
+            "FILE: REF_FRAME is 'ITRF'; ITRF needs the orientation of the Earth: orientation = \"FILE\" in "
+            "[earth] of a scenario");
   const auto elements = std::filesystem::path(VECTRIX_SOURCE_DIR) / "examples/data/CTIM_20230419.tle";
   const auto later = [](const char* time) { return from_until(Epoch::from_utc(time), 60.0 * si::second); };
   EXPECT_EQ(
@@ -170,6 +171,55 @@ TEST(FlownOrbit, NamesNoTypes) {
   const auto gap = complaint([&] { (void)orbit(start + 3600.0 * si::second); }, file.path());
   EXPECT_EQ(gap.substr(0, 6), "FILE: ") << gap;
   EXPECT_EQ(gap.find("::"), std::string::npos) << gap;
+}
+
+// Kilometres, in the axes of the table.
+TEST(OrbitTable, IsTheMotionOfItsLines) {
+  std::string text = "t,x,y,z,u,v,w\n";
+  for (double seconds = -600.0; seconds <= 4200.0; seconds += 60.0) {
+    const Epoch t = start + seconds * si::second;
+    const auto [r, v] = motion<Gcrf>(t);
+    text += t.tt(9);
+    for (const Vector3d& numbers : {Vector3d(r.coordinates()), Vector3d(v.coordinates())})
+      for (const double number : numbers) text += "," + detail::text(1e-3 * number);
+    text += "\n";
+  }
+  const TemporaryFile file(text);
+  OrbitColumns columns{"t", scale::tt, {"x", "y", "z"}, {"u", "v", "w"}, true, "GCRF"};
+  const Interpolation hermite{"HERMITE", 7};
+  const auto orbit = orbit_of_table({file.path(), columns, {}}, span, hermite, std::nullopt);
+  const Epoch t = start + 1234.5 * si::second;
+  EXPECT_LE((orbit(t).position.coordinates() - motion<Gcrf>(t).position.coordinates()).norm(),
+            of_interpolation);
+  columns.reference = "EME2000";
+  const auto turned = orbit_of_table({file.path(), columns, {}}, span, hermite, std::nullopt);
+  const Vector3d r = (inverse(eme2000_from_gcrf()).matrix() * motion<Gcrf>(t).position.coordinates());
+  EXPECT_LE((turned(t).position.coordinates() - r).norm(), of_interpolation);
+  columns.reference = "ITRF";
+  EXPECT_EQ(complaint(
+                [&] {
+                  (void)orbit_of_table({file.path(), columns, {}}, span, hermite, std::nullopt);
+                },
+                file.path()),
+            "FILE: REF_FRAME is 'ITRF'; ITRF needs the orientation of the Earth: orientation = \"FILE\" in "
+            "[earth] of a scenario");
+  EXPECT_EQ(complaint(
+                [&] {
+                  (void)orbit_of_table({file.path(), columns, {}}, span, {"LAGRANGE", 90}, std::nullopt);
+                },
+                file.path()),
+            "FILE: LAGRANGE interpolation of degree 90 does not exist; the degree is 2 to 15");
+}
+
+TEST(OrbitMessage, SaysHowToStateItsInterpolation) {
+  OrbitEphemerisSegment silent = segment<Gcrf>(-600.0, 4200.0);
+  EphemerisMetadata metadata = silent.metadata();
+  metadata.interpolation.clear();
+  metadata.interpolation_degree.reset();
+  const TemporaryFile file(message({{detail::trusted, metadata, silent.lines(detail::trusted)}}));
+  const StatedInterpolation none{std::nullopt, "interpolation = { ... } in [orbit]"};
+  EXPECT_EQ(complaint([&] { (void)orbit_of_message(file.path(), span, none); }, file.path()),
+            "FILE: the file does not say how to interpolate; missing: interpolation = { ... } in [orbit]");
 }
 
 }  // namespace

@@ -70,6 +70,8 @@ TEST(Frames, MeetInOneThatIsNoneOfTheirs) {
   const auto lvlh = text("sentinel1.toml", "satellite", "LVLH");
   EXPECT_NEAR((turn(lvlh) * Vector3d::UnitZ()).z(), std::cos(29.89 * std::numbers::pi / 180.0), 1e-4);
   EXPECT_TRUE(says(lvlh, "w is not known"));
+  EXPECT_TRUE(says(said, "R3: v_GCRF = R3 v_EME2000; the bias of J2000\n"));
+  EXPECT_TRUE(says(said, "R4: v_ITRF = R4 v_GCRF; the observed turn of the Earth, inverted\n"));
 }
 
 TEST(Frames, AreListed) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "angle_figures.hpp"
+#include "evidence.hpp"
 #include "figures.hpp"
 #include "plain_words.hpp"
 #include "pointing_error.hpp"
@@ -23,13 +24,17 @@ void turn_rates(AttitudeRecord& record, const StatedRates& stated, const BodyFra
 }
 
 std::vector<Epoch> instants(const Scenario& scenario, const AttitudeRecord& record) {
-  const auto steps = every(
-      *scenario.step * si::second,
-      from_until(scenario.start.value_or(record.times.front()), scenario.end.value_or(record.times.back())));
+  const Epoch start = scenario.start.value_or(record.times.front()),
+              end = scenario.end.value_or(record.times.back());
+  if (end < start)
+    refuse(scenario.time_place, "the samples of " + record.file + " are from " + record.times.front().utc() +
+                                    " UTC to " + record.times.back().utc() +
+                                    " UTC, none from 'time.start' to 'time.end'");
+  const auto steps = every(*scenario.step * si::second, from_until(start, end));
   constexpr std::int64_t most = 10'000'000;
   if (steps.size() > most)
-    throw BadInput(scenario.file + ": time.step makes " + std::to_string(steps.size()) +
-                   " instants; at most " + std::to_string(most) + " are looked at");
+    refuse(scenario.time_place, "'time.step' makes " + std::to_string(steps.size()) + " instants; at most " +
+                                    std::to_string(most) + " are looked at");
   std::vector<Epoch> all;
   for (const Epoch& t : steps) all.push_back(t);
   return all;
@@ -105,11 +110,23 @@ std::vector<double> errors_of(const Requirement& required, const Flight& flight,
   return errors;
 }
 
+// The result of the function. If a table cannot be used, a column that it does not have is named where the
+// scenario names it.
+template <class Function> auto with_columns_of(const Scenario& scenario, const Function& function) {
+  try {
+    return function();
+  } catch (const CsvError&) {
+    require_columns(scenario);
+    throw;
+  }
+}
+
 }  // namespace
 
 FlownAttitude read_flown_attitude(const Scenario& scenario) {
-  AttitudeRecord record =
-      in_plain_words(scenario.attitude.file.string(), [&] { return read_attitude(scenario.attitude); });
+  AttitudeRecord record = with_columns_of(scenario, [&] {
+    return in_plain_words(scenario.attitude.file.string(), [&] { return read_attitude(scenario.attitude); });
+  });
   if (!scenario.body.empty()) record.body = scenario.body;
   record.longest_step = scenario.gap;
   BodyFrames frames(record.body, scenario.frames);
@@ -124,7 +141,9 @@ Flight read_flight(const Scenario& scenario, Progress& progress) {
       scenario.step ? resampled(flown.record, instants(scenario, flown.record)) : flown.record;
   Flight flight{std::move(flown), std::move(attitude), nullptr, {}, {}};
   const auto& times = flight.attitude.times;
-  if (scenario.orbit) flight.orbit = read_orbit(*scenario.orbit, from_until(times.front(), times.back()));
+  if (scenario.orbit)
+    flight.orbit = with_columns_of(
+        scenario, [&] { return read_orbit(*scenario.orbit, from_until(times.front(), times.back())); });
   progress.begin("orbit", times.size());
   flight.motions = motions_at(times, flight.orbit, [&] { progress.count(); });
   progress.end();
@@ -141,8 +160,21 @@ Measured measured(const Measure& measure, const Scenario& scenario, const Flight
                  (flight.orbit ? "the satellite" : "the centre of the Earth");
   made.directions = directions_of(lines_of(measure, scenario, flight), flight.attitude, made.target);
   made.in_body = seen_in_body(flight.attitude, made.directions);
-  made.angles = absolute_errors(made.in_body, flight.flown.frames.in_body(measure.axis));
+  const Vector3d axis = flight.flown.frames.in_body(measure.axis);
+  made.angles = absolute_errors(made.in_body, axis);
+  made.by_reading = off_directions(flight.attitude, axis, made.directions);
   return made;
+}
+
+std::string better_readings(const Flight& flight, const Measured& measure) {
+  const auto fit = fitting(measure.by_reading, largest_off_target);
+  std::string names;
+  if (fit.empty() || fit.front() == 0) return names;
+  const auto readings = readings_of(flight.attitude);
+  for (const std::size_t i : fit)
+    names += (names.empty() ? "" : ", ") + std::string(readings[i].name()) + " (median " +
+             decimals(degrees * measure.by_reading[i]) + " deg)";
+  return names;
 }
 
 std::vector<Report::Verdict> verdicts(const Scenario& scenario, const Flight& flight,

@@ -34,8 +34,14 @@ struct Measured {
   std::vector<Eigen::Vector3d> directions;  // of the target, along the axes of the reference
   std::vector<Eigen::Vector3d> in_body;
   std::vector<double> angles;  // rad
+  std::vector<double>
+      by_reading;  // the median angle by each reading of the quaternions, the stated one first
 };
 Measured measured(const Measure& measure, const Scenario& scenario, const Flight& flight);
+
+/// The readings of the quaternions by which the axis looks at the target, and as stated it does not: "" if
+/// there is none. None is chosen.
+std::string better_readings(const Flight& flight, const Measured& measure);
 
 /// Which requirements are fulfilled. Throws BadInput if nothing is left to be judged.
 std::vector<Report::Verdict> verdicts(const Scenario& scenario, const Flight& flight,

@@ -15,10 +15,10 @@ struct Place {
   std::string file;
   std::size_t line = 1, column = 1;
 
+  /// "file:3"
+  [[nodiscard]] std::string line_text() const { return file + ':' + std::to_string(line); }
   /// "file:3:7"
-  [[nodiscard]] std::string text() const {
-    return file + ':' + std::to_string(line) + ':' + std::to_string(column);
-  }
+  [[nodiscard]] std::string text() const { return line_text() + ':' + std::to_string(column); }
 };
 
 /// Throws BadInput: "file:3:7: why".

@@ -10,7 +10,9 @@
 #include "figures.hpp"
 #include "pointing_error.hpp"
 #include "quantile.hpp"
+#include "reading.hpp"
 #include "sample_faults.hpp"
+#include "selection.hpp"
 #include "sha256.hpp"
 
 namespace vectrix::cli {
@@ -98,8 +100,8 @@ Report::Plot angles(const Scenario& scenario, const std::vector<Measured>& measu
                                        [&](std::size_t i) { return degrees * measures[k].angles[i]; }));
   for (const Requirement& required : scenario.requirements)
     if (!required.window)
-      plot.limits.push_back(
-          {required.degrees, scenario.measures[required.measure].name + ": " + required.text});
+      plot.limits.push_back({required.degrees, scenario.measures[required.measure].name + " at most " +
+                                                   detail::text(required.degrees) + " deg"});
   return plot;
 }
 
@@ -157,6 +159,18 @@ void add_rates(Report& report, const AttitudeRecord& record) {
   report.plots.push_back(std::move(differences));
 }
 
+// The samples of the file from the one before the first instant to the one after the last.
+AttitudeRecord around(AttitudeRecord record, const Epoch& first, const Epoch& last) {
+  const auto& times = record.times;
+  const auto begin = std::upper_bound(times.begin() + 1, times.end(), first) - 1;
+  const auto end = std::lower_bound(times.begin(), times.end() - 1, last) + 1;
+  const Places places{begin - times.begin(), end - times.begin()};
+  keep(record.times, places);
+  keep(record.numbers, places);
+  keep(record.rates, places);
+  return record;
+}
+
 Report::Table statistics(const Scenario& scenario, const Flight& flight,
                          const std::vector<Measured>& measures) {
   Report::Table table{
@@ -167,6 +181,18 @@ Report::Table statistics(const Scenario& scenario, const Flight& flight,
                           decimals(figures.quantile(50.0)), decimals(figures.quantile(95.0)),
                           decimals(figures.value(figures.place_of_largest())), decimals(figures.rms()),
                           flight.attitude.times[figures.place_of_largest()].utc(3)});
+  }
+  return table;
+}
+
+Report::Table by_reading(const Scenario& scenario, const Flight& flight,
+                         const std::vector<Measured>& measures) {
+  Report::Table table{"Median angle, deg, if the quaternions were read otherwise", {"measure"}, {}};
+  for (const Reading& reading : readings_of(flight.attitude)) table.headings.emplace_back(reading.name());
+  for (std::size_t k = 0; k < measures.size(); ++k) {
+    table.rows.push_back({scenario.measures[k].name});
+    for (const double median : measures[k].by_reading)
+      table.rows.back().push_back(decimals(degrees * median));
   }
   return table;
 }
@@ -262,8 +288,11 @@ Report replay_report(const Scenario& scenario, const Flight& flight, const std::
   const auto q = quaternions(attitude);
   if (!measures.empty()) report.plots.push_back(angles(scenario, measures, curves));
   report.plots.push_back(components(attitude, q, curves));
-  add_rates(report, flight.flown.record);
-  if (!measures.empty()) report.tables.push_back(statistics(scenario, flight, measures));
+  add_rates(report, around(flight.flown.record, attitude.times.front(), attitude.times.back()));
+  if (!measures.empty()) {
+    report.tables.push_back(statistics(scenario, flight, measures));
+    report.tables.push_back(by_reading(scenario, flight, measures));
+  }
   report.tables.push_back(faults(flight.flown.record));
   std::vector<double> seconds;
   for (const Epoch& t : attitude.times) seconds.push_back((t - report.start).value());

@@ -9,6 +9,8 @@
 #include "plain_words.hpp"
 #include "scales.hpp"
 #include "scenario/fixed_frame.hpp"
+#include "scenario/given.hpp"
+#include "scenario/measures.hpp"
 #include "scenario/table.hpp"
 #include "table_text.hpp"
 
@@ -17,56 +19,6 @@ namespace {
 
 using Scalar = Convention::Scalar;
 using Maps = Convention::Maps;
-
-const std::map<std::string, SkyCorrection> corrections{
-    {"geometric", geometric}, {"light_time", light_time}, {"apparent", apparent}};
-const std::map<std::string, Target> targets{{"sun", Target::sun},
-                                            {"moon", Target::moon},
-                                            {"earth", Target::earth},
-                                            {"velocity relative to gcrf", Target::velocity},
-                                            {"velocity relative to itrf", Target::velocity_in_itrf}};
-
-std::string line_of(const Place& place) {
-  return place.file + ':' + std::to_string(place.line);
-}
-
-// The one of these keys that is given.
-const ScenarioValue& one_of(const ScenarioTable& table, const std::vector<std::string_view>& keys) {
-  const ScenarioValue* given = nullptr;
-  for (const std::string_view key : keys) {
-    const auto* const found = table.find(key);
-    if (!found) continue;
-    if (given)
-      refuse(found->place, "'" + found->path + "' and '" + given->path + "' are both given; one is needed");
-    given = found;
-  }
-  if (!given) refuse(table.place, "'" + table.path + "' needs one of: " + listed(keys));
-  return *given;
-}
-
-// None of these keys, for `why`.
-void refuse_keys(const ScenarioTable& table, const std::vector<std::string_view>& keys,
-                 const std::string& why) {
-  for (const std::string_view key : keys)
-    if (const auto* const found = table.find(key)) refuse(found->place, "'" + found->path + "' " + why);
-}
-void require_keys(const ScenarioTable& table, const std::vector<std::string_view>& keys,
-                  const std::string& of) {
-  for (const std::string_view key : keys)
-    if (!table.find(key))
-      refuse(table.place, "'" + table.path + '.' + std::string(key) + "' is missing: " + of + " needs it");
-}
-
-Quantity<si::angle> angle(const ScenarioTable& table, std::string_view key) {
-  return table.at(key).as<Amount>().in("rad") * si::radian;
-}
-
-double positive(const ScenarioValue& value, std::string_view unit) {
-  const auto& amount = value.as<Amount>();
-  if (!(amount.in(unit) > 0.0))
-    refuse(value.place, "'" + value.path + "' is " + amount.text() + "; it must be above 0");
-  return amount.in(unit);
-}
 
 class Reader {
  public:
@@ -91,9 +43,7 @@ class Reader {
       const FixedFrame& frame = scenario_.frames.back();
       choose("frame " + frame.name, stated_frame(each), each.place);
     }
-    read_measures();
-    for (const ScenarioTable& each : table_.tables("require"))
-      scenario_.requirements.push_back(requirement(each));
+    read_measures(table_, scenario_);
     if (const auto* const output = table_.table("output")) {
       if (const auto* const report = output->find("report")) scenario_.report = named(*report, ".html");
       if (const auto* const csv = output->find("csv")) scenario_.csv = named(*csv, ".csv");
@@ -103,7 +53,7 @@ class Reader {
 
  private:
   void choose(const std::string& what, const std::string& value, const Place& by) {
-    scenario_.choices.push_back({what, value, line_of(by)});
+    scenario_.choices.push_back({what, value, by.line_text()});
   }
 
   void collect_inputs(const ScenarioTable& table) {
@@ -127,6 +77,7 @@ class Reader {
   void read_time() {
     const auto* const time = table_.table("time");
     if (!time) return;
+    scenario_.time_place = time->place;
     const auto *start = time->find("start"), *end = time->find("end"), *step = time->find("step");
     if (start) scenario_.start = start->as<Epoch>();
     if (end) scenario_.end = end->as<Epoch>();
@@ -147,7 +98,6 @@ class Reader {
     const auto& file = from.at("file");
     add_input(file.text());
     scenario_.attitude.file = file.text();
-    scenario_.attitude_place = file.place;
     Selection& selection = scenario_.attitude.selection;
     selection.segment_word = "segment = NUMBER in [attitude]";
     if (!scenario_.step) {
@@ -165,15 +115,15 @@ class Reader {
       return;
     }
     refuse_keys(from, {"segment"}, "is of a message; " + file.text() + " is a table");
-    require_keys(from, {"time", "quaternion"}, "a table");
+    want_keys(from, {"time", "quaternion"}, "a table");
     read_columns(from);
   }
 
   void read_columns(const ScenarioTable& from) {
     TableColumns columns;
-    read_time_column(*from.table("time"), columns.time, columns.scale);
+    read_time_column(*from.table("time"), scenario_.attitude.file, columns.time, columns.scale);
     const ScenarioTable& quaternion = *from.table("quaternion");
-    columns.quaternion = quaternion.at("columns").as<std::vector<std::string>>();
+    columns.quaternion = columns_of(quaternion.at("columns"), scenario_.attitude.file);
     const auto& scalar = quaternion.at("scalar");
     const ScenarioTable& maps = *quaternion.table("maps");
     const auto &map_from = maps.at("from"), &map_to = maps.at("to");
@@ -195,15 +145,23 @@ class Reader {
     scenario_.attitude.columns = columns;
   }
 
-  void read_time_column(const ScenarioTable& from, std::string& column, TimeScale& scale) {
+  // The columns that a value names.
+  std::vector<std::string> columns_of(const ScenarioValue& value, const std::filesystem::path& file) {
+    const auto& names = value.as<std::vector<std::string>>();
+    for (const std::string& name : names) scenario_.columns.push_back({file, name, value.place});
+    return names;
+  }
+  void read_time_column(const ScenarioTable& from, const std::filesystem::path& file, std::string& column,
+                        TimeScale& scale) {
     column = from.at("column").text();
+    scenario_.columns.push_back({file, column, from.at("column").place});
     scale = scales().at(small(from.at("scale").text()));
     choose("times of " + from.path.substr(0, from.path.find('.')),
            "column " + column + ", " + from.at("scale").text(), from.place);
   }
 
   void read_rates(const ScenarioTable& rates, TableColumns& columns) {
-    columns.rates = rates.at("columns").as<std::vector<std::string>>();
+    columns.rates = columns_of(rates.at("columns"), scenario_.attitude.file);
     columns.rates_in_degrees = rates.at("unit").text() == "deg/s";
     const auto &of = rates.at("of"), &relative_to = rates.at("relative_to"), &in = rates.at("in");
     scenario_.rates =
@@ -257,7 +215,7 @@ class Reader {
     } else if (!is_table) {
       source.message = file.text();
     } else {
-      require_keys(from, {"time", "position", "velocity", "unit", "frame", "interpolation"}, "a table");
+      want_keys(from, {"time", "position", "velocity", "unit", "frame", "interpolation"}, "a table");
       source.table = orbit_table(from, file.text());
     }
     scenario_.orbit = source;
@@ -265,9 +223,9 @@ class Reader {
 
   OrbitFile orbit_table(const ScenarioTable& from, const std::string& file) {
     OrbitColumns columns;
-    read_time_column(*from.table("time"), columns.time, columns.scale);
-    columns.position = from.at("position").as<std::vector<std::string>>();
-    columns.velocity = from.at("velocity").as<std::vector<std::string>>();
+    read_time_column(*from.table("time"), file, columns.time, columns.scale);
+    columns.position = columns_of(from.at("position"), file);
+    columns.velocity = columns_of(from.at("velocity"), file);
     columns.in_kilometres = from.at("unit").text() == "km";
     const auto& frame = from.at("frame");
     columns.reference = inertial(frame.text()).value_or(frame.text());
@@ -279,123 +237,25 @@ class Reader {
     return {file, columns, {}};
   }
 
-  void read_measures() {
-    std::map<std::string, MeasureTarget> named;
-    for (const auto& [name, target] : targets) named.emplace(name, target);
-    const auto add = [&](const ScenarioTable& from, const MeasureTarget& target) {
-      const auto& name = from.at("name");
-      if (!named.emplace(small(name.text()), target).second)
-        refuse(name.place, "there are two targets '" + name.text() + "'");
-    };
-    for (const ScenarioTable& each : table_.tables("star")) add(each, star(each));
-    for (const ScenarioTable& each : table_.tables("station")) add(each, station(each));
-    for (const ScenarioTable& each : table_.tables("measure")) {
-      const auto& name = each.at("name");
-      for (const Measure& other : scenario_.measures)
-        if (other.name == name.text()) refuse(name.place, "there are two measures '" + name.text() + "'");
-      scenario_.measures.push_back(measure(each, named));
-    }
-  }
-
-  static StarTarget star(const ScenarioTable& from) {
-    const RightAscensionDeclination at{angle(from, "right_ascension"), angle(from, "declination")};
-    require_latitude(from.at("declination"));
-    return {from.at("name").text(), at};
-  }
-  StationTarget station(const ScenarioTable& from) const {
-    require_latitude(from.at("latitude"));
-    const auto& longitude = from.at("longitude");
-    if (!(std::abs(longitude.as<Amount>().in("deg")) <= 360.0))
-      refuse(longitude.place,
-             "'" + longitude.path + "' is " + longitude.as<Amount>().text() + ", more than a turn");
-    if (!scenario_.orientation)
-      refuse(from.place,
-             "a station needs the orientation of the Earth; missing: orientation = \"FILE\" in [earth]");
-    return {from.at("name").text(),
-            {GeodeticLatitude(angle(from, "latitude")), angle(from, "longitude"),
-             from.at("height").as<Amount>().in("m") * si::metre}};
-  }
-  static void require_latitude(const ScenarioValue& value) {
-    if (!(std::abs(value.as<Amount>().in("deg")) <= 90.0))
-      refuse(value.place, "'" + value.path + "' is " + value.as<Amount>().text() + "; it is at most 90 deg");
-  }
-
-  Measure measure(const ScenarioTable& from, const std::map<std::string, MeasureTarget>& named) {
-    const auto &target = from.at("target"), &axis = from.at("axis");
-    const auto found = named.find(small(target.text()));
-    if (found == named.end()) {
-      std::vector<std::string_view> names;
-      for (const auto& [name, value] : named) names.push_back(name);
-      refuse(target.place, "there is no target '" + target.text() + "'" + instead_of(target.text(), names));
-    }
-    Measure made{from.place, from.at("name").text(), fixed_axis(axis), target.place, found->second};
-    const auto* const plain = std::get_if<Target>(&made.target);
-    const bool is_star = std::holds_alternative<StarTarget>(made.target);
-    const auto* const correction = from.find("correction");
-    if (correction) {
-      if (!is_star && !(plain && is_in_sky(*plain)))
-        refuse(correction->place, "'" + correction->path + "' is of the Sun, the Moon and stars");
-      if (is_star && correction->text() == "geometric")
-        refuse(
-            correction->place,
-            "a catalogue says where a star is seen, not where it is; needed: \"light_time\" or \"apparent\"");
-      made.correction = corrections.at(correction->text());
-    } else if (is_star || (plain && is_in_sky(*plain))) {
-      refuse(from.place, "'measure.correction' is missing: " + target.text() +
-                             " is not where it is seen; one of: " + (is_star ? "" : "\"geometric\", ") +
-                             "\"light_time\", \"apparent\"");
-    }
-    if (!scenario_.orbit && !(plain && *plain == Target::sun))
-      refuse(target.place, "the direction of " + target.text() + " needs an orbit; missing: [orbit]");
-    if (made.correction) choose("correction of " + made.name, words_of(*made.correction), correction->place);
-    return made;
-  }
-
-  Requirement requirement(const ScenarioTable& from) const {
-    const auto& measure = from.at("measure");
-    std::vector<std::string_view> names;
-    for (const Measure& each : scenario_.measures) names.push_back(each.name);
-    const auto found = std::find(names.begin(), names.end(), measure.text());
-    if (found == names.end())
-      refuse(measure.place,
-             "there is no measure '" + measure.text() + "'" + instead_of(measure.text(), names));
-    const auto& limit = one_of(from, {"absolute", "relative"});
-    const auto& percent = from.at("percent");
-    Requirement made{from.place, static_cast<std::size_t>(found - names.begin()), positive(limit, "deg"),
-                     positive(percent, "%")};
-    if (made.degrees > 180.0)
-      refuse(limit.place, "'" + limit.path + "' is " + limit.as<Amount>().text() + "; it is at most 180 deg");
-    if (made.percent > 100.0)
-      refuse(percent.place,
-             "'" + percent.path + "' is " + percent.as<Amount>().text() + "; it is at most 100 %");
-    const bool is_relative = limit.path == "require.relative";
-    const auto* const window = from.find("window");
-    if (is_relative) {
-      if (!window)
-        refuse(from.place,
-               "'require.window' is missing: a relative error is over a window, as window = \"60 s\"");
-      made.window = positive(*window, "s");
-    } else if (window) {
-      refuse(window->place, "'require.window' is of a relative error; this one is absolute");
-    }
-    std::string condition;
-    if (const auto* const when = from.find("when")) {
-      made.when = when->text() == "sunlight" ? When::sunlight : When::shadow;
-      condition = " in " + when->text();
-      if (!scenario_.orbit)
-        refuse(when->place, "whether it is in " + when->text() + " needs an orbit; missing: [orbit]");
-    }
-    made.text = (is_relative ? "relative error in " + window->as<Amount>().text() : "absolute error") +
-                " at most " + limit.as<Amount>().text() + " in " + percent.as<Amount>().text() + " of the " +
-                (is_relative ? "windows" : "samples") + condition;
-    return made;
-  }
-
   ScenarioTable table_;
   Scenario scenario_;
 };
 
 }  // namespace
+
+void require_columns(const Scenario& scenario) {
+  std::map<std::filesystem::path, std::vector<std::string>> tables;
+  for (const NamedColumn& column : scenario.columns) {
+    const auto known = tables.find(column.file);
+    const auto& names =
+        known != tables.end()
+            ? known->second
+            : tables.emplace(column.file, CsvTable::read(column.file, {}).columns()).first->second;
+    if (std::find(names.begin(), names.end(), column.name) == names.end())
+      refuse(column.place,
+             column.file.string() + " has no column '" + column.name + "'" + instead_of(column.name, names));
+  }
+}
 
 Scenario read_scenario(const std::filesystem::path& file) {
   return Reader(file).read();

@@ -59,6 +59,13 @@ struct Requirement {
   std::string text{};  // "absolute error at most 0.5 deg in 95 % of the samples"
 };
 
+/// A column of a table, and where it is named.
+struct NamedColumn {
+  std::filesystem::path file;
+  std::string name;
+  Place place;
+};
+
 /// The rates of a table as they are stated, before it is known which frames are fixed in the body.
 struct StatedRates {
   Place of_place, relative_to_place, in_place;
@@ -70,10 +77,10 @@ struct StatedRates {
 struct Scenario {
   std::string file, title;
   std::optional<Epoch> start{}, end{};
+  Place time_place{};
   std::optional<double> step{};  // s
   std::optional<EarthOrientation> orientation{};
   AttitudeSource attitude{};
-  Place attitude_place{};
   std::string body{};           // as the table names it; of a message empty
   std::optional<double> gap{};  // s
   std::optional<StatedRates> rates{};
@@ -83,11 +90,15 @@ struct Scenario {
   std::vector<Requirement> requirements{};
   std::filesystem::path report{}, csv{};        // empty if not wanted
   std::vector<std::filesystem::path> inputs{};  // every file that is read, this one first
-  std::vector<Report::Choice> choices{};        // what it states
+  std::vector<NamedColumn> columns{};
+  std::vector<Report::Choice> choices{};  // what it states
 };
 
 /// Throws BadInput with file, line and column: as read_scenario_table, and for words that do not go together,
 /// a name that nothing has or two have, no rotation, and an axis without direction.
 Scenario read_scenario(const std::filesystem::path& file);
+
+/// Throws BadInput for the first column that its table does not have, with the nearest one.
+void require_columns(const Scenario& scenario);
 
 }  // namespace vectrix::cli

@@ -9,6 +9,8 @@
 #include <sstream>
 
 #include "angle_figures.hpp"
+#include "convert.hpp"
+#include "cubesat.hpp"
 #include "figures.hpp"
 #include "pointing_error.hpp"
 #include "says.hpp"
@@ -95,6 +97,57 @@ TEST(Replay, IsChangedByEachMistake) {
   EXPECT_FALSE(fulfilled(with(right, "-z of radiometer", "z of radiometer"))) << "sign";
 }
 
+// The mistake is named; none is undone.
+TEST(Replay, SaysWhichReadingWouldBeOnTheTarget) {
+  const std::string right = example("ctim.toml"),
+                    transposed =
+                        with(right, "from = \"ICRF\", to = \"body\"", "from = \"body\", to = \"ICRF\""),
+                    last = with(right, "scalar = \"first\"", "scalar = \"last\"");
+  const auto better = [](const std::string& text) {
+    const auto found = result(text);
+    return better_readings(found.flight, found.measures[0]);
+  };
+  EXPECT_EQ(better(right), "");
+  EXPECT_EQ(better(transposed), "transposed (median 0.350123 deg)");
+  EXPECT_EQ(better(last), "other order of numbers (median 0.350123 deg)");
+  EXPECT_EQ(better(with(transposed, "scalar = \"first\"", "scalar = \"last\"")),
+            "other order and transposed (median 0.350123 deg)");
+  EXPECT_EQ(better(with(right, "-z of radiometer", "x of radiometer")), "");  // none
+  const auto table = result(transposed).report().tables.at(1);
+  EXPECT_EQ(table.headings,
+            (std::vector<std::string>{"measure", "as stated", "transposed", "other order of numbers",
+                                      "other order and transposed"}));
+  EXPECT_EQ(table.rows.at(0).at(2), "0.350123");
+}
+
+// A message says itself what it means: the same flight.
+TEST(Replay, ReadsAMessage) {
+  const auto aem = temporary_path("_ctim.aem");
+  ConvertOptions to_aem{aem};
+  to_aem.text = {"CTIM", "2022-074G", "LASP", "2026-11-29T00:00:00"};
+  to_aem.body = "SC_BODY_1";
+  std::ostringstream silent;
+  convert(cubesat_attitude(), to_aem, silent);
+  const std::string table = example("ctim.toml");
+  const auto begin = table.find("time = {"), end = table.find("[[frame]]");
+  std::string text = table;
+  text.replace(begin, end - begin, "gap = \"30 s\"\n");
+  text = with(with(text, (examples / "data/CTIM_20230420_attitude.csv").string(), aem.string()),
+              "to = \"body\" }\n\n[[measure]]", "to = \"SC_BODY_1\" }\n\n[[measure]]");
+  const auto of_table = result(table), of_message = result(text);
+  const Report report = of_message.report();
+  std::filesystem::remove(aem);
+  constexpr double rounding = 1e-13;  // rad: of quaternions that were divided by their norm
+  for (std::size_t i = 0; i < of_table.measures[0].angles.size(); ++i)
+    EXPECT_NEAR(of_message.measures[0].angles[i], of_table.measures[0].angles[i], rounding);
+  EXPECT_EQ(of_message.flight.attitude.body, "SC_BODY_1");
+  bool is_said = false;
+  for (const auto& choice : report.choices)
+    is_said = is_said || (choice.by == aem.string() &&
+                          choice.value.ends_with("coordinates to GCRF, the scalar is last"));
+  EXPECT_TRUE(is_said);
+}
+
 // Zero-Doppler steering: 0.0003 to 0.0011 deg, with the observed orientation of the Earth.
 TEST(Replay, FindsTheZeroDopplerSteeringOfSentinel1) {
   const std::string text = example("sentinel1.toml");
@@ -143,6 +196,10 @@ TEST(Replay, FillsAReport) {
   EXPECT_EQ(report.verdicts.size(), 2U);
   ASSERT_EQ(report.plots.size(), 3U);
   EXPECT_EQ(report.plots[0].limits.at(0).value, 0.36);
+  EXPECT_EQ(report.plots[0].limits.at(0).name, "off-Sun at most 0.36 deg");
+  // The samples around the instants, each 10 s at 9.001 s of it.
+  EXPECT_NEAR(report.plots[2].seconds.front(), -0.999, 1e-9);
+  EXPECT_NEAR(report.plots[2].seconds.back(), 2999.001, 1e-9);
   for (const auto& plot : report.plots) {
     for (const auto& curve : plot.curves) EXPECT_EQ(curve.values.size(), plot.seconds.size());
     for (std::size_t i = 1; i < plot.seconds.size(); ++i) EXPECT_GT(plot.seconds[i], plot.seconds[i - 1]);
@@ -291,7 +348,26 @@ TEST_F(ReplayFiles, AreWrittenOnce) {
 
 TEST_F(ReplayFiles, LimitTheInstants) {
   EXPECT_EQ(complaint([&] { (void)run(plain + std::string("[time]\nstep = \"0.001 ms\"\n")); }, file()),
-            "FILE: time.step makes 20000001 instants; at most 10000000 are looked at");
+            "FILE:19:1: 'time.step' makes 20000001 instants; at most 10000000 are looked at");
+}
+
+TEST_F(ReplayFiles, HaveTheColumnsThatAreNamed) {
+  EXPECT_EQ(complaint([&] { (void)run(with(plain, "\"t\"", "\"time\"")); }, file()),
+            "FILE:5:19: " + folder.file("a.csv").string() +
+                " has no column 'time'; there are: t, a, b, c, d, wx, wy, wz");
+  EXPECT_EQ(complaint([&] { (void)run(with(plain, "\"d\"]", "\"wxx\"]")); }, file()),
+            "FILE:7:11: " + folder.file("a.csv").string() + " has no column 'wxx'; the nearest is 'wx'");
+}
+
+TEST_F(ReplayFiles, HaveSamplesAtTheTimes) {
+  EXPECT_EQ(
+      complaint(
+          [&] { (void)run(plain + std::string("[time]\nstep = \"1 s\"\nstart = 2026-11-30T00:00:00Z\n")); },
+          file()),
+      "FILE:19:1: the samples of " + folder.file("a.csv").string() +
+          " are from 2026-11-29T00:00:00.000000 UTC to 2026-11-29T00:00:20.000000 UTC, none from "
+          "'time.start' to "
+          "'time.end'");
 }
 
 }  // namespace

@@ -1,0 +1,153 @@
+#include "scenario/measures.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "scenario/fixed_frame.hpp"
+#include "scenario/given.hpp"
+#include "table_text.hpp"
+
+namespace vectrix::cli {
+namespace {
+
+const std::map<std::string, SkyCorrection> corrections{
+    {"geometric", geometric}, {"light_time", light_time}, {"apparent", apparent}};
+const std::map<std::string, Target> targets{{"sun", Target::sun},
+                                            {"moon", Target::moon},
+                                            {"earth", Target::earth},
+                                            {"velocity relative to gcrf", Target::velocity},
+                                            {"velocity relative to itrf", Target::velocity_in_itrf}};
+
+class MeasureReader {
+ public:
+  MeasureReader(const ScenarioTable& table, Scenario& scenario) : table_(table), scenario_(scenario) {}
+
+  void read() {
+    std::map<std::string, MeasureTarget> named;
+    for (const auto& [name, target] : targets) named.emplace(name, target);
+    const auto add = [&](const ScenarioTable& from, const MeasureTarget& target) {
+      const auto& name = from.at("name");
+      if (!named.emplace(small(name.text()), target).second)
+        refuse(name.place, "there are two targets '" + name.text() + "'");
+    };
+    for (const ScenarioTable& each : table_.tables("star")) add(each, star(each));
+    for (const ScenarioTable& each : table_.tables("station")) add(each, station(each));
+    for (const ScenarioTable& each : table_.tables("measure")) {
+      const auto& name = each.at("name");
+      for (const Measure& other : scenario_.measures)
+        if (other.name == name.text()) refuse(name.place, "there are two measures '" + name.text() + "'");
+      scenario_.measures.push_back(measure(each, named));
+    }
+    for (const ScenarioTable& each : table_.tables("require"))
+      scenario_.requirements.push_back(requirement(each));
+  }
+
+ private:
+  static StarTarget star(const ScenarioTable& from) {
+    const RightAscensionDeclination at{angle_of(from, "right_ascension"), angle_of(from, "declination")};
+    require_latitude(from.at("declination"));
+    return {from.at("name").text(), at};
+  }
+  StationTarget station(const ScenarioTable& from) const {
+    require_latitude(from.at("latitude"));
+    const auto& longitude = from.at("longitude");
+    if (!(std::abs(longitude.as<Amount>().in("deg")) <= 360.0))
+      refuse(longitude.place,
+             "'" + longitude.path + "' is " + longitude.as<Amount>().text() + ", more than a turn");
+    if (!scenario_.orientation)
+      refuse(from.place,
+             "a station needs the orientation of the Earth; missing: orientation = \"FILE\" in [earth]");
+    return {from.at("name").text(),
+            {GeodeticLatitude(angle_of(from, "latitude")), angle_of(from, "longitude"),
+             from.at("height").as<Amount>().in("m") * si::metre}};
+  }
+  static void require_latitude(const ScenarioValue& value) {
+    if (!(std::abs(value.as<Amount>().in("deg")) <= 90.0))
+      refuse(value.place, "'" + value.path + "' is " + value.as<Amount>().text() + "; it is at most 90 deg");
+  }
+
+  Measure measure(const ScenarioTable& from, const std::map<std::string, MeasureTarget>& named) {
+    const auto &target = from.at("target"), &axis = from.at("axis");
+    const auto found = named.find(small(target.text()));
+    if (found == named.end()) {
+      std::vector<std::string_view> names;
+      for (const auto& [name, value] : named) names.push_back(name);
+      refuse(target.place, "there is no target '" + target.text() + "'" + instead_of(target.text(), names));
+    }
+    Measure made{from.place, from.at("name").text(), fixed_axis(axis), target.place, found->second};
+    const auto* const plain = std::get_if<Target>(&made.target);
+    const bool is_star = std::holds_alternative<StarTarget>(made.target);
+    const auto* const correction = from.find("correction");
+    if (correction) {
+      if (!is_star && !(plain && is_in_sky(*plain)))
+        refuse(correction->place, "'" + correction->path + "' is of the Sun, the Moon and stars");
+      if (is_star && correction->text() == "geometric")
+        refuse(
+            correction->place,
+            "a catalogue says where a star is seen, not where it is; needed: \"light_time\" or \"apparent\"");
+      made.correction = corrections.at(correction->text());
+    } else if (is_star || (plain && is_in_sky(*plain))) {
+      refuse(from.place, "'measure.correction' is missing: " + target.text() +
+                             " is not where it is seen; one of: " + (is_star ? "" : "\"geometric\", ") +
+                             "\"light_time\", \"apparent\"");
+    }
+    if (!scenario_.orbit && !(plain && *plain == Target::sun))
+      refuse(target.place, "the direction of " + target.text() + " needs an orbit; missing: [orbit]");
+    if (made.correction)
+      scenario_.choices.push_back(
+          {"correction of " + made.name, words_of(*made.correction), correction->place.line_text()});
+    return made;
+  }
+
+  Requirement requirement(const ScenarioTable& from) const {
+    const auto& measure = from.at("measure");
+    std::vector<std::string_view> names;
+    for (const Measure& each : scenario_.measures) names.push_back(each.name);
+    const auto found = std::find(names.begin(), names.end(), measure.text());
+    if (found == names.end())
+      refuse(measure.place,
+             "there is no measure '" + measure.text() + "'" + instead_of(measure.text(), names));
+    const auto& limit = one_of(from, {"absolute", "relative"});
+    const auto& percent = from.at("percent");
+    Requirement made{from.place, static_cast<std::size_t>(found - names.begin()), positive(limit, "deg"),
+                     positive(percent, "%")};
+    if (made.degrees > 180.0)
+      refuse(limit.place, "'" + limit.path + "' is " + limit.as<Amount>().text() + "; it is at most 180 deg");
+    if (made.percent > 100.0)
+      refuse(percent.place,
+             "'" + percent.path + "' is " + percent.as<Amount>().text() + "; it is at most 100 %");
+    const bool is_relative = limit.path == "require.relative";
+    const auto* const window = from.find("window");
+    if (is_relative) {
+      if (!window)
+        refuse(from.place,
+               "'require.window' is missing: a relative error is over a window, as window = \"60 s\"");
+      made.window = positive(*window, "s");
+    } else if (window) {
+      refuse(window->place, "'require.window' is of a relative error; this one is absolute");
+    }
+    std::string condition;
+    if (const auto* const when = from.find("when")) {
+      made.when = when->text() == "sunlight" ? When::sunlight : When::shadow;
+      condition = " in " + when->text();
+      if (!scenario_.orbit)
+        refuse(when->place, "whether it is in " + when->text() + " needs an orbit; missing: [orbit]");
+    }
+    made.text = (is_relative ? "relative error in " + window->as<Amount>().text() : "absolute error") +
+                " at most " + limit.as<Amount>().text() + " in " + percent.as<Amount>().text() + " of the " +
+                (is_relative ? "windows" : "samples") + condition;
+    return made;
+  }
+
+  const ScenarioTable& table_;
+  Scenario& scenario_;
+};
+
+}  // namespace
+
+void read_measures(const ScenarioTable& table, Scenario& scenario) {
+  MeasureReader(table, scenario).read();
+}
+
+}  // namespace vectrix::cli
