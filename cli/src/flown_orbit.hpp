@@ -36,8 +36,8 @@ FlownOrbit orbit_of_kernel(const std::filesystem::path& file, const TimeSpan& sp
 /// Of an orbit ephemeris message in EME2000, GCRF or TEME, or in ITRF if the orientation of the Earth is
 /// given, about the Earth: each epoch by the first segment that has it, interpolated as the segment says, or
 /// else as `stated`. Throws BadInput as the message does, for another frame, an epoch in no segment, fewer
-/// samples than the interpolation needs, an interpolation that nobody has stated, and one that is stated while
-/// every segment says its own.
+/// samples than the interpolation needs, an interpolation that nobody has stated, and one that is stated
+/// while every segment says its own.
 FlownOrbit orbit_of_message(const std::filesystem::path& file, const TimeSpan& span,
                             const StatedInterpolation& stated = {},
                             const std::optional<EarthOrientation>& orientation = std::nullopt);

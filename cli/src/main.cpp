@@ -55,7 +55,7 @@ const std::map<std::string, SkyCorrection> corrections{
     {"geometric", geometric}, {"light_time", light_time}, {"apparent", apparent}};
 
 constexpr const char* attitude_file =
-    "CCSDS AEM (KVN), a kernel of SPICE (CK), or a table with a header line";
+    "CCSDS AEM (KVN or XML), a kernel of SPICE (CK), or a table with a header line";
 
 void add_attitude(CLI::App& command, AttitudeWords& words, const char* file) {
   command.add_option("file", words.file, file)->required();

@@ -73,8 +73,8 @@ struct Report {
     std::vector<BodyAxis> axes{};
     std::vector<Direction> directions{};
     std::vector<View> views{};
-    std::vector<Eigen::Vector3d> positions{};        // m, along the axes of the reference; empty without an orbit
-    std::vector<Eigen::Vector2d> ground_track{};     // geodetic latitude, longitude, deg; empty without an orbit
+    std::vector<Eigen::Vector3d> positions{};  // m, along the axes of the reference; empty without an orbit
+    std::vector<Eigen::Vector2d> ground_track{};  // geodetic latitude, longitude, deg; empty without an orbit
   };
   struct Input {
     std::string path;
