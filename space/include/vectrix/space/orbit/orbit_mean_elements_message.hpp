@@ -19,9 +19,9 @@ class OrbitMeanElementsReader;
 
 }  // namespace detail
 
-/// One orbit mean-elements message (OMM, CCSDS 502.0-B, versions 2.0 and 3.0), in keyword-value notation or XML:
-/// what two-line elements contain, with more digits, and catalogue numbers of any size. Sgp4 takes both, so
-/// the message must say that it is for SGP4:
+/// One orbit mean-elements message (OMM, CCSDS 502.0-B, versions 2.0 and 3.0), in keyword-value notation or
+/// XML: what two-line elements contain, with more digits, and catalogue numbers of any size. Sgp4 takes both,
+/// so the message must say that it is for SGP4:
 ///     CENTER_NAME EARTH, REF_FRAME TEME, TIME_SYSTEM UTC, MEAN_ELEMENT_THEORY SGP4 or SGP/SGP4
 ///     if there, EPHEMERIS_TYPE 0 or 2, or 3 in version 2.0 (SDP4), and GM 398600.8 km^3/s^2 (WGS-72)
 ///     MEAN_MOTION in rev/day, angles in deg, BSTAR per Earth radius: units may be written, and are checked
@@ -33,9 +33,9 @@ class VECTRIX_EXPORT OrbitMeanElementsMessage {
   /// Of one message. The end of the text ends its last line. Throws BadInput with line, column, keyword and
   /// what was found there, or the keyword that is missing.
   static OrbitMeanElementsMessage parse(std::string_view text);
-  /// All messages of a file, each from its CCSDS_OMM_VERS on, or all of an XML document of such messages. Throws
-  /// BadInput with file, line, column and what was found there; also if the file cannot be read or has no
-  /// message. A last line without a line end is refused, for it may have been cut within its number.
+  /// All messages of a file, each from its CCSDS_OMM_VERS on, or all of an XML document of such messages.
+  /// Throws BadInput with file, line, column and what was found there; also if the file cannot be read or has
+  /// no message. A last line without a line end is refused, for it may have been cut within its number.
   static std::vector<OrbitMeanElementsMessage> read(const std::filesystem::path& file);
 
   /// OBJECT_NAME and OBJECT_ID, as written; may be empty.
