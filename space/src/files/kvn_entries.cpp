@@ -39,7 +39,7 @@ double KvnEntries::number(const KvnLine& line, std::string_view unit, int shift)
     written = trimmed(written.substr(0, bracket));
   }
   const auto value = parse_shifted(written, shift);
-  if (!value) fail(line, number_fault(written));
+  if (!value) fail(line, number_fault(written, shift));
   return *value;
 }
 

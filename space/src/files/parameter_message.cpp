@@ -42,7 +42,7 @@ double ParameterBlock::number(std::string_view keyword) const {
   const auto value = detail::parse_shifted(number, 0);
   if (!value)
     throw BadInput("the " + name + ", " + std::string{keyword} + ": '" + detail::excerpt(*written) +
-                   "': " + detail::number_fault(number));
+                   "': " + detail::number_fault(number, 0));
   return *value;
 }
 
