@@ -203,7 +203,7 @@ Report::Table faults(const AttitudeRecord& record) {
   const auto add = [&](const std::string& what, const SampleFaults::Extreme& extreme,
                        const std::string& most) {
     table.rows.push_back({what, std::to_string(extreme.count), extreme.count == 0 ? "" : most,
-                          extreme.count == 0 ? "" : record.times[extreme.sample].utc(3)});
+                          extreme.count == 0 ? std::string{} : record.times[extreme.sample].utc(3)});
   };
   add("gaps", found.gaps, shown(found.gaps.largest) + " s");
   add("changes from q to -q", found.sign_flips, "");
