@@ -61,7 +61,7 @@ template <class B, class A, class S> [[noreturn, gnu::cold, gnu::noinline]] void
 /// Accurate to rounding for every angle; small angles use a series in |theta|^2, so that underflow of the
 /// square does no harm. Throws BadInput when theta is not finite or |theta|^2 overflows.
 template <class A, class B, class S>
-Quaternion<A, B, S> exp_quaternion(const RotationVector<A, B, S>& theta_ab) {
+[[gnu::always_inline]] inline Quaternion<A, B, S> exp_quaternion(const RotationVector<A, B, S>& theta_ab) {
   const detail::Column<S>& theta = theta_ab.coordinates();
   const S square = theta.squaredNorm();
   const detail::HalfTurn<S> half = detail::half_turn(square);

@@ -27,28 +27,45 @@ namespace detail {
 // A rotation off by a small e, without its error of first order; one of order e^2 is left. Else the rounding
 // of equal steps adds up.
 template <class S> Square<S> nearer_rotation(const Square<S>& R) {
-  const Column<S> first = R.col(0), second = R.col(1);
-  const S skewed = first.dot(second) / S(2);
-  const Column<S> x = (first - skewed * second) * ((S(3) - first.squaredNorm()) / S(2));
-  const Column<S> y = (second - skewed * first) * ((S(3) - second.squaredNorm()) / S(2));
+  const S skewed = (R(0, 0) * R(0, 1) + R(1, 0) * R(1, 1) + R(2, 0) * R(2, 1)) / S(2);
+  const S first = (S(3) - (R(0, 0) * R(0, 0) + R(1, 0) * R(1, 0) + R(2, 0) * R(2, 0))) / S(2);
+  const S second = (S(3) - (R(0, 1) * R(0, 1) + R(1, 1) * R(1, 1) + R(2, 1) * R(2, 1))) / S(2);
   Square<S> nearer;
-  nearer << x, y, x.cross(y);
+  for (int i = 0; i < 3; ++i) {
+    nearer(i, 0) = (R(i, 0) - skewed * R(i, 1)) * first;
+    nearer(i, 1) = (R(i, 1) - skewed * R(i, 0)) * second;
+  }
+  nearer(0, 2) = nearer(1, 0) * nearer(2, 1) - nearer(2, 0) * nearer(1, 1);
+  nearer(1, 2) = nearer(2, 0) * nearer(0, 1) - nearer(0, 0) * nearer(2, 1);
+  nearer(2, 2) = nearer(0, 0) * nearer(1, 1) - nearer(1, 0) * nearer(0, 1);
   return nearer;
-}
-template <class S> Eigen::Quaternion<S> nearer_rotation(const Eigen::Quaternion<S>& q) {
-  return Eigen::Quaternion<S>(q.coeffs() * ((S(3) - q.squaredNorm()) / S(2)));
 }
 
 }  // namespace detail
 
+// The error of the rotation is taken out before the step, while the exponential is computed; a step adds its
+// rounding alone. The products are written by numbers: packets of what was just stored wait for the stores.
 template <class A, class B, class S>
 Dcm<A, B, S> advanced(const Dcm<A, B, S>& R_a_from_b, const Increment<A, B, S>& theta) {
-  return {detail::trusted,
-          detail::nearer_rotation<S>(detail::composed(before(R_a_from_b), exp(theta)).matrix())};
+  const detail::Square<S> R = detail::nearer_rotation<S>(R_a_from_b.matrix());
+  const detail::Square<S> turn = exp_quaternion(theta).eigen().toRotationMatrix();
+  detail::Square<S> product;
+  for (int j = 0; j < 3; ++j)
+    for (int i = 0; i < 3; ++i)
+      product(i, j) = R(i, 0) * turn(0, j) + R(i, 1) * turn(1, j) + R(i, 2) * turn(2, j);
+  return {detail::trusted, product};
 }
 template <class A, class B, class S>
 Quaternion<A, B, S> advanced(const Quaternion<A, B, S>& q_a_from_b, const Increment<A, B, S>& theta) {
-  return {detail::trusted, detail::nearer_rotation<S>((before(q_a_from_b) * exp_quaternion(theta)).eigen())};
+  const Eigen::Quaternion<S>& q = q_a_from_b.eigen();
+  const Eigen::Quaternion<S> turn = exp_quaternion(theta).eigen();
+  const S w = q.w(), x = q.x(), y = q.y(), z = q.z();
+  const S nearer = (S(3) - (w * w + x * x + y * y + z * z)) / S(2);
+  return {detail::trusted,
+          Eigen::Quaternion<S>(nearer * (w * turn.w() - x * turn.x() - y * turn.y() - z * turn.z()),
+                               nearer * (w * turn.x() + x * turn.w() + y * turn.z() - z * turn.y()),
+                               nearer * (w * turn.y() + y * turn.w() + z * turn.x() - x * turn.z()),
+                               nearer * (w * turn.z() + z * turn.w() + x * turn.y() - y * turn.x()))};
 }
 
 namespace detail {
