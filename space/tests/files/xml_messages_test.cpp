@@ -384,6 +384,26 @@ TEST(XmlMessages, InUtf16WithAMark) {
             "UTF-16");
 }
 
+// Of 313 the first and the third turn have one attribute, so that their elements tell which is which.
+TEST(XmlMessages, TurnsHaveTheirOrder) {
+  const auto xml = [](const std::string& turns) {
+    const auto begin = attitude_xml.find("<rotation1"), end = attitude_xml.find("</rotationAngles>");
+    return replaced(replaced(attitude_xml, attitude_xml.substr(begin, end - begin), turns), ">312<", ">313<");
+  };
+  const std::string first = "<rotation1 angle=\"Z_ANGLE\">10</rotation1>",
+                    second = "<rotation2 angle=\"X_ANGLE\">20</rotation2>",
+                    third = "<rotation3 angle=\"Z_ANGLE\">-30</rotation3>",
+                    expected = "attitude ephemeris message, line 54, column ";
+  EXPECT_EQ(AttitudeEphemerisMessage::parse(xml(first + second + third)).text(),
+            AttitudeEphemerisMessage::parse(replaced(attitude_kvn, "= 312", "= 313")).text());
+  EXPECT_EQ(complaint_of<AttitudeEphemerisMessage>(xml(third + second + first)),
+            expected + "14: <rotation3>: expected rotation1");
+  EXPECT_EQ(complaint_of<AttitudeEphemerisMessage>(xml(first + third + second)),
+            expected + "55: <rotation3>: expected rotation2");
+  EXPECT_EQ(complaint_of<AttitudeEphemerisMessage>(xml(first + second + first)),
+            expected + "96: <rotation1>: expected rotation3");
+}
+
 // Orekit has this file (at fe4aee84, Apache-2.0) to show that it can be parsed; it is no message.
 TEST(XmlMessages, OtherDocumentsAreRefused) {
   EXPECT_EQ(complaint_of<AttitudeEphemerisMessage>(in_utf16(
