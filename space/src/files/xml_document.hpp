@@ -43,6 +43,7 @@ class XmlDocument {
  private:
   [[nodiscard]] TextPosition position(std::size_t offset) const;
   void require_declaration(bool is_utf16) const;
+  void require_attributes(pugi::xml_node element) const;
   [[nodiscard]] std::string decoded(pugi::xml_node text) const;
 
   std::string place_, text_;

@@ -535,6 +535,11 @@ TEST(XmlMessages, EveryFaultHasALineAColumnAndAReason) {
         "line 29, column 36: <Q1>: 'Q1' is not of this line of data, or twice"},
        {attitude_xml, "<Q1>0.6", "<Q1 units=\"deg\">0.6",
         "line 29, column 24: <Q1>: the unit is 'deg'; it has no unit"},
+       {attitude_xml, "units=\"deg\">20", "unit=\"rad\">20",
+        "line 55, column 14: <rotation2>: the attribute 'unit'; a value may have units, parameter, angle or "
+        "rate"},
+       {attitude_xml, "units=\"deg\">20", "units=\"deg\" units=\"rad\">20",
+        "line 55, column 14: <rotation2>: the attribute 'units' is there twice"},
        {attitude_xml, "units=\"deg\">20", "units=\"rad\">20",
         "line 55, column 14: <rotation2>: the unit is 'rad', not 'deg'"},
        {attitude_xml, "\"X_ANGLE\"", "\"Y_ANGLE\"",
