@@ -122,6 +122,14 @@ std::string_view XmlDocument::name(pugi::xml_node element) {
   return name.substr(name.find(':') + 1);
 }
 
+std::vector<pugi::xml_node> XmlDocument::children(pugi::xml_node element, std::string_view wanted) {
+  std::vector<pugi::xml_node> found;
+  for (const pugi::xml_node child : element.children()) {
+    if (name(child) == wanted) found.push_back(child);
+  }
+  return found;
+}
+
 std::string XmlDocument::attribute(pugi::xml_node element, const char* name) const {
   const pugi::xml_attribute found = element.attribute(name);
   for (pugi::xml_attribute next = found.next_attribute(); next; next = next.next_attribute()) {

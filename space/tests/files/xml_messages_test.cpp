@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cctype>
 #include <string>
 
 #include <vectrix/space.hpp>
@@ -356,6 +357,31 @@ TEST(XmlMessages, AreTheSameAsInKeywords) {
   EXPECT_EQ(elements.catalogue_number(), 25544);
   EXPECT_EQ(elements.mean_elements().eccentricity, .00068493);
   EXPECT_EQ(*elements.text("MEAN_MOTION"), "15.49071756 [rev/day]");
+}
+
+// The same elements with a prefix, <n:aem xmlns:n="...">.
+std::string prefixed(const std::string& xml) {
+  std::string text;
+  for (std::size_t i = 0; i < xml.size(); ++i) {
+    text += xml[i];
+    const std::size_t name = i + (xml.compare(i, 2, "</") == 0 ? 2 : 1);
+    if (xml[i] != '<' || name >= xml.size() || !std::isalpha(static_cast<unsigned char>(xml[name]))) continue;
+    const bool has_prefix =
+        xml.substr(name, xml.find_first_of(" />", name) - name).find(':') != std::string::npos;
+    text += xml.substr(i + 1, name - i - 1) + (has_prefix ? "" : "n:");
+    i = name - 1;
+  }
+  const auto end = text.find_first_of(" >", text.find("<n:"));
+  return text.insert(end, " xmlns:n=\"urn:ccsds:schema:ndmxml\"");
+}
+
+TEST(XmlMessages, ElementsMayHaveAPrefix) {
+  EXPECT_EQ(AttitudeEphemerisMessage::parse(prefixed(attitude_xml)).text(),
+            AttitudeEphemerisMessage::parse(attitude_kvn).text());
+  EXPECT_EQ(OrbitEphemerisMessage::parse(prefixed(orbit_xml)).text(),
+            OrbitEphemerisMessage::parse(orbit_kvn).text());
+  EXPECT_EQ(AttitudeParameterMessage::parse(prefixed(attitude_parameters_xml)).text(),
+            AttitudeParameterMessage::parse(attitude_parameters_kvn).text());
 }
 
 TEST(XmlMessages, InUtf16WithAMark) {
