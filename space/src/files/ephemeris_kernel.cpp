@@ -59,6 +59,11 @@ std::int32_t body_of_name(const std::string& place, const std::string& name, con
   return number ? *number : *known;
 }
 
+bool is_read(int type) {
+  constexpr int types[] = {2, 3, 8, 9, 10, 12, 13};
+  return std::find(std::begin(types), std::end(types), type) != std::end(types);
+}
+
 std::unique_ptr<const detail::OrbitSource> source_of(const detail::OrbitPart& part, int type) {
   if (type == 2 || type == 3) return detail::chebyshev_source(part, type);
   if (type == 10) return detail::element_sets_source(part);
@@ -72,6 +77,7 @@ struct detail::LoadedSegment {
   std::int32_t center;
   bool is_ecliptic;
   std::unique_ptr<const OrbitSource> source;
+  std::string refusal;  // of one that cannot be read
 };
 
 /// What was loaded of each body, the last in the file first.
@@ -133,6 +139,7 @@ PlainMotion detail::KernelOrbit::at(const Epoch& epoch) const {
   static const Eigen::Matrix3d R_equator_from_ecliptic = equator_from_ecliptic();
   PlainMotion sum{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
   const auto add = [&](const LoadedSegment& segment, double sign) {
+    if (!segment.source) throw BadInput(segment.refusal);
     PlainMotion motion = segment.source->at(t);
     if (segment.is_ecliptic)
       motion = {R_equator_from_ecliptic * motion.position, R_equator_from_ecliptic * motion.velocity};
@@ -172,10 +179,6 @@ EphemerisKernel EphemerisKernel::open(const std::filesystem::path& file) {
     segment.center = array.integers[1];
     segment.frame = array.integers[2];
     segment.type = array.integers[3];
-    constexpr int types[] = {2, 3, 8, 9, 10, 12, 13};
-    if (std::find(std::begin(types), std::end(types), segment.type) == std::end(types))
-      throw BadInput(place + ": it is of type " + detail::text(segment.type) +
-                     "; the types 2, 3, 8, 9, 10, 12 and 13 are read");
     if (segment.target == segment.center)
       throw BadInput(place + ": it is of " + shown_body(segment.target) + " relative to itself");
     if (!(array.doubles[0] <= array.doubles[1]))
@@ -195,6 +198,17 @@ TimeSpan EphemerisKernel::span() const {
     end = std::max(end, segment.end);
   }
   return from_until(start, end);
+}
+
+std::string EphemerisKernel::refusal_of(std::size_t segment, const detail::FrameClaim& a) const {
+  const EphemerisKernelSegment& asked = segments_[segment];
+  if (!is_read(asked.type))
+    return place_of(segment) + ": it is of type " + detail::text(asked.type) +
+           "; the types 2, 3, 8, 9, 10, 12 and 13 are read";
+  if (!is_known_frame(asked.frame))
+    return place_of(segment) + ": its frame is " + detail::text(asked.frame) +
+           "; J2000 (1) and ECLIPJ2000 (17) are read; asked for " + a.type;
+  return {};
 }
 
 detail::KernelOrbit EphemerisKernel::orbit(const detail::FrameClaim& q, const detail::FrameClaim& a,
@@ -224,14 +238,12 @@ detail::KernelOrbit EphemerisKernel::orbit(const detail::FrameClaim& q, const de
     for (const std::size_t i : by_body[body]) {
       const DafFile::Array& array = file_.arrays()[i];
       if (array.doubles[1] < first || last < array.doubles[0]) continue;
-      if (!is_known_frame(segments_[i].frame))
-        throw BadInput(place_of(i) + ": its frame is " + detail::text(segments_[i].frame) +
-                       "; J2000 (1) and ECLIPJ2000 (17) are read; asked for " + a.type);
+      const std::string refusal = refusal_of(i, a);
       const double from = std::max(first, array.doubles[0]), until = std::min(last, array.doubles[1]);
       const detail::OrbitPart part{place_of(i), file_, array, from, until};
       all->bodies[body].push_back({from, until, segments_[i].center,
                                    segments_[i].frame == detail::ecliptic_j2000_id,
-                                   source_of(part, segments_[i].type)});
+                                   refusal.empty() ? source_of(part, segments_[i].type) : nullptr, refusal});
       waiting.push_back(segments_[i].center);
     }
   }
@@ -246,6 +258,13 @@ detail::KernelOrbit EphemerisKernel::orbit(const detail::FrameClaim& q, const de
                    " to " + detail::shown(this->span().end()) + "; asked for " + shown_body(all->target) +
                    " (" + q.type + ") relative to " + shown_body(all->center) + " (" + a.type + ") from " +
                    detail::shown(span.start()) + " to " + detail::shown(span.end()));
+  }
+  // From a body that both lead to their ways are one, and what is there is not needed.
+  for (const auto& [body, segments] : all->bodies) {
+    if (from_target.contains(body) == from_center.contains(body)) continue;
+    for (const detail::LoadedSegment& segment : segments) {
+      if (!segment.refusal.empty()) throw BadInput(segment.refusal);
+    }
   }
   return detail::KernelOrbit(std::move(all));
 }

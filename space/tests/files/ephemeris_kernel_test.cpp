@@ -370,20 +370,39 @@ TEST(EphemerisKernel, RefusesNumbersThatDoNotFit) {
   EXPECT_EQ(with(9, 6 * 251, 120.0).find(place + "9': the states are of 120 to"), 0U);
 }
 
+TEST(EphemerisKernel, RefusesAnotherTypeWhereItIsNeeded) {
+  // The ways from the ship and from the Earth meet in body 3, so that its own segment is not needed.
+  auto of_3 = of_type(2, 3, 0), of_other = of_type(2, -78);
+  of_3.integers[3] = of_other.integers[3] = 1;
+  const TemporaryFile file(
+      daf_bytes("SPK", {of_type(13, -77, 3), of_type(2, 399, 3, 1, -2.0), of_3, of_other}));
+  const auto kernel = EphemerisKernel::open(file.path());
+  const auto span = from_until(at_seconds(200.0), at_seconds(900.0));
+  const auto orbit = kernel.motion(of<Ship>, relative_to<Gcrf>, span, called<Ship>("-77"));
+  EXPECT_LT((orbit.at(at_seconds(500.0)).position.coordinates() - 3.0 * km * cubic(500.0, 0)).norm(),
+            3.0 * of_time);
+  const auto asked = [&](const std::string& ship, const std::string& center) {
+    return complaint(
+        [&] {
+          static_cast<void>(kernel.motion(of<Ship>, relative_to<Other>, span, called<Ship>(ship),
+                                          called<Other>("J2000", center)));
+        },
+        file.path());
+  };
+  const std::string reason = "it is of type 1; the types 2, 3, 8, 9, 10, 12 and 13 are read";
+  EXPECT_EQ(asked("-78", "EARTH"), "ephemeris kernel FILE, segment 4 'S2': " + reason);
+  EXPECT_EQ(asked("-77", "SSB"), "ephemeris kernel FILE, segment 3 'S2': " + reason);
+}
+
 TEST(EphemerisKernel, RefusesOtherFiles) {
   const auto opened = [](const DafTestArray& array, const char* kind = "SPK") {
     const TemporaryFile file(daf_bytes(kind, {array}));
     return complaint([&] { static_cast<void>(EphemerisKernel::open(file.path())); }, file.path());
   };
   EXPECT_EQ(opened(of_type(2), "CK"), "DAF file FILE: it is a file of the kind 'CK', not SPK");
-  auto array = of_type(2);
-  array.integers[3] = 1;
-  EXPECT_EQ(
-      opened(array),
-      "ephemeris kernel FILE, segment 1 'S2': it is of type 1; the types 2, 3, 8, 9, 10, 12 and 13 are read");
   EXPECT_EQ(opened(of_type(2, 399, 399)),
             "ephemeris kernel FILE, segment 1 'S2': it is of 'EARTH' (399) relative to itself");
-  array = of_type(2);
+  auto array = of_type(2);
   array.doubles[1] = 1e300;
   EXPECT_EQ(opened(array),
             "ephemeris kernel FILE, segment 1 'S2': the time 1e+300 s is more than 9000 years from 2000");
