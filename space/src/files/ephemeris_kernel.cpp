@@ -47,6 +47,7 @@ std::int32_t frame_of(const std::string& place, const detail::FrameClaim& a) {
     throw BadInput(place + ": asked for axes of " +
                    (a.name ? "'" + detail::excerpt(*a.name) + "' (" + a.type + ")" : a.type) +
                    "; it has those of J2000, which is earth::Gcrf, and ECLIPJ2000");
+  detail::require_kernel_claim(place, frame, a);
   return frame;
 }
 

@@ -435,6 +435,19 @@ TEST(AttitudeKernel, RefusesNumbersThatDoNotFit) {
       place + ", record 1: a quaternion of norm 0");
 }
 
+TEST(AttitudeKernel, RefusesAReferenceThatIsClaimedToBeAnother) {
+  const auto kernel = ctim();
+  const auto asked = [&](const Called<earth::Itrf>& claim) {
+    return complaint([&] {
+      static_cast<void>(
+          kernel.attitude(of<Ctim>, relative_to<earth::Itrf>, kernel.span(), ctim_frame, claim));
+    });
+  };
+  EXPECT_EQ(asked(called<earth::Itrf>("J2000")), "text kernel: 'J2000' was claimed to be earth::Itrf");
+  // Of that frame the kernel has nothing, and says so.
+  EXPECT_NE(asked(called<earth::Itrf>("ITRF93")).find("asked for -152950000"), std::string::npos);
+}
+
 TEST(AttitudeKernel, RefusesAnotherTypeWhereItIsNeeded) {
   const auto good = steady_segment("S", {0.0, 100.0}, true, {0.0});
   auto other = steady_segment("T", {200.0, 300.0}, true, {200.0});

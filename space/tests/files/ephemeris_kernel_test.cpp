@@ -370,6 +370,25 @@ TEST(EphemerisKernel, RefusesNumbersThatDoNotFit) {
   EXPECT_EQ(with(9, 6 * 251, 120.0).find(place + "9': the states are of 120 to"), 0U);
 }
 
+TEST(EphemerisKernel, RefusesAxesThatAreClaimedToBeOthers) {
+  const TemporaryFile file(daf_bytes("SPK", {of_type(13)}));
+  const auto kernel = EphemerisKernel::open(file.path());
+  const auto asked = [&]<class F>(const Called<F>& claim) {
+    return complaint(
+        [&] {
+          static_cast<void>(
+              kernel.motion(of<Ship>, relative_to<F>, kernel.span(), called<Ship>("-77"), claim));
+        },
+        file.path());
+  };
+  EXPECT_EQ(asked(called<earth::Eme2000>("J2000")), "nothing was thrown");
+  EXPECT_EQ(asked(called<earth::Itrf>("J2000")),
+            "ephemeris kernel FILE: 'J2000' was claimed to be earth::Itrf");
+  EXPECT_EQ(asked(called<earth::Teme>("1")), "ephemeris kernel FILE: 'J2000' was claimed to be earth::Teme");
+  EXPECT_EQ(asked(called<Gcrf>("ECLIPJ2000")),
+            "ephemeris kernel FILE: 'ECLIPJ2000' was claimed to be earth::Gcrf");
+}
+
 TEST(EphemerisKernel, RefusesAnotherTypeWhereItIsNeeded) {
   // The ways from the ship and from the Earth meet in body 3, so that its own segment is not needed.
   auto of_3 = of_type(2, 3, 0), of_other = of_type(2, -78);
