@@ -84,6 +84,7 @@ struct detail::LoadedSegment {
 /// What was loaded of each body, the last in the file first.
 struct detail::OrbitSegments {
   std::string place;
+  TimeSpan span;  // that was asked for
   std::int32_t target, center;
   bool in_ecliptic;
   std::map<std::int32_t, std::vector<LoadedSegment>> bodies;
@@ -133,10 +134,17 @@ PlainMotion detail::KernelOrbit::at(const Epoch& epoch) const {
   const auto up = all.way_from(all.target, t), down = all.way_from(all.center, t);
   const auto meeting =
       std::find_first_of(up.bodies.begin(), up.bodies.end(), down.bodies.begin(), down.bodies.end());
-  if (meeting == up.bodies.end())
+  if (meeting == up.bodies.end() && (epoch < all.span.start() || all.span.end() < epoch))
+    throw BadInput(all.place + ": the epoch " + shown(epoch) + " is outside the times that were read, " +
+                   shown(all.span.start()) + " to " + shown(all.span.end()));
+  if (meeting == up.bodies.end()) {
+    const auto last = [&](const OrbitSegments::Way& way) {
+      const std::int32_t body = way.bodies.back();
+      return shown_body(body) + (all.bodies.contains(body) ? ", of which they have nothing then" : "");
+    };
     throw BadInput(all.place + ": at " + shown(epoch) + " its segments lead from " + shown_body(all.target) +
-                   " to " + shown_body(up.bodies.back()) + ", and from " + shown_body(all.center) + " to " +
-                   shown_body(down.bodies.back()));
+                   " to " + last(up) + ", and from " + shown_body(all.center) + " to " + last(down));
+  }
   static const Eigen::Matrix3d R_equator_from_ecliptic = equator_from_ecliptic();
   PlainMotion sum{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
   const auto add = [&](const LoadedSegment& segment, double sign) {
@@ -214,11 +222,14 @@ std::string EphemerisKernel::refusal_of(std::size_t segment, const detail::Frame
 
 detail::KernelOrbit EphemerisKernel::orbit(const detail::FrameClaim& q, const detail::FrameClaim& a,
                                            const TimeSpan& span) const {
-  auto all = std::make_shared<detail::OrbitSegments>();
-  all->place = place();
-  all->in_ecliptic = frame_of(all->place, a) == detail::ecliptic_j2000_id;
-  all->target = body_of_name(all->place, q.name ? *q.name : detail::name_of(q), q.type);
-  all->center = body_of_name(all->place, a.center, a.type);
+  const std::string place = this->place();
+  const auto all = std::make_shared<detail::OrbitSegments>(
+      detail::OrbitSegments{place,
+                            span,
+                            body_of_name(place, q.name ? *q.name : detail::name_of(q), q.type),
+                            body_of_name(place, a.center, a.type),
+                            frame_of(place, a) == detail::ecliptic_j2000_id,
+                            {}});
 
   std::map<std::int32_t, std::vector<std::size_t>> by_body;
   std::set<std::string> pairs;
@@ -267,7 +278,7 @@ detail::KernelOrbit EphemerisKernel::orbit(const detail::FrameClaim& q, const de
       if (!segment.refusal.empty()) throw BadInput(segment.refusal);
     }
   }
-  return detail::KernelOrbit(std::move(all));
+  return detail::KernelOrbit(all);
 }
 
 }  // namespace vectrix

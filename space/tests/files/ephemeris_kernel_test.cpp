@@ -370,6 +370,27 @@ TEST(EphemerisKernel, RefusesNumbersThatDoNotFit) {
   EXPECT_EQ(with(9, 6 * 251, 120.0).find(place + "9': the states are of 120 to"), 0U);
 }
 
+TEST(EphemerisKernel, SaysWhereItHasNothing) {
+  auto later = of_type(2);
+  for (double& t : later.doubles) t += 2000.0;
+  later.numbers[284 - 4] += 2000.0;
+  for (int i = 0; i < 20; ++i) later.numbers[14 * i] += 2000.0;
+  const TemporaryFile file(daf_bytes("SPK", {of_type(2), later}));
+  const auto kernel = EphemerisKernel::open(file.path());
+  const auto part = from_until(at_seconds(300.0), at_seconds(2500.0));
+  const auto orbit = kernel.motion(of<Ship>, relative_to<Gcrf>, part, called<Ship>("-77"));
+  const auto at = [&](double t) {
+    return complaint([&] { static_cast<void>(orbit.at(at_seconds(t))); }, file.path());
+  };
+  EXPECT_EQ(at(2400.0), "nothing was thrown");
+  EXPECT_EQ(at(200.0),
+            "ephemeris kernel FILE: the epoch 2000-01-01T12:02:15.816099 UTC is outside the times that were "
+            "read, 2000-01-01T12:03:55.816099 UTC to 2000-01-01T12:40:35.816098 UTC");
+  EXPECT_EQ(at(1500.0),
+            "ephemeris kernel FILE: at 2000-01-01T12:23:55.816099 UTC its segments lead from -77 to -77, of "
+            "which they have nothing then, and from 'EARTH' (399) to 'EARTH' (399)");
+}
+
 TEST(EphemerisKernel, RefusesAxesThatAreClaimedToBeOthers) {
   const TemporaryFile file(daf_bytes("SPK", {of_type(13)}));
   const auto kernel = EphemerisKernel::open(file.path());
