@@ -47,6 +47,14 @@ Eigen::Vector3d KernelTurns::recorded_rate(const Epoch& epoch) const {
 
 }  // namespace detail
 
+namespace {
+
+bool is_read(int type) {
+  return type >= 1 && type <= 3;
+}
+
+}  // namespace
+
 AttitudeKernel::AttitudeKernel(DafFile file, const SpacecraftClock& clock, const FrameKernel& frames)
     : file_(std::move(file)), clock_(clock), frames_(frames) {}
 
@@ -68,9 +76,6 @@ AttitudeKernel AttitudeKernel::open(const std::filesystem::path& file, const Spa
     segment.reference = array.integers[1];
     segment.type = array.integers[2];
     const std::int32_t flag = array.integers[3];
-    if (segment.type < 1 || segment.type > 3)
-      throw BadInput(place + ": it is of type " + detail::text(segment.type) +
-                     "; the types 1, 2 and 3 are read");
     if (flag != 0 && flag != 1) throw BadInput(place + ": the flag of the rates is " + detail::text(flag));
     segment.has_rates = flag == 1 || segment.type == 2;
     kernel.frames_.require_clock(place, segment.frame, clock.id());
@@ -83,7 +88,7 @@ AttitudeKernel AttitudeKernel::open(const std::filesystem::path& file, const Spa
     } catch (const BadInput& error) {
       throw BadInput(place + ": " + error.what());
     }
-    static_cast<void>(detail::attitude_layout(daf, array, place));
+    if (is_read(segment.type)) static_cast<void>(detail::attitude_layout(daf, array, place));
   }
   if (kernel.segments_.empty()) throw BadInput(daf.place() + ": it has no segments");
   return kernel;
@@ -135,6 +140,9 @@ std::vector<detail::AttitudeRecords> AttitudeKernel::load(const std::vector<std:
     const AttitudeKernelSegment& segment = segments_[i];
     const DafFile::Array& array = file_.arrays()[i];
     if (segment.end < span.start() || span.end() < segment.start) continue;
+    if (!is_read(segment.type))
+      throw BadInput(place_of(i) + ": it is of type " + detail::text(segment.type) +
+                     "; the types 1, 2 and 3 are read");
     const double first = span.start() <= segment.start ? array.doubles[0] : clock_.ticks(span.start()).count;
     const double last = segment.end <= span.end() ? array.doubles[1] : clock_.ticks(span.end()).count;
     all.emplace_back(place_of(i), file_, array, first, last, clock_.rounding(detail::trusted, last));

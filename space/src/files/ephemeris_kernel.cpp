@@ -47,6 +47,7 @@ std::int32_t frame_of(const std::string& place, const detail::FrameClaim& a) {
     throw BadInput(place + ": asked for axes of " +
                    (a.name ? "'" + detail::excerpt(*a.name) + "' (" + a.type + ")" : a.type) +
                    "; it has those of J2000, which is earth::Gcrf, and ECLIPJ2000");
+  detail::require_kernel_claim(place, frame, a);
   return frame;
 }
 
@@ -57,6 +58,11 @@ std::int32_t body_of_name(const std::string& place, const std::string& name, con
     throw BadInput(place + ": '" + detail::excerpt(name) + "' (" + type +
                    ") is no body that is known by name; give its number");
   return number ? *number : *known;
+}
+
+bool is_read(int type) {
+  constexpr int types[] = {2, 3, 8, 9, 10, 12, 13};
+  return std::find(std::begin(types), std::end(types), type) != std::end(types);
 }
 
 std::unique_ptr<const detail::OrbitSource> source_of(const detail::OrbitPart& part, int type) {
@@ -72,11 +78,13 @@ struct detail::LoadedSegment {
   std::int32_t center;
   bool is_ecliptic;
   std::unique_ptr<const OrbitSource> source;
+  std::string refusal;  // of one that cannot be read
 };
 
 /// What was loaded of each body, the last in the file first.
 struct detail::OrbitSegments {
   std::string place;
+  TimeSpan span;  // that was asked for
   std::int32_t target, center;
   bool in_ecliptic;
   std::map<std::int32_t, std::vector<LoadedSegment>> bodies;
@@ -126,13 +134,21 @@ PlainMotion detail::KernelOrbit::at(const Epoch& epoch) const {
   const auto up = all.way_from(all.target, t), down = all.way_from(all.center, t);
   const auto meeting =
       std::find_first_of(up.bodies.begin(), up.bodies.end(), down.bodies.begin(), down.bodies.end());
-  if (meeting == up.bodies.end())
+  if (meeting == up.bodies.end() && (epoch < all.span.start() || all.span.end() < epoch))
+    throw BadInput(all.place + ": the epoch " + shown(epoch) + " is outside the times that were read, " +
+                   shown(all.span.start()) + " to " + shown(all.span.end()));
+  if (meeting == up.bodies.end()) {
+    const auto last = [&](const OrbitSegments::Way& way) {
+      const std::int32_t body = way.bodies.back();
+      return shown_body(body) + (all.bodies.contains(body) ? ", of which they have nothing then" : "");
+    };
     throw BadInput(all.place + ": at " + shown(epoch) + " its segments lead from " + shown_body(all.target) +
-                   " to " + shown_body(up.bodies.back()) + ", and from " + shown_body(all.center) + " to " +
-                   shown_body(down.bodies.back()));
+                   " to " + last(up) + ", and from " + shown_body(all.center) + " to " + last(down));
+  }
   static const Eigen::Matrix3d R_equator_from_ecliptic = equator_from_ecliptic();
   PlainMotion sum{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
   const auto add = [&](const LoadedSegment& segment, double sign) {
+    if (!segment.source) throw BadInput(segment.refusal);
     PlainMotion motion = segment.source->at(t);
     if (segment.is_ecliptic)
       motion = {R_equator_from_ecliptic * motion.position, R_equator_from_ecliptic * motion.velocity};
@@ -172,10 +188,6 @@ EphemerisKernel EphemerisKernel::open(const std::filesystem::path& file) {
     segment.center = array.integers[1];
     segment.frame = array.integers[2];
     segment.type = array.integers[3];
-    constexpr int types[] = {2, 3, 8, 9, 10, 12, 13};
-    if (std::find(std::begin(types), std::end(types), segment.type) == std::end(types))
-      throw BadInput(place + ": it is of type " + detail::text(segment.type) +
-                     "; the types 2, 3, 8, 9, 10, 12 and 13 are read");
     if (segment.target == segment.center)
       throw BadInput(place + ": it is of " + shown_body(segment.target) + " relative to itself");
     if (!(array.doubles[0] <= array.doubles[1]))
@@ -197,13 +209,27 @@ TimeSpan EphemerisKernel::span() const {
   return from_until(start, end);
 }
 
+std::string EphemerisKernel::refusal_of(std::size_t segment, const detail::FrameClaim& a) const {
+  const EphemerisKernelSegment& asked = segments_[segment];
+  if (!is_read(asked.type))
+    return place_of(segment) + ": it is of type " + detail::text(asked.type) +
+           "; the types 2, 3, 8, 9, 10, 12 and 13 are read";
+  if (!is_known_frame(asked.frame))
+    return place_of(segment) + ": its frame is " + detail::text(asked.frame) +
+           "; J2000 (1) and ECLIPJ2000 (17) are read; asked for " + a.type;
+  return {};
+}
+
 detail::KernelOrbit EphemerisKernel::orbit(const detail::FrameClaim& q, const detail::FrameClaim& a,
                                            const TimeSpan& span) const {
-  auto all = std::make_shared<detail::OrbitSegments>();
-  all->place = place();
-  all->in_ecliptic = frame_of(all->place, a) == detail::ecliptic_j2000_id;
-  all->target = body_of_name(all->place, q.name ? *q.name : detail::name_of(q), q.type);
-  all->center = body_of_name(all->place, a.center, a.type);
+  const std::string place = this->place();
+  const auto all = std::make_shared<detail::OrbitSegments>(
+      detail::OrbitSegments{place,
+                            span,
+                            body_of_name(place, q.name ? *q.name : detail::name_of(q), q.type),
+                            body_of_name(place, a.center, a.type),
+                            frame_of(place, a) == detail::ecliptic_j2000_id,
+                            {}});
 
   std::map<std::int32_t, std::vector<std::size_t>> by_body;
   std::set<std::string> pairs;
@@ -224,14 +250,12 @@ detail::KernelOrbit EphemerisKernel::orbit(const detail::FrameClaim& q, const de
     for (const std::size_t i : by_body[body]) {
       const DafFile::Array& array = file_.arrays()[i];
       if (array.doubles[1] < first || last < array.doubles[0]) continue;
-      if (!is_known_frame(segments_[i].frame))
-        throw BadInput(place_of(i) + ": its frame is " + detail::text(segments_[i].frame) +
-                       "; J2000 (1) and ECLIPJ2000 (17) are read; asked for " + a.type);
+      const std::string refusal = refusal_of(i, a);
       const double from = std::max(first, array.doubles[0]), until = std::min(last, array.doubles[1]);
       const detail::OrbitPart part{place_of(i), file_, array, from, until};
       all->bodies[body].push_back({from, until, segments_[i].center,
                                    segments_[i].frame == detail::ecliptic_j2000_id,
-                                   source_of(part, segments_[i].type)});
+                                   refusal.empty() ? source_of(part, segments_[i].type) : nullptr, refusal});
       waiting.push_back(segments_[i].center);
     }
   }
@@ -247,7 +271,14 @@ detail::KernelOrbit EphemerisKernel::orbit(const detail::FrameClaim& q, const de
                    " (" + q.type + ") relative to " + shown_body(all->center) + " (" + a.type + ") from " +
                    detail::shown(span.start()) + " to " + detail::shown(span.end()));
   }
-  return detail::KernelOrbit(std::move(all));
+  // From a body that both lead to their ways are one, and what is there is not needed.
+  for (const auto& [body, segments] : all->bodies) {
+    if (from_target.contains(body) == from_center.contains(body)) continue;
+    for (const detail::LoadedSegment& segment : segments) {
+      if (!segment.refusal.empty()) throw BadInput(segment.refusal);
+    }
+  }
+  return detail::KernelOrbit(all);
 }
 
 }  // namespace vectrix

@@ -5,6 +5,7 @@
 
 #include <vectrix/frames/errors.hpp>
 
+#include "kernel_names.hpp"
 #include "kvn.hpp"
 #include "text_file.hpp"
 
@@ -68,6 +69,15 @@ void require_named(const std::string& place, const std::string& keyword, const s
   if (!names(claim, name)) throw BadInput(found + "; asked for " + shown(claim));
   if (meant != claim.standard && meant != StandardFrame::none && claim.standard != StandardFrame::none)
     throw BadInput(found + "; it was claimed to be " + claim.type);
+}
+
+void require_kernel_claim(const std::string& place, std::int32_t frame, const FrameClaim& claim) {
+  const auto name = name_of_frame(frame);
+  if (!name || claim.standard == StandardFrame::none) return;
+  const bool is_it = frame == j2000_id
+                         ? claim.standard == StandardFrame::gcrf || claim.standard == StandardFrame::eme2000
+                         : frame == itrf93_id && claim.standard == StandardFrame::itrf;
+  if (!is_it) throw BadInput(place + ": '" + *name + "' was claimed to be " + claim.type);
 }
 
 std::string shown(const FrameClaim& claim) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 #include <vectrix/space/files/file_frame.hpp>
@@ -17,5 +18,7 @@ void require_named(const std::string& place, const std::string& keyword, const s
 std::string shown(const FrameClaim& claim);
 /// Whether the axes of the frame move with the date, so that REF_FRAME_EPOCH stops them.
 bool is_of_date(StandardFrame frame);
+/// Refuses a claim that a frame which every kernel knows is one of the library that it is not.
+void require_kernel_claim(const std::string& place, std::int32_t frame, const FrameClaim& claim);
 
 }  // namespace vectrix::detail

@@ -112,8 +112,11 @@ std::int32_t FrameKernel::id_of(const detail::FrameClaim& claim) const {
         "called<" +
         claim.type + ">(\"NAME\")");
   }
-  if (const auto number = detail::kernel_id(*claim.name)) return *number;
-  if (const auto known = detail::id_of_frame(*claim.name)) return *known;
+  const auto number = detail::kernel_id(*claim.name);
+  if (const auto id = number ? number : detail::id_of_frame(*claim.name)) {
+    detail::require_kernel_claim(kernel_.place(), *id, claim);
+    return *id;
+  }
   const KernelFrame* const frame = find(*claim.name);
   if (!frame)
     throw BadInput(kernel_.place() + ": there is no frame '" + detail::excerpt(*claim.name) + "' (" +

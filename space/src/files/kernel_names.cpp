@@ -13,7 +13,7 @@ struct KernelName {
 };
 // The first name of a number is shown.
 constexpr KernelName frame_names[] = {
-    {j2000_id, "J2000"}, {ecliptic_j2000_id, "ECLIPJ2000"}, {13000, "ITRF93"}};
+    {j2000_id, "J2000"}, {ecliptic_j2000_id, "ECLIPJ2000"}, {itrf93_id, "ITRF93"}};
 constexpr KernelName body_names[] = {{0, "SOLAR SYSTEM BARYCENTER"},
                                      {0, "SSB"},
                                      {1, "MERCURY BARYCENTER"},

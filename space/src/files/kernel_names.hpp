@@ -8,7 +8,7 @@
 namespace vectrix::detail {
 
 /// The numbers of frames that every kernel may use without defining them.
-inline constexpr std::int32_t j2000_id = 1, ecliptic_j2000_id = 17;
+inline constexpr std::int32_t j2000_id = 1, ecliptic_j2000_id = 17, itrf93_id = 13000;
 
 std::optional<std::int32_t> id_of_frame(std::string_view name);
 std::optional<std::string> name_of_frame(std::int32_t id);

@@ -122,14 +122,39 @@ std::string_view XmlDocument::name(pugi::xml_node element) {
   return name.substr(name.find(':') + 1);
 }
 
+std::vector<pugi::xml_node> XmlDocument::children(pugi::xml_node element, std::string_view wanted) {
+  std::vector<pugi::xml_node> found;
+  for (const pugi::xml_node child : element.children()) {
+    if (name(child) == wanted) found.push_back(child);
+  }
+  return found;
+}
+
 std::string XmlDocument::attribute(pugi::xml_node element, const char* name) const {
-  const std::string value = element.attribute(name).value();
+  const pugi::xml_attribute found = element.attribute(name);
+  for (pugi::xml_attribute next = found.next_attribute(); next; next = next.next_attribute()) {
+    if (std::string_view{next.name()} == name)
+      fail(element, "the attribute '" + std::string{name} + "' is there twice");
+  }
+  const std::string value = found.value();
   if (first_wrong(value, KvnText::value) != std::string::npos || value.find('&') != std::string::npos)
     fail(element, "the attribute '" + std::string{name} + "' is not one line of printable ASCII");
   return std::string{trimmed(value)};
 }
 
+// A unit in another attribute than `units` would not be seen.
+void XmlDocument::require_attributes(pugi::xml_node element) const {
+  for (const pugi::xml_attribute attribute : element.attributes()) {
+    const std::string_view name = attribute.name();
+    const bool is_of_xml = name == "xmlns" || name.find(':') != std::string_view::npos;
+    if (!is_of_xml && name != "units" && name != "parameter" && name != "angle" && name != "rate")
+      fail(element,
+           "the attribute '" + excerpt(name) + "'; a value may have units, parameter, angle or rate");
+  }
+}
+
 XmlDocument::Value XmlDocument::value(pugi::xml_node element) const {
+  require_attributes(element);
   Value value{"", position(element)};
   for (const pugi::xml_node child : element.children()) {
     if (child.type() == pugi::node_element) fail(child, "an element within a value");

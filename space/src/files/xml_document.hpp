@@ -25,6 +25,8 @@ class XmlDocument {
 
   /// The name without a prefix.
   [[nodiscard]] static std::string_view name(pugi::xml_node element);
+  /// The elements in it with a name, also behind a prefix.
+  [[nodiscard]] static std::vector<pugi::xml_node> children(pugi::xml_node element, std::string_view name);
   /// An attribute, which must be printable; empty if it is not there.
   [[nodiscard]] std::string attribute(pugi::xml_node element, const char* name) const;
   /// The text without the blanks around it, and where it begins. Refuses an element that has elements.
@@ -43,6 +45,7 @@ class XmlDocument {
  private:
   [[nodiscard]] TextPosition position(std::size_t offset) const;
   void require_declaration(bool is_utf16) const;
+  void require_attributes(pugi::xml_node element) const;
   [[nodiscard]] std::string decoded(pugi::xml_node text) const;
 
   std::string place_, text_;

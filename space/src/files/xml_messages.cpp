@@ -139,8 +139,8 @@ class XmlMessageReader : XmlText {
 
   void put_attitudes(xml_node metadata, xml_node data) {
     const auto word = [&](const char* keyword) {
-      const xml_node element = metadata.child(keyword);
-      return element ? upper_case(document_.value(element).text) : std::string{};
+      const auto found = XmlDocument::children(metadata, keyword);
+      return found.empty() ? std::string{} : upper_case(document_.value(found.front()).text);
     };
     const auto line = attitude_line(word, version_);
     put_word("DATA_START", data);
@@ -163,7 +163,7 @@ class XmlMessageReader : XmlText {
       if (name == "COMMENT") {
         put_comment(entry);
       } else if (name == "stateVector" && !has_covariance) {
-        put_line(entry, orbit_line(!entry.child("X_DDOT").empty()).columns);
+        put_line(entry, orbit_line(!XmlDocument::children(entry, "X_DDOT").empty()).columns);
       } else if (name == "covarianceMatrix") {
         if (!std::exchange(has_covariance, true)) put_word("COVARIANCE_START", entry);
         put_covariance(entry);
@@ -177,7 +177,7 @@ class XmlMessageReader : XmlText {
   void put_covariance(xml_node matrix) {
     document_.require_elements(matrix);
     for (const char* keyword : {"COMMENT", "EPOCH", "COV_REF_FRAME"}) {
-      for (const xml_node entry : matrix.children(keyword)) put_entry(entry);
+      for (const xml_node entry : XmlDocument::children(matrix, keyword)) put_entry(entry);
     }
     for (const xml_node entry : matrix.children()) {
       const std::string_view name = XmlDocument::name(entry);
@@ -187,10 +187,10 @@ class XmlMessageReader : XmlText {
     for (std::size_t row = 0; row < state_components.size(); ++row) {
       for (std::size_t column = 0; column <= row; ++column) {
         const std::string keyword = covariance_keyword(row, column);
-        const xml_node entry = matrix.child(keyword.c_str());
-        if (!entry) document_.fail(matrix, "there is no " + keyword);
-        if (entry.next_sibling(keyword.c_str())) document_.fail(entry, "it is there twice");
-        put_number(entry, {keyword, covariance_unit(row, column)}, column == row ? "\n" : " ");
+        const auto found = XmlDocument::children(matrix, keyword);
+        if (found.empty()) document_.fail(matrix, "there is no " + keyword);
+        if (found.size() > 1) document_.fail(found.front(), "it is there twice");
+        put_number(found.front(), {keyword, covariance_unit(row, column)}, column == row ? "\n" : " ");
       }
     }
   }

@@ -59,8 +59,18 @@ std::string XmlText::keyword_of(xml_node entry) const {
   const std::string name{XmlDocument::name(entry)};
   if (name == "USER_DEFINED") return "USER_DEFINED_" + document_.attribute(entry, "parameter");
   if (name != "rotation1" && name != "rotation2" && name != "rotation3") return name;
+  require_turn(entry);
   const std::string angle = document_.attribute(entry, "angle"), rate = document_.attribute(entry, "rate");
   return angle.empty() ? rate : angle;
+}
+
+// The turns are told apart by their place: of a sequence such as 313 two have one attribute.
+void XmlText::require_turn(xml_node rotation) const {
+  int place = 1;
+  for (xml_node before = rotation.previous_sibling(); before; before = before.previous_sibling())
+    place += XmlDocument::name(before).starts_with("rotation") ? 1 : 0;
+  const std::string expected = "rotation" + text(place);
+  if (XmlDocument::name(rotation) != expected) document_.fail(rotation, "expected " + expected);
 }
 
 // The elements with values in an element and in those that it has; the comments go into the text.

@@ -43,6 +43,7 @@ class XmlText {
   void put(std::string_view text, const TextPosition& position);
   [[nodiscard]] XmlDocument::Value value_of(pugi::xml_node entry) const;
   [[nodiscard]] std::string keyword_of(pugi::xml_node entry) const;
+  void require_turn(pugi::xml_node rotation) const;
   std::vector<Field> fields_of(pugi::xml_node state, int depth);
 };
 

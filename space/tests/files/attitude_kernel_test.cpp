@@ -435,6 +435,39 @@ TEST(AttitudeKernel, RefusesNumbersThatDoNotFit) {
       place + ", record 1: a quaternion of norm 0");
 }
 
+TEST(AttitudeKernel, RefusesAReferenceThatIsClaimedToBeAnother) {
+  const auto kernel = ctim();
+  const auto asked = [&](const Called<earth::Itrf>& claim) {
+    return complaint([&] {
+      static_cast<void>(
+          kernel.attitude(of<Ctim>, relative_to<earth::Itrf>, kernel.span(), ctim_frame, claim));
+    });
+  };
+  EXPECT_EQ(asked(called<earth::Itrf>("J2000")), "text kernel: 'J2000' was claimed to be earth::Itrf");
+  // Of that frame the kernel has nothing, and says so.
+  EXPECT_NE(asked(called<earth::Itrf>("ITRF93")).find("asked for -152950000"), std::string::npos);
+}
+
+TEST(AttitudeKernel, RefusesAnotherTypeWhereItIsNeeded) {
+  const auto good = steady_segment("S", {0.0, 100.0}, true, {0.0});
+  auto other = steady_segment("T", {200.0, 300.0}, true, {200.0});
+  other.integers[2] = 5;
+  const TemporaryFile file(daf_bytes("CK", {good, other}));
+  const auto kernel = AttitudeKernel::open(file.path(), clock_of(-77));
+  const auto asked = [&](const TimeSpan& span) {
+    return complaint(
+        [&] {
+          static_cast<void>(kernel.attitude(of<Body>, relative_to<Gcrf>, span,
+                                            called<Body>(std::to_string(good.integers[0]))));
+        },
+        file.path());
+  };
+  EXPECT_EQ(kernel.segments()[1].type, 5);
+  EXPECT_EQ(asked(from_until(at_ticks(0.0), at_ticks(100.0))), "nothing was thrown");
+  EXPECT_EQ(asked(kernel.span()),
+            "attitude kernel FILE, segment 2 'T': it is of type 5; the types 1, 2 and 3 are read");
+}
+
 TEST(AttitudeKernel, RefusesOtherFiles) {
   const auto opened = [](const std::string& bytes) {
     const TemporaryFile file(bytes);
@@ -443,10 +476,6 @@ TEST(AttitudeKernel, RefusesOtherFiles) {
   };
   auto array = steady_segment("S", {0.0, 100.0}, true, {0.0});
   EXPECT_EQ(opened(daf_bytes("SPK", {array})), "DAF file FILE: it is a file of the kind 'SPK', not CK");
-  array.integers[2] = 5;
-  EXPECT_EQ(opened(daf_bytes("CK", {array})),
-            "attitude kernel FILE, segment 1 'S': it is of type 5; the types 1, 2 and 3 are read");
-  array.integers[2] = 3;
   array.integers[3] = 2;
   EXPECT_EQ(opened(daf_bytes("CK", {array})),
             "attitude kernel FILE, segment 1 'S': the flag of the rates is 2");

@@ -370,20 +370,79 @@ TEST(EphemerisKernel, RefusesNumbersThatDoNotFit) {
   EXPECT_EQ(with(9, 6 * 251, 120.0).find(place + "9': the states are of 120 to"), 0U);
 }
 
+TEST(EphemerisKernel, SaysWhereItHasNothing) {
+  auto later = of_type(2);
+  for (double& t : later.doubles) t += 2000.0;
+  later.numbers[284 - 4] += 2000.0;
+  for (int i = 0; i < 20; ++i) later.numbers[14 * i] += 2000.0;
+  const TemporaryFile file(daf_bytes("SPK", {of_type(2), later}));
+  const auto kernel = EphemerisKernel::open(file.path());
+  const auto part = from_until(at_seconds(300.0), at_seconds(2500.0));
+  const auto orbit = kernel.motion(of<Ship>, relative_to<Gcrf>, part, called<Ship>("-77"));
+  const auto at = [&](double t) {
+    return complaint([&] { static_cast<void>(orbit.at(at_seconds(t))); }, file.path());
+  };
+  EXPECT_EQ(at(2400.0), "nothing was thrown");
+  EXPECT_EQ(at(200.0),
+            "ephemeris kernel FILE: the epoch 2000-01-01T12:02:15.816099 UTC is outside the times that were "
+            "read, 2000-01-01T12:03:55.816099 UTC to 2000-01-01T12:40:35.816098 UTC");
+  EXPECT_EQ(at(1500.0),
+            "ephemeris kernel FILE: at 2000-01-01T12:23:55.816099 UTC its segments lead from -77 to -77, of "
+            "which they have nothing then, and from 'EARTH' (399) to 'EARTH' (399)");
+}
+
+TEST(EphemerisKernel, RefusesAxesThatAreClaimedToBeOthers) {
+  const TemporaryFile file(daf_bytes("SPK", {of_type(13)}));
+  const auto kernel = EphemerisKernel::open(file.path());
+  const auto asked = [&]<class F>(const Called<F>& claim) {
+    return complaint(
+        [&] {
+          static_cast<void>(
+              kernel.motion(of<Ship>, relative_to<F>, kernel.span(), called<Ship>("-77"), claim));
+        },
+        file.path());
+  };
+  EXPECT_EQ(asked(called<earth::Eme2000>("J2000")), "nothing was thrown");
+  EXPECT_EQ(asked(called<earth::Itrf>("J2000")),
+            "ephemeris kernel FILE: 'J2000' was claimed to be earth::Itrf");
+  EXPECT_EQ(asked(called<earth::Teme>("1")), "ephemeris kernel FILE: 'J2000' was claimed to be earth::Teme");
+  EXPECT_EQ(asked(called<Gcrf>("ECLIPJ2000")),
+            "ephemeris kernel FILE: 'ECLIPJ2000' was claimed to be earth::Gcrf");
+}
+
+TEST(EphemerisKernel, RefusesAnotherTypeWhereItIsNeeded) {
+  // The ways from the ship and from the Earth meet in body 3, so that its own segment is not needed.
+  auto of_3 = of_type(2, 3, 0), of_other = of_type(2, -78);
+  of_3.integers[3] = of_other.integers[3] = 1;
+  const TemporaryFile file(
+      daf_bytes("SPK", {of_type(13, -77, 3), of_type(2, 399, 3, 1, -2.0), of_3, of_other}));
+  const auto kernel = EphemerisKernel::open(file.path());
+  const auto span = from_until(at_seconds(200.0), at_seconds(900.0));
+  const auto orbit = kernel.motion(of<Ship>, relative_to<Gcrf>, span, called<Ship>("-77"));
+  EXPECT_LT((orbit.at(at_seconds(500.0)).position.coordinates() - 3.0 * km * cubic(500.0, 0)).norm(),
+            3.0 * of_time);
+  const auto asked = [&](const std::string& ship, const std::string& center) {
+    return complaint(
+        [&] {
+          static_cast<void>(kernel.motion(of<Ship>, relative_to<Other>, span, called<Ship>(ship),
+                                          called<Other>("J2000", center)));
+        },
+        file.path());
+  };
+  const std::string reason = "it is of type 1; the types 2, 3, 8, 9, 10, 12 and 13 are read";
+  EXPECT_EQ(asked("-78", "EARTH"), "ephemeris kernel FILE, segment 4 'S2': " + reason);
+  EXPECT_EQ(asked("-77", "SSB"), "ephemeris kernel FILE, segment 3 'S2': " + reason);
+}
+
 TEST(EphemerisKernel, RefusesOtherFiles) {
   const auto opened = [](const DafTestArray& array, const char* kind = "SPK") {
     const TemporaryFile file(daf_bytes(kind, {array}));
     return complaint([&] { static_cast<void>(EphemerisKernel::open(file.path())); }, file.path());
   };
   EXPECT_EQ(opened(of_type(2), "CK"), "DAF file FILE: it is a file of the kind 'CK', not SPK");
-  auto array = of_type(2);
-  array.integers[3] = 1;
-  EXPECT_EQ(
-      opened(array),
-      "ephemeris kernel FILE, segment 1 'S2': it is of type 1; the types 2, 3, 8, 9, 10, 12 and 13 are read");
   EXPECT_EQ(opened(of_type(2, 399, 399)),
             "ephemeris kernel FILE, segment 1 'S2': it is of 'EARTH' (399) relative to itself");
-  array = of_type(2);
+  auto array = of_type(2);
   array.doubles[1] = 1e300;
   EXPECT_EQ(opened(array),
             "ephemeris kernel FILE, segment 1 'S2': the time 1e+300 s is more than 9000 years from 2000");

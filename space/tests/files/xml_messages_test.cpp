@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cctype>
 #include <string>
 
 #include <vectrix/space.hpp>
@@ -358,6 +359,31 @@ TEST(XmlMessages, AreTheSameAsInKeywords) {
   EXPECT_EQ(*elements.text("MEAN_MOTION"), "15.49071756 [rev/day]");
 }
 
+// The same elements with a prefix, <n:aem xmlns:n="...">.
+std::string prefixed(const std::string& xml) {
+  std::string text;
+  for (std::size_t i = 0; i < xml.size(); ++i) {
+    text += xml[i];
+    const std::size_t name = i + (xml.compare(i, 2, "</") == 0 ? 2 : 1);
+    if (xml[i] != '<' || name >= xml.size() || !std::isalpha(static_cast<unsigned char>(xml[name]))) continue;
+    const bool has_prefix =
+        xml.substr(name, xml.find_first_of(" />", name) - name).find(':') != std::string::npos;
+    text += xml.substr(i + 1, name - i - 1) + (has_prefix ? "" : "n:");
+    i = name - 1;
+  }
+  const auto end = text.find_first_of(" >", text.find("<n:"));
+  return text.insert(end, " xmlns:n=\"urn:ccsds:schema:ndmxml\"");
+}
+
+TEST(XmlMessages, ElementsMayHaveAPrefix) {
+  EXPECT_EQ(AttitudeEphemerisMessage::parse(prefixed(attitude_xml)).text(),
+            AttitudeEphemerisMessage::parse(attitude_kvn).text());
+  EXPECT_EQ(OrbitEphemerisMessage::parse(prefixed(orbit_xml)).text(),
+            OrbitEphemerisMessage::parse(orbit_kvn).text());
+  EXPECT_EQ(AttitudeParameterMessage::parse(prefixed(attitude_parameters_xml)).text(),
+            AttitudeParameterMessage::parse(attitude_parameters_kvn).text());
+}
+
 TEST(XmlMessages, InUtf16WithAMark) {
   const std::string text = replaced(rates_xml, "<aem", "<?xml version=\"1.0\" encoding=\"UTF-16\"?>\n<aem");
   for (const bool is_little : {false, true}) {
@@ -382,6 +408,26 @@ TEST(XmlMessages, InUtf16WithAMark) {
             "attitude ephemeris message, line 1, column 3: <xml>: the encoding is 'UTF-8'; the mark of the "
             "file is that of "
             "UTF-16");
+}
+
+// Of 313 the first and the third turn have one attribute, so that their elements tell which is which.
+TEST(XmlMessages, TurnsHaveTheirOrder) {
+  const auto xml = [](const std::string& turns) {
+    const auto begin = attitude_xml.find("<rotation1"), end = attitude_xml.find("</rotationAngles>");
+    return replaced(replaced(attitude_xml, attitude_xml.substr(begin, end - begin), turns), ">312<", ">313<");
+  };
+  const std::string first = "<rotation1 angle=\"Z_ANGLE\">10</rotation1>",
+                    second = "<rotation2 angle=\"X_ANGLE\">20</rotation2>",
+                    third = "<rotation3 angle=\"Z_ANGLE\">-30</rotation3>",
+                    expected = "attitude ephemeris message, line 54, column ";
+  EXPECT_EQ(AttitudeEphemerisMessage::parse(xml(first + second + third)).text(),
+            AttitudeEphemerisMessage::parse(replaced(attitude_kvn, "= 312", "= 313")).text());
+  EXPECT_EQ(complaint_of<AttitudeEphemerisMessage>(xml(third + second + first)),
+            expected + "14: <rotation3>: expected rotation1");
+  EXPECT_EQ(complaint_of<AttitudeEphemerisMessage>(xml(first + third + second)),
+            expected + "55: <rotation3>: expected rotation2");
+  EXPECT_EQ(complaint_of<AttitudeEphemerisMessage>(xml(first + second + first)),
+            expected + "96: <rotation1>: expected rotation3");
 }
 
 // Orekit has this file (at fe4aee84, Apache-2.0) to show that it can be parsed; it is no message.
@@ -515,6 +561,11 @@ TEST(XmlMessages, EveryFaultHasALineAColumnAndAReason) {
         "line 29, column 36: <Q1>: 'Q1' is not of this line of data, or twice"},
        {attitude_xml, "<Q1>0.6", "<Q1 units=\"deg\">0.6",
         "line 29, column 24: <Q1>: the unit is 'deg'; it has no unit"},
+       {attitude_xml, "units=\"deg\">20", "unit=\"rad\">20",
+        "line 55, column 14: <rotation2>: the attribute 'unit'; a value may have units, parameter, angle or "
+        "rate"},
+       {attitude_xml, "units=\"deg\">20", "units=\"deg\" units=\"rad\">20",
+        "line 55, column 14: <rotation2>: the attribute 'units' is there twice"},
        {attitude_xml, "units=\"deg\">20", "units=\"rad\">20",
         "line 55, column 14: <rotation2>: the unit is 'rad', not 'deg'"},
        {attitude_xml, "\"X_ANGLE\"", "\"Y_ANGLE\"",

@@ -95,8 +95,9 @@ struct AttitudeKernelSegment {
 /// instant the last in the file counts. J2000 is earth::Gcrf, as in FrameKernel, whose names can be used.
 class VECTRIX_EXPORT AttitudeKernel {
  public:
-  /// Reads the summaries only. Throws BadInput, with file, segment and reason, for another file, other types,
-  /// a segment whose clock is not this one, or counts that do not fit into the segment.
+  /// Reads the summaries only. Throws BadInput, with file, segment and reason, for another file, a segment
+  /// whose clock is not this one, or counts that do not fit into the segment. Segments of other types are
+  /// refused by the calls that need them.
   static AttitudeKernel open(const std::filesystem::path& file, const SpacecraftClock& clock,
                              const FrameKernel& frames = {});
 

@@ -99,7 +99,8 @@ struct EphemerisKernelSegment {
 /// moons. In type 10 SGP4 is blended between two sets, and turned from TEME by IAU 1976 and 1980.
 class VECTRIX_EXPORT EphemerisKernel {
  public:
-  /// Reads the summaries only. Throws BadInput with file, segment and reason for another file or other types.
+  /// Reads the summaries only. Throws BadInput with file, segment and reason for another file. Segments of
+  /// other types are refused by the calls that need them.
   static EphemerisKernel open(const std::filesystem::path& file);
 
   [[nodiscard]] const std::vector<EphemerisKernelSegment>& segments() const { return segments_; }
@@ -127,6 +128,8 @@ class VECTRIX_EXPORT EphemerisKernel {
 
   [[nodiscard]] detail::KernelOrbit orbit(const detail::FrameClaim& q, const detail::FrameClaim& a,
                                           const TimeSpan& span) const;
+  /// Why the segment cannot be read; empty if it can.
+  [[nodiscard]] std::string refusal_of(std::size_t segment, const detail::FrameClaim& a) const;
   [[nodiscard]] std::string place() const;
   [[nodiscard]] std::string place_of(std::size_t segment) const;
 
