@@ -59,6 +59,23 @@ TEST(Dual, WhereTheDerivativeIsNotFiniteItSaysSo) {
   EXPECT_TRUE(Dual(1.0) < 2.0 && 2.0 > Dual(1.0));
 }
 
+// As of sqrt: where a function has no slope, what does not move has still the derivative zero; and a power of
+// zero is a constant.
+TEST(Dual, WhatDoesNotMoveHasNoDerivativeWhereThereIsNoSlope) {
+  for (const double end : {-1.0, 1.0}) {
+    EXPECT_EQ(asin(Dual(end)).derivatives(), 0.0);
+    EXPECT_EQ(acos(Dual(end)).derivatives(), 0.0);
+    EXPECT_FALSE(isfinite(asin(Dual(end, 1.0))));
+    EXPECT_FALSE(isfinite(acos(Dual(end, 1.0))));
+  }
+  EXPECT_FALSE(isfinite(asin(Dual(2.0))));
+  EXPECT_FALSE(isfinite(sqrt(Dual(-1.0))));
+  EXPECT_EQ(atan2(Dual(0.0), Dual(0.0)).derivatives(), 0.0);
+  EXPECT_FALSE(isfinite(atan2(Dual(0.0, 1.0), Dual(0.0))));
+  EXPECT_EQ(pow(Dual(0.0, 1.0), 0.0).derivatives(), 0.0);
+  EXPECT_EQ(pow(Dual(0.0, 1.0), 1.0).derivatives(), 1.0);
+}
+
 // b turned about z by an angle gives a, so that w_ab = -angle' z: d/dt R_b^a r = R_b^a (w_ab x r + r')
 TEST(Dual, RunsThroughTheAlgebraOfFrames) {
   const Eigen::Vector3d r(0.3, -1.2, 0.8), rdot(-0.4, 0.1, 2.0);

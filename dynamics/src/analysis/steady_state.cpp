@@ -149,12 +149,20 @@ std::vector<double> steady_state(const SteadyProblem& problem) {
     scale[i] = steady.scale(coordinates[static_cast<std::size_t>(i)]);
     tolerance[i] = steady.tolerance(coordinates[static_cast<std::size_t>(i)]);
   }
-  const NewtonResult found = newton({left, jacobian, Eigen::VectorXd::Zero(n), scale, tolerance});
+  const auto name_of = [&](Eigen::Index i) -> const std::string& {
+    return steady.errors().names()[coordinates[static_cast<std::size_t>(i)].error];
+  };
+  const Eigen::VectorXd guess = Eigen::VectorXd::Zero(n), at_guess = left(guess);
+  for (Eigen::Index i = 0; i < n; ++i)
+    if (!std::isfinite(at_guess[i]))
+      throw BadInput("equilibrium of " + problem.core.plain.hub + ": at the guess the second derivative of " +
+                     name_of(i) + " is " + text(at_guess[i]) + " per s^2");
+  const NewtonResult found = newton({left, jacobian, guess, scale, tolerance});
   const Eigen::VectorXd F = left(found.x);
   Eigen::Index worst = 0;
-  const double most = F.cwiseQuotient(tolerance).cwiseAbs().maxCoeff(&worst);
+  const double most = F.cwiseQuotient(tolerance).cwiseAbs().maxCoeff<Eigen::PropagateNaN>(&worst);
   if (!(most <= 1.0)) {
-    const std::string& name = steady.errors().names()[coordinates[static_cast<std::size_t>(worst)].error];
+    const std::string& name = name_of(worst);
     throw NoEquilibrium("equilibrium of " + problem.core.plain.hub + ": none found near the guess, " +
                             found.flag + " after " + text(found.iterations) +
                             " iterations; the second derivative of " + name + " is left, " + text(F[worst]) +

@@ -116,11 +116,18 @@ void StateDifferences::add(double t, const double* ours, const double* theirs) {
   put_larger(angular_momentum_, (eigen(a.angular_momentum) - eigen(b.angular_momentum)).norm(), t);
 }
 
-void StateDifferences::set_events(const std::vector<EventTime>& ours, const std::vector<EventTime>& theirs) {
+// All events come first: two runs that end at one event do so at two times.
+void StateDifferences::set_events(std::vector<EventTime> ours, std::vector<EventTime> theirs) {
+  const auto same = [&] {
+    return std::equal(ours.begin(), ours.end(), theirs.begin(), theirs.end(),
+                      [](const EventTime& a, const EventTime& b) { return a.name == b.name; });
+  };
+  if (!same())
+    for (auto* events : {&ours, &theirs})
+      std::erase_if(*events, [&](const EventTime& e) { return e.time < from_ || e.time > until_; });
   our_events_ = ours.size();
   their_events_ = theirs.size();
-  const auto same_name = [](const EventTime& a, const EventTime& b) { return a.name == b.name; };
-  if (!std::equal(ours.begin(), ours.end(), theirs.begin(), theirs.end(), same_name)) {
+  if (!same()) {
     events_.reset();
     return;
   }

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include <vectrix/dynamics/analysis/controllability.hpp>
@@ -186,6 +187,16 @@ TEST(Equilibrium, IsRefusedWhereThereIsNone) {
   EXPECT_THROW(equilibrium(scenario(chain, [](const auto&, auto&) { throw std::domain_error("no star"); }),
                            guess, fine),
                std::domain_error);
+  // What is no number is bad input, not a search that failed.
+  const auto effort = [](double newtons) {
+    return [newtons](const auto&, auto& forces) { forces.effort(of<Far>, newtons * N); };
+  };
+  for (const double bad :
+       {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+    const std::string text = vectrix_test::message<BadInput>(
+        [&] { equilibrium(scenario(chain, effort(bad), held), guess, fine); });
+    EXPECT_NE(text.find("at the guess the second derivative of "), std::string::npos) << text;
+  }
 }
 
 // In a circular orbit the principal axes of a body lie along the vertical, the velocity and the normal of the

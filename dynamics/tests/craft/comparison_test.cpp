@@ -128,6 +128,11 @@ TEST(Comparison, compares_the_times_of_events) {
   EXPECT_NEAR(found.events()->size.in(s), 1.0, rounding);
   EXPECT_NEAR(found.events()->time.in(s), 6.0, rounding);
   EXPECT_FALSE(compare(sat, run({.speed = 0.2}, 1.0, 11.0, 1.0), run({})).events());
+  // An event at 6 s, after the end of the other run, is no difference; it is one if both could have it.
+  const auto shorter = compare(sat, run({.speed = 0.2}, 1.0, 4.0, 1.0), run({.speed = 0.2}, 1.0, 11.0, 1.0));
+  ASSERT_TRUE(shorter.events());
+  EXPECT_EQ(shorter.events()->size, 0.0 * s);
+  EXPECT_FALSE(compare(sat, run({.speed = 0.2}, 1.0, 8.0, 1.0), run({}, 1.0, 11.0)).events());
 }
 
 TEST(Comparison, prints_a_row_for_each_quantity) {

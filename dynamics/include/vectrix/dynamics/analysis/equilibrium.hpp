@@ -12,9 +12,10 @@ namespace vectrix {
 /// the orbital rate. All speeds of joints and modes are zero, and their accelerations vanish; so does that of
 /// the hub in its own axes. A free hub moves about the inertial origin, v = w x r. Rotors keep their speeds,
 /// and locked joints their places. What no acceleration depends on stays as in the guess; in a family of
-/// equilibria it is that nearest to the guess. Found by KINSOL, Newton's method with line search, with exact
-/// derivatives; each acceleration that is left is below its tolerance. Throws BadInput for a tolerance that
-/// is not positive, NoEquilibrium if none is found.
+/// equilibria it is one near the guess, as each step is the shortest: a joint without a spring moves a little
+/// if others are not yet at rest. Found by KINSOL, Newton's method with line search, with exact derivatives;
+/// each acceleration that is left is below its tolerance. Throws BadInput for a tolerance that is not
+/// positive and a guess whose accelerations are not finite, NoEquilibrium if none is found.
 template <CraftType C, class... Parts>
   requires(std::is_same_v<
            detail::FaultOfLinear<C, C, CraftScenario<C, Parts...>, CraftInputs<>, CraftOutputs<>>, Nothing>)

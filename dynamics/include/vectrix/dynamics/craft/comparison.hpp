@@ -38,7 +38,7 @@ class VECTRIX_EXPORT StateDifferences {
  public:
   StateDifferences(std::shared_ptr<const CraftCore> core, double from, double until);
   void add(double t, const double* ours, const double* theirs);
-  void set_events(const std::vector<EventTime>& ours, const std::vector<EventTime>& theirs);
+  void set_events(std::vector<EventTime> ours, std::vector<EventTime> theirs);
 
   const NumberDifference& at(std::size_t number) const { return numbers_[number]; }
   const NumberDifference& energy() const { return energy_; }
@@ -143,7 +143,8 @@ template <CraftType C> class CraftComparison {
   LargestDifference<si::angular_momentum> angular_momentum() const {
     return typed<si::angular_momentum>(differences_.angular_momentum());
   }
-  /// Of the times of the events; empty if their names, in order, are not the same.
+  /// Of the times of the events; empty if their names, in order, are not the same, neither of all events nor
+  /// of those within the span.
   std::optional<LargestDifference<si::time>> events() const {
     if (!differences_.events()) return std::nullopt;
     return typed<si::time>(*differences_.events());
@@ -176,7 +177,7 @@ template <CraftType C> class CraftComparison {
 };
 
 /// Two trajectories of a craft, by different methods or engines, at the nodes of both within the time span
-/// that both have. Throws BadInput if they have none.
+/// that both have. Throws BadInput if they have none, or if one was made without its dense output.
 template <CraftType C, class... X, class... Y>
 CraftComparison<C> compare(const C& craft, const CraftTrajectory<C, X...>& ours,
                            const CraftTrajectory<C, Y...>& theirs) {

@@ -49,11 +49,11 @@ class VECTRIX_EXPORT Dual {
   friend Dual abs(const Dual& x) { return std::signbit(x.value_) ? -x : x; }
   friend Dual sqrt(const Dual& x) {
     const double root = std::sqrt(x.value_);
-    return {root, x.derivative_ == 0.0 ? 0.0 : 0.5 * x.derivative_ / root};
+    return {root, 0.5 * x.per(root)};
   }
   friend Dual cbrt(const Dual& x) {
     const double root = std::cbrt(x.value_);
-    return {root, x.derivative_ == 0.0 ? 0.0 : x.derivative_ / (3.0 * root * root)};
+    return {root, x.per(3.0 * root * root)};
   }
   friend Dual sin(const Dual& x) { return {std::sin(x.value_), std::cos(x.value_) * x.derivative_}; }
   friend Dual cos(const Dual& x) { return {std::cos(x.value_), -std::sin(x.value_) * x.derivative_}; }
@@ -62,17 +62,19 @@ class VECTRIX_EXPORT Dual {
     return {tangent, (1.0 + tangent * tangent) * x.derivative_};
   }
   friend Dual asin(const Dual& x) {
-    return {std::asin(x.value_), x.derivative_ / std::sqrt((1.0 - x.value_) * (1.0 + x.value_))};
+    return {std::asin(x.value_), x.per(std::sqrt((1.0 - x.value_) * (1.0 + x.value_)))};
   }
   friend Dual acos(const Dual& x) {
-    return {std::acos(x.value_), -x.derivative_ / std::sqrt((1.0 - x.value_) * (1.0 + x.value_))};
+    return {std::acos(x.value_), -x.per(std::sqrt((1.0 - x.value_) * (1.0 + x.value_)))};
   }
   friend Dual atan(const Dual& x) {
     return {std::atan(x.value_), x.derivative_ / (1.0 + x.value_ * x.value_)};
   }
   friend Dual atan2(const Dual& y, const Dual& x) {
     const double square = x.value_ * x.value_ + y.value_ * y.value_;
-    return {std::atan2(y.value_, x.value_), (x.value_ * y.derivative_ - y.value_ * x.derivative_) / square};
+    const bool moves = x.derivative_ != 0.0 || y.derivative_ != 0.0;
+    return {std::atan2(y.value_, x.value_),
+            moves ? (x.value_ * y.derivative_ - y.value_ * x.derivative_) / square : 0.0};
   }
   friend Dual exp(const Dual& x) {
     const double e = std::exp(x.value_);
@@ -87,14 +89,18 @@ class VECTRIX_EXPORT Dual {
     return {t, (1.0 - t) * (1.0 + t) * x.derivative_};
   }
   friend Dual pow(const Dual& x, double power) {
-    return {std::pow(x.value_, power),
-            x.derivative_ == 0.0 ? 0.0 : power * std::pow(x.value_, power - 1.0) * x.derivative_};
+    return {std::pow(x.value_, power), x.derivative_ == 0.0 || power == 0.0
+                                           ? 0.0
+                                           : power * std::pow(x.value_, power - 1.0) * x.derivative_};
   }
   friend bool isfinite(const Dual& x) { return std::isfinite(x.value_) && std::isfinite(x.derivative_); }
 
   friend std::ostream& operator<<(std::ostream& out, const Dual& x) { return out << x.value_; }
 
  private:
+  /// The derivative over d; zero where there is no slope, d = 0, and it does not move.
+  constexpr double per(double d) const { return d == 0.0 && derivative_ == 0.0 ? 0.0 : derivative_ / d; }
+
   double value_ = 0.0, derivative_ = 0.0;
 };
 

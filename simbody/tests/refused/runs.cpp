@@ -1,0 +1,35 @@
+// Runs of Simbody
+#include <vectrix/simbody.hpp>
+
+using namespace vectrix;
+
+struct Gcrf : inertial_frame {};
+struct Hub : moving_frame {};
+
+auto make_sat() {
+  return spacecraft(
+      body(mass_properties(1.0 * si::kilogram, coincident(of<CentreOfMassOf<Hub>>, relative_to<Hub>, in<Hub>),
+                           trust_inertia(in<Hub>, Eigen::Matrix3d::Identity())),
+           turning_in<Gcrf>));
+}
+struct Sat : decltype(make_sat()) {
+  Sat() : decltype(make_sat())(make_sat()) {}
+};
+struct Probe : decltype(make_sat()) {
+  Probe() : decltype(make_sat())(make_sat()) {}
+};
+
+namespace a_run_of_simbody_from_the_state_of_another_craft {
+// mistake: Simbody runs the scenario of a satellite from the state of a probe
+// expect: a state of the scenario's craft
+auto flight(const Sat& sat, const CraftState<Sat>& of_sat, const CraftState<Probe>& of_probe) {
+  const SimbodyPropagation how{.end = 60.0 * si::second, .accuracy = 1e-8};
+#ifdef REPAIRED
+  static_cast<void>(of_probe);
+  return propagate_with_simbody(scenario(sat), of_sat, how);
+#else
+  static_cast<void>(of_sat);
+  return propagate_with_simbody(scenario(sat), of_probe, how);
+#endif
+}
+}  // namespace a_run_of_simbody_from_the_state_of_another_craft
