@@ -245,6 +245,34 @@ TEST(Replay, InterruptsCurvesInGaps) {
   EXPECT_EQ(gaps(with(whole, "gap = \"30 s\"", "gap = \"15 s\"")), 27U);  // steps of 20 and 30 s
 }
 
+// Between the two samples of a gap nothing of the scene is there.
+TEST(Replay, InterruptsTheSceneInGaps) {
+  const std::string whole = with(
+      example("ctim.toml"), "start = 2023-04-20T05:20:10Z\nend = 2023-04-20T06:10:00Z\nstep = \"10 s\"", "");
+  const auto found = result(with(whole, "gap = \"30 s\"", "gap = \"15 s\""));
+  const Report report = found.report();
+  const auto& scene = report.scene.value();
+  ASSERT_EQ(scene.seconds.size(), found.flight.attitude.size() + 27U);
+  const auto& times = found.flight.attitude.times;
+  std::size_t sample = 0;
+  for (std::size_t i = 0; i < scene.seconds.size(); ++i) {
+    const bool is_gap = std::isnan(scene.reference_from_body[i].x());
+    if (is_gap) {
+      EXPECT_GT((times.at(sample) - times.at(sample - 1)).value(), 15.0);
+      EXPECT_GT(scene.seconds[i], (times[sample - 1] - report.start).value());
+      EXPECT_LT(scene.seconds[i], (times[sample] - report.start).value());
+    } else {
+      EXPECT_EQ(scene.seconds[i], (times.at(sample++) - report.start).value());
+    }
+    EXPECT_EQ(std::isnan(scene.directions.at(0).vectors.at(i).x()), is_gap);
+    EXPECT_EQ(std::isnan(scene.views.at(0).from_reference.at(i).x()), is_gap);
+    EXPECT_EQ(std::isnan(scene.positions.at(i).x()), is_gap);
+    EXPECT_EQ(std::isnan(scene.ground_track.at(i).x()), is_gap);
+  }
+  EXPECT_EQ(sample, times.size());
+  EXPECT_TRUE(says(html(report), "692 of 692 samples; "));
+}
+
 // The Earth hides the Sun if the line to it passes nearer than its radius.
 TEST(Replay, CountsOnlySunlightOrShadow) {
   std::string text = with(with(example("ctim.toml"), "05:20:10Z", "05:00:10Z"), "06:10:00Z", "06:59:50Z");
