@@ -21,11 +21,17 @@ FlownAttitude read_flown_attitude(const Scenario& scenario);
 struct Flight {
   FlownAttitude flown;
   AttitudeRecord attitude;
+  std::size_t
+      instants;      // that are asked for by a step; those in gaps and outside the samples have no attitude
   FlownOrbit orbit;  // nothing if none is given
   std::vector<SatelliteMotion> motions;
   std::vector<double> visible_sun;  // empty without an orbit
 };
 Flight read_flight(const Scenario& scenario, Progress& progress);
+
+/// What of the time that is asked for has no attitude, as "61 of 660 instants, in gaps or outside the
+/// samples": "" if nothing.
+std::string without_attitude(const Scenario& scenario, const Flight& flight);
 
 /// What a measure finds, at every instant.
 struct Measured {

@@ -92,6 +92,8 @@ std::vector<Report::Fact> facts(const Scenario& scenario, const Flight& flight) 
                        record.reference + " from " + record.file},
       {"looked at", counted(flight.attitude.size(), scenario.step ? "instant" : "sample") + ", " +
                         span_of(flight.attitude)}};
+  if (const std::string missing = without_attitude(scenario, flight); !missing.empty())
+    all.push_back({"without attitude, not judged", missing});
   if (const auto& orbit = scenario.orbit)
     all.push_back({"orbit", !orbit->elements.empty()  ? orbit->elements.string()
                             : !orbit->message.empty() ? orbit->message.string()

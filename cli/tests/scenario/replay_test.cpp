@@ -387,6 +387,36 @@ TEST_F(ReplayFiles, HaveTheColumnsThatAreNamed) {
             "FILE:7:11: " + folder.file("a.csv").string() + " has no column 'wxx'; the nearest is 'wx'");
 }
 
+// What was asked for and is not known is not passed over in silence.
+TEST(Replay, SaysWhatHasNoAttitude) {
+  const std::string stepped = example("ctim.toml");
+  const std::string times = "start = 2023-04-20T05:20:10Z\nend = 2023-04-20T06:10:00Z\nstep = \"10 s\"";
+  const auto said = [&](const std::string& text) {
+    const auto found = result(text);
+    const std::string missing = without_attitude(found.scenario, found.flight);
+    const auto facts = found.report().facts;
+    EXPECT_EQ(
+        std::any_of(facts.begin(), facts.end(), [&](const auto& fact) { return fact.value == missing; }),
+        !missing.empty());
+    return missing;
+  };
+  EXPECT_EQ(said(stepped), "");
+  EXPECT_EQ(said(with(stepped, "06:10:00", "07:10:00")),
+            "61 of 660 instants, in gaps or outside the samples");  // the last sample is at 06:59:59
+  EXPECT_EQ(said(with(stepped, times, "")), "");
+  EXPECT_EQ(said(with(stepped, times, "start = 2023-04-20T05:20:10Z\nend = 2023-04-20T06:10:00Z")), "");
+  EXPECT_EQ(said(with(stepped, times, "end = 2023-04-20T07:00:59.001Z")),
+            "60 s, in gaps or outside the samples");
+  EXPECT_EQ(said(with(stepped, times, "start = 2023-04-20T04:59:09.001Z")),
+            "60 s, in gaps or outside the samples");
+}
+
+TEST_F(ReplayFiles, SayWhatHasNoAttitude) {
+  (void)run(plain + std::string("[time]\nstep = \"10 s\"\nend = 2026-11-29T00:01:00Z\n"));
+  EXPECT_TRUE(
+      says(out.str(), "\nWithout attitude, not judged: 4 of 7 instants, in gaps or outside the samples\n"));
+}
+
 TEST_F(ReplayFiles, HaveSamplesAtTheTimes) {
   EXPECT_EQ(
       complaint(
