@@ -326,6 +326,25 @@ test('outside its times a motion is not shown, nor a value', () =>
     assert.equal(await value(), '\u2013');
   }));
 
+test('in a gap of the attitude no body is drawn, however long the run', () =>
+  withPage('long', {}, async (page) => {
+    const shown = () => page.value("[...document.querySelectorAll('.label')].some((label) => !label.hidden && label.textContent === 'x Body')");
+    const goTo = async (time) => {
+      await page.key('0');
+      await page.click('.plot .u-over', time / 99999.9);
+      for (let i = 0; i < 30; i++) await page.key('+'); // about the time of the view
+      const [from, to] = await page.value('vectrix_report.shown[0]');
+      await page.click('.plot .u-over', (time - from) / (to - from));
+      near(await state(page, 'time'), time, 2);
+    };
+    await goTo(29900);
+    assert.equal(await shown(), true);
+    await goTo(30001);
+    assert.equal(await shown(), false);
+    await goTo(30100);
+    assert.equal(await shown(), true);
+  }));
+
 test('a sample between gaps is a dot at its place, and a limit a line at its value', () =>
   withPage('hostile', {}, async (page) => {
     const filled = (counts) => counts.flatMap((count, i) => (count ? [i] : []));
