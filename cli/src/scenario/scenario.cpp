@@ -128,6 +128,13 @@ class Reader {
     const ScenarioTable& maps = *quaternion.table("maps");
     const auto &map_from = maps.at("from"), &map_to = maps.at("to");
     const auto reference_from = inertial(map_from.text()), reference_to = inertial(map_to.text());
+    const bool has_reference = reference_from || reference_to;
+    for (const auto* const name : {&map_from, &map_to})
+      if (is_other_frame(name->text()))
+        refuse(maps.place, "'" + name->text() + "' is the name of a frame that is not fixed in a body" +
+                               (has_reference ? ""
+                                              : "; of the two frames one must be J2000, EME2000, GCRF or "
+                                                "ICRF"));
     if (reference_from.has_value() == reference_to.has_value())
       refuse(maps.place,
              "'" + map_from.text() + "' and '" + map_to.text() +

@@ -164,6 +164,21 @@ TEST_F(ScenarioWords, RefuseWhatIsNoFrame) {
             "FILE:19:1: 'body' is the name of the body of the attitude");
 }
 
+// Names that mean another frame are no names of a body: an attitude relative to ITRF would be read as one.
+TEST_F(ScenarioWords, RefuseTheNamesOfOtherFramesForABody) {
+  const std::string maps = "{ from = \"body\", to = \"GCRF\" }";
+  EXPECT_EQ(refusal(maps, "{ from = \"ITRF\", to = \"GCRF\" }"),
+            "FILE:9:8: 'ITRF' is the name of a frame that is not fixed in a body");
+  EXPECT_EQ(
+      refusal(maps, "{ from = \"body\", to = \"teme\" }"),
+      "FILE:9:8: 'teme' is the name of a frame that is not fixed in a body; of the two frames one must be "
+      "J2000, EME2000, GCRF or ICRF");
+  const std::string mounted =
+      "[[frame]]\nname = \"LVLH\"\n[frame.quaternion]\nnumbers = [1, 0, 0, 0]\nscalar = \"first\"\n"
+      "maps = { from = \"LVLH\", to = \"body\" }\n";
+  EXPECT_EQ(refusal_with(mounted), "FILE:20:8: 'LVLH' is the name of a frame that is not fixed in a body");
+}
+
 TEST_F(ScenarioWords, NameAnAxisAndItsFrame) {
   const auto axis = [&](const std::string& text) { return refusal("\"z of body\"", "\"" + text + "\""); };
   EXPECT_EQ(axis("z"),
