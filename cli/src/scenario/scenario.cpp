@@ -5,6 +5,7 @@
 #include <functional>
 #include <map>
 
+#include "attitude_kernel_record.hpp"
 #include "figures.hpp"
 #include "plain_words.hpp"
 #include "scales.hpp"
@@ -114,6 +115,10 @@ class Reader {
       if (const auto* const segment = from.find("segment")) selection.segment = segment->as<std::size_t>();
       return;
     }
+    if (is_kernel(file.text()))
+      refuse(file.place, file.text() +
+                             " is a kernel of SPICE; needed: a message of CCSDS or a table, which "
+                             "vectrix convert makes of it");
     refuse_keys(from, {"segment"}, "is of a message; " + file.text() + " is a table");
     want_keys(from, {"time", "quaternion"}, "a table");
     read_columns(from);
