@@ -231,6 +231,8 @@ TEST_F(ScenarioWords, NameATarget) {
       "\"apparent\"");
   EXPECT_EQ(refusal_with(with(star, "-16.716", "-116.716")),
             "FILE:22:15: 'star.declination' is -116.716 deg; it is at most 90 deg");
+  EXPECT_EQ(refusal_with(with(star, "101.287 deg", "365527.0 arcmin")),
+            "FILE:21:19: 'star.right_ascension' is 365527.0 arcmin, more than a turn");
   EXPECT_EQ(refusal_with(star + star), "FILE:24:8: there are two targets 'Sirius'");
   EXPECT_EQ(refusal_with(with(star, "Sirius", "Sun")), "FILE:20:8: there are two targets 'Sun'");
   const std::string station =
