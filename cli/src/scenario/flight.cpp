@@ -137,12 +137,22 @@ FlownAttitude read_flown_attitude(const Scenario& scenario) {
   return {std::move(record), std::move(frames)};
 }
 
+void require_orientation(const Scenario& scenario, const Epoch& t) {
+  if (!scenario.orientation) return;
+  try {
+    (void)scenario.orientation->at(t);
+  } catch (const BadInput& error) {
+    refuse(scenario.orientation_place, error.what());
+  }
+}
+
 Flight read_flight(const Scenario& scenario, Progress& progress) {
   FlownAttitude flown = read_flown_attitude(scenario);
   const auto asked = scenario.step ? instants(scenario, flown.record) : flown.record.times;
   AttitudeRecord attitude = scenario.step ? resampled(flown.record, asked) : flown.record;
   Flight flight{std::move(flown), std::move(attitude), asked.size(), nullptr, {}, {}};
   const auto& times = flight.attitude.times;
+  for (const Epoch& t : {times.front(), times.back()}) require_orientation(scenario, t);
   if (scenario.orbit)
     flight.orbit = with_columns_of(
         scenario, [&] { return read_orbit(*scenario.orbit, from_until(times.front(), times.back())); });

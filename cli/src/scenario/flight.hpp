@@ -17,6 +17,10 @@ struct FlownAttitude {
 /// Throws BadInput as read_attitude does, and for an axis or rates of a frame that is not there.
 FlownAttitude read_flown_attitude(const Scenario& scenario);
 
+/// Throws BadInput, with the place in the scenario, if it names an orientation of the Earth that is not known
+/// at a time.
+void require_orientation(const Scenario& scenario, const Epoch& t);
+
 /// A flight at the instants that are looked at.
 struct Flight {
   FlownAttitude flown;

@@ -35,6 +35,7 @@ class Reader {
       const auto& value = earth->at("orientation");
       add_input(value.text());
       scenario_.orientation = EarthOrientation::read(value.text());
+      scenario_.orientation_place = value.place;
       choose("orientation of the Earth", value.text(), value.place);
     }
     read_attitude();

@@ -387,6 +387,15 @@ TEST_F(ReplayFiles, HaveTheColumnsThatAreNamed) {
             "FILE:7:11: " + folder.file("a.csv").string() + " has no column 'wxx'; the nearest is 'wx'");
 }
 
+TEST(Replay, NamesTheOrientationOfAnotherTime) {
+  const auto refused = complaint([&] {
+    (void)result(with(example("sentinel1.toml"), "finals2000A_april_2022", "finals2000A_april_2023"));
+  });
+  EXPECT_TRUE(
+      says(refused, "s.toml:7:15: EarthOrientation: the epoch 2022-04-14T10:22:11.874999 UTC is outside"))
+      << refused;
+}
+
 // What was asked for and is not known is not passed over in silence.
 TEST(Replay, SaysWhatHasNoAttitude) {
   const std::string stepped = example("ctim.toml");
