@@ -159,7 +159,8 @@ function groundTrack() {
     const { from, to, part } = between(seconds, t);
     const near = part < 0.5 ? from : to;
     const [latitude, longitude] = [track[2 * near], track[2 * near + 1]];
-    const isThere = isWithin(seconds, t) && !Number.isNaN(latitude);
+    const isPlace = (i) => !Number.isNaN(track[2 * i]);
+    const isThere = isWithin(seconds, t) && isPlace(from) && (part === 0 || isPlace(to));
     place.setAttribute('visibility', isThere ? 'visible' : 'hidden');
     if (!isThere) return;
     place.setAttribute('cx', left + ((longitude + 180) / 360) * (right - left));

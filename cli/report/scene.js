@@ -131,8 +131,8 @@ export class Scene {
 
   trailLine(opacity) {
     const geometry = new BufferGeometry();
-    geometry.setAttribute('position', new BufferAttribute(new Float32Array(3 * this.data.seconds.length), 3));
-    const line = new Line(geometry, this.material(LineBasicMaterial, '--marked', { transparent: true, opacity }));
+    geometry.setAttribute('position', new BufferAttribute(new Float32Array(6 * this.data.seconds.length), 3));
+    const line = new LineSegments(geometry, this.material(LineBasicMaterial, '--marked', { transparent: true, opacity }));
     line.frustumCulled = false;
     this.world.add(line);
     return line;
@@ -178,12 +178,20 @@ export class Scene {
     this.path.visible = this.past.visible = Boolean(axis);
     if (!axis) return;
     const numbers = this.path.geometry.attributes.position.array;
-    let last = [0, 0, 0];
+    this.drawn = []; // ends of segments up to each sample
+    let count = 0;
+    let before = new Vector3(NaN);
     for (let i = 0; i < this.data.seconds.length; i++) {
       const point = axis.clone().applyQuaternion(quaternionAt(this.data.attitude, i)).applyQuaternion(this.viewAt(i));
-      if (isThere(point)) last = point.toArray();
-      numbers.set(last, 3 * i); // the line has no gaps
+      if (isThere(before) && isThere(point)) {
+        before.toArray(numbers, 3 * count);
+        point.toArray(numbers, 3 * (count + 1));
+        count += 2;
+      }
+      before = point;
+      this.drawn.push(count);
     }
+    this.path.geometry.setDrawRange(0, count);
     this.past.geometry.attributes.position.array.set(numbers);
     for (const line of [this.path, this.past]) line.geometry.attributes.position.needsUpdate = true;
   }
@@ -208,7 +216,7 @@ export class Scene {
     if (this.limb) this.placeLimb(at, view);
     for (const name of ['sphere', 'axes of the frame it is seen from']) this.place(this.parts.get(name).object, new Quaternion());
     this.fixed.visible &&= this.view !== 'body';
-    this.past.geometry.setDrawRange(0, at.from + 1);
+    this.past.geometry.setDrawRange(0, this.drawn[at.from]);
     this.render();
   }
 

@@ -16,8 +16,14 @@ std::int32_t frame_of(const DafFile& file, const std::string& named, const Frame
   for (const DafFile::Array& array : file.arrays())
     if (!array.integers.empty()) there.insert(array.integers.front());
   if (there.empty()) throw BadInput(file.place() + ": it has no segments");
-  const std::int32_t wanted =
-      named.empty() ? *there.begin() : frames.attitude_id_of(detail::claim_of<Body>(called<Body>(named)));
+  const auto id = [&] {
+    try {
+      return frames.attitude_id_of(detail::claim_of<Body>(called<Body>(named)));
+    } catch (const BadInput&) {
+      throw BadInput("--ck-frame " + named + ": this is no number, and --fk has no frame of this name");
+    }
+  };
+  const std::int32_t wanted = named.empty() ? *there.begin() : id();
   if (named.empty() ? there.size() != 1 : !there.contains(wanted)) {
     std::string list;
     for (const std::int32_t id : there) list += (list.empty() ? "" : ", ") + detail::text(id);
@@ -58,8 +64,12 @@ AttitudeRecord read_kernel(const std::filesystem::path& file, const KernelWords&
   record.rate_axes = RateAxes::reference;
   record.are_normalised = true;
   const TimeSpan all = kernel.span();
-  const auto span = from_until(std::max(all.start(), selection.from.value_or(all.start())),
-                               std::min(all.end(), selection.until.value_or(all.end())));
+  const Epoch first = std::max(all.start(), selection.from.value_or(all.start())),
+              last = std::min(all.end(), selection.until.value_or(all.end()));
+  if (last < first)
+    throw BadInput(record.file + ": its attitude is from " + all.start().utc() + " UTC to " +
+                   all.end().utc() + " UTC, none in the times that are asked for");
+  const auto span = from_until(first, last);
   const auto body = called<Body>(detail::text(frame));
   const auto reference = called<Reference>("J2000");
   for (const auto& [time, q_reference_from_body] :

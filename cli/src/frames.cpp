@@ -197,6 +197,7 @@ void frames(const FramesOptions& options, std::ostream& out) {
       in_plain_words(options.file.string(), [&] { return read_scenario(options.file); });
   const FlownAttitude flown = read_flown_attitude(scenario);
   const Epoch t = options.at.empty() ? flown.record.times.front() : Epoch::from(options.at);
+  require_orientation(scenario, t);
   const Frames all = in_plain_words(options.file.string(), [&] { return Frames(scenario, flown, t); });
   if (options.from.empty()) {
     out << "Frames of " << scenario.file << " at " << t << "\n  GCRF\n";

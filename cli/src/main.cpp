@@ -103,7 +103,7 @@ void add_interpolation(CLI::App& command, InterpolationWords& words, const char*
 
 void add_orbit(CLI::App& command, OrbitSource& orbit, InterpolationWords& words, const char* group) {
   command.add_option("--tle", orbit.elements, "file of two-line elements")->group(group);
-  command.add_option("--oem", orbit.message, "CCSDS OEM (KVN) in EME2000, GCRF or TEME")->group(group);
+  command.add_option("--oem", orbit.message, "CCSDS OEM (KVN or XML) in EME2000, GCRF or TEME")->group(group);
   command.add_option("--spk", orbit.kernel, "kernel of SPICE (SPK) with one spacecraft")->group(group);
   add_interpolation(command, words, "of an OEM that does not say it: hermite or lagrange", group);
 }

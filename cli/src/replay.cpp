@@ -99,7 +99,10 @@ bool replay(const ReplayOptions& options, Progress& progress, std::ostream& out)
   out << scenario.title << '\n'
       << counted(flight.attitude.size(), scenario.step ? "instant" : "sample") << " of "
       << flight.attitude.body << " relative to " << flight.attitude.reference << ", "
-      << range(flight.attitude) << "\n\n";
+      << range(flight.attitude) << '\n';
+  if (const std::string missing = without_attitude(scenario, flight); !missing.empty())
+    out << "Without attitude, not judged: " << missing << '\n';
+  out << '\n';
   write_measures(scenario, measures, out);
   const bool fulfilled = write_verdicts(scenario, judged, out);
   for (std::size_t i = 0; i < measures.size(); ++i)

@@ -110,7 +110,8 @@ std::string time_controls(const Report& report) {
 
 // How the samples between those that are kept turn.
 std::string attitude_caption(const Report::Scene& scene, const std::string& first) {
-  const auto places = even_samples(scene.seconds.size(), most_samples(scene));
+  const auto are_gaps = gaps_of(scene);
+  const auto places = even_samples(are_gaps, most_samples(scene));
   double largest = 0.0;
   for (std::size_t k = 0; k + 1 < places.size(); ++k) {
     double turn = 0.0;
@@ -118,7 +119,11 @@ std::string attitude_caption(const Report::Scene& scene, const std::string& firs
       turn += scene.reference_from_body[i].angularDistance(scene.reference_from_body[i + 1]);
     largest = std::max(largest, turn);  // not of gaps, which are NaN
   }
-  return detail::text(places.size()) + " of " + counted(scene.seconds.size(), "sample") +
+  const auto kept_gaps =
+      std::count_if(places.begin(), places.end(), [&](std::size_t i) { return are_gaps[i]; });
+  const auto gaps = std::count(are_gaps.begin(), are_gaps.end(), true);
+  return detail::text(places.size() - static_cast<std::size_t>(kept_gaps)) + " of " +
+         counted(scene.seconds.size() - static_cast<std::size_t>(gaps), "sample") +
          "; from one to the next the body turns by at most " + shown(degrees * largest) +
          " deg. On paper, and in a browser without WebGL, the drawing is of the first time, " + first + ".";
 }

@@ -72,7 +72,7 @@ std::string plot_object(const Report::Plot& plot, std::size_t plots) {
 }
 
 std::string scene_object(const Report::Scene& scene) {
-  const auto places = even_samples(scene.seconds.size(), most_samples(scene));
+  const auto places = even_samples(gaps_of(scene), most_samples(scene));
   std::string text = "{\"body\":" + json_text(scene.body) + ",\"reference\":" + json_text(scene.reference) +
                      ",\"seconds\":" + json_text(base64(at_places(scene.seconds, places))) +
                      ",\"attitude\":" + packed(scene.reference_from_body, places);

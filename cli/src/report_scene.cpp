@@ -160,7 +160,7 @@ void add_trail(Picture& picture, const Report::Scene& scene) {
   const Vector3d axis = scene.axes.empty() ? Vector3d::UnitZ() : scene.axes.front().axis;
   constexpr std::size_t most_points = 1500;
   std::vector<Vector3d> points;
-  for (const std::size_t i : even_samples(scene.seconds.size(), most_points))
+  for (const std::size_t i : even_samples(gaps_of(scene), most_points))
     points.push_back(scene.reference_from_body[i] * axis);
   picture.path(points, "trail");
 }

@@ -44,7 +44,9 @@ std::string ground_track_svg(const std::vector<Eigen::Vector2d>& track) {
   constexpr std::size_t most_points = 3000;
   constexpr double half_turn = 180.0;
   double before = 0.0;
-  for (const std::size_t i : even_samples(track.size(), most_points)) {
+  std::vector<bool> are_gaps;
+  for (const auto& place : track) are_gaps.push_back(!place.allFinite());
+  for (const std::size_t i : even_samples(are_gaps, most_points)) {
     const double longitude = track[i].y();
     if (!track[i].allFinite() || std::abs(longitude - before) > half_turn) finish();  // over the date line
     if (track[i].allFinite()) add_point(points, longitudes.at(longitude), latitudes.at(track[i].x()));

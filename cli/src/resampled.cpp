@@ -75,6 +75,8 @@ AttitudeRecord resampled(const AttitudeRecord& record, const std::vector<Epoch>&
     throw BadInput(record.file + ": " + counted(at.size(), "instant") + " of " +
                    counted(times.size(), "instant") +
                    " are within the samples and in no gap; at least two are needed");
+  constexpr double none_left_out = 1.5;  // steps between two instants, if they follow each other
+  at.longest_step = std::max(longest, none_left_out * median(durations_of(at)));
   return at;
 }
 

@@ -18,7 +18,7 @@ struct AttitudeStep {
 AttitudeStep step_at(const AttitudeRecord& record, const Epoch& t);
 
 /// The attitude at other times, in the convention of the record: without those outside the samples and those
-/// in a gap, and without rates.
+/// in a gap, and without rates. The times are equal steps: where one is left out is a gap.
 /// Throws BadInput if fewer than two are left, and as step_at.
 AttitudeRecord resampled(const AttitudeRecord& record, const std::vector<Epoch>& times);
 

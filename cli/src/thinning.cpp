@@ -44,11 +44,28 @@ std::vector<std::size_t> kept_samples(std::span<const Report::Curve> curves, std
   return places;
 }
 
-std::vector<std::size_t> even_samples(std::size_t count, std::size_t most) {
+std::vector<std::size_t> even_samples(const std::vector<bool>& are_gaps, std::size_t most) {
+  const std::size_t count = are_gaps.size();
   if (count <= most) return all_places(count);
-  std::vector<std::size_t> places(most);
-  for (std::size_t i = 0; i < most; ++i) places[i] = i * (count - 1) / (most - 1);
+  const bool has_gaps = std::find(are_gaps.begin(), are_gaps.end(), true) != are_gaps.end();
+  const std::size_t even = has_gaps ? std::max<std::size_t>(2, most / 2) : most;
+  std::vector<std::size_t> places{0};
+  for (std::size_t i = 1; i < even; ++i) {
+    const std::size_t next = i * (count - 1) / (even - 1);
+    for (std::size_t gap = places.back() + 1; gap < next; ++gap)
+      if (are_gaps[gap]) {
+        places.push_back(gap);
+        break;
+      }
+    places.push_back(next);
+  }
   return places;
+}
+
+std::vector<bool> gaps_of(const Report::Scene& scene) {
+  std::vector<bool> are_gaps;
+  for (const auto& q : scene.reference_from_body) are_gaps.push_back(std::isnan(q.w()));
+  return are_gaps;
 }
 
 }  // namespace vectrix::cli

@@ -14,8 +14,10 @@ namespace vectrix::cli {
 /// last sample are kept too. Nothing is averaged.
 std::vector<std::size_t> kept_samples(std::span<const Report::Curve> curves, std::size_t most);
 
-/// `most` places of `count`, or all, evenly, with the first and the last one. At least 2.
-std::vector<std::size_t> even_samples(std::size_t count, std::size_t most);
+/// `most` places, at least 4, or all, evenly, with the first and the last one. If there are gaps, half as
+/// many evenly, and between two of these the first gap, so that no gap is passed over.
+std::vector<std::size_t> even_samples(const std::vector<bool>& are_gaps, std::size_t most);
+std::vector<bool> gaps_of(const Report::Scene& scene);
 
 template <class Value>
 std::vector<Value> at_places(const std::vector<Value>& values, const std::vector<std::size_t>& places) {

@@ -31,7 +31,7 @@ struct Start {
       throw BadInput("the first time, " + text + " UTC, is in a leap second, which viewers do not know");
   }
   [[nodiscard]] std::string seconds(const Epoch& t) const {
-    return detail::text(std::round((t - epoch).value() * 1e9) / 1e9);
+    return detail::text(std::round((t - epoch).value() * 1e9) / 1e9 + 0.0);  // no -0
   }
 
   std::string text;

@@ -218,6 +218,7 @@ Report long_run() {
       rate.curves[k].values.push_back(value);
     }
     scene.reference_from_body.emplace_back(Eigen::AngleAxisd(1e-3 * t, Eigen::Vector3d(0.6, 0.0, 0.8)));
+    if (i == gap) scene.reference_from_body.back().coeffs().setConstant(nan);
   }
   rate.seconds = scene.seconds;
   report.plots = {rate};

@@ -167,6 +167,22 @@ RC_GTEST_PROP(Thinning, KeepsTheExtremesOfEveryPartAndItsGaps, ()) {
     }
 }
 
+RC_GTEST_PROP(Thinning, PassesOverNoGap, ()) {
+  const auto count = *rc::gen::inRange<std::size_t>(1, 400), most = *rc::gen::inRange<std::size_t>(4, 200);
+  const auto gaps_of_100 = *rc::gen::inRange(0, 100);
+  std::vector<bool> are_gaps;
+  for (std::size_t i = 0; i < count; ++i) are_gaps.push_back(*rc::gen::inRange(0, 100) < gaps_of_100);
+  const auto kept = even_samples(are_gaps, most);
+  RC_ASSERT(kept.size() <= most);
+  RC_ASSERT(kept.front() == 0U);
+  RC_ASSERT(kept.back() == count - 1);
+  for (std::size_t k = 0; k + 1 < kept.size(); ++k) {
+    RC_ASSERT(kept[k] < kept[k + 1]);
+    if (are_gaps[kept[k]] || are_gaps[kept[k + 1]]) continue;
+    for (std::size_t i = kept[k]; i < kept[k + 1]; ++i) RC_ASSERT(!are_gaps[i]);
+  }
+}
+
 TEST(Report, IsSmall) {
   EXPECT_LT(html(report()).size(), without_data);
   Report::Plot curves = plot(std::vector<double>(1'000'000, 1.0));

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "attitude_motion.hpp"
+#include "sample_faults.hpp"
 #include "says.hpp"
 #include "space/tests/temporary_file.hpp"
 
@@ -48,6 +49,25 @@ TEST(Resampled, IsNotInGapsAndNotOutside) {
               (void)resampled(record, {at(3.5), at(4.0), at(5.5)});
             }),
             "motion: 1 instant of 3 instants are within the samples and in no gap; at least two are needed");
+}
+
+// Steps that are longer than a gap are none; where an instant is left out is one.
+TEST(Resampled, HasTheGapsOfTheRecord) {
+  auto record = spin(0.01, 41);
+  record.times.erase(record.times.begin() + 19, record.times.begin() + 22);  // 18 to 22 s
+  record.numbers.erase(record.numbers.begin() + 19, record.numbers.begin() + 22);
+  for (const std::optional<double> gap : {std::optional<double>{}, std::optional<double>{1.5}})
+    for (const double step : {0.5, 1.0, 4.0}) {
+      record.longest_step = gap;
+      std::vector<Epoch> asked;
+      for (double t = 0.0; t <= 40.0; t += step) asked.push_back(at(t));
+      const auto found = resampled(record, asked);
+      std::vector<double> gaps;
+      for (const double duration : durations_of(found))
+        if (duration > longest_step(found, step)) gaps.push_back(duration);
+      ASSERT_EQ(gaps.size(), 1U) << step;
+      EXPECT_NEAR(gaps[0], step == 4.0 ? 8.0 : 4.0, 1e-9);
+    }
 }
 
 TEST(Resampled, DoesNotGuessWhichWayItTurned) {

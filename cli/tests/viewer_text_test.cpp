@@ -29,6 +29,9 @@ TEST(ViewerText, AnAttitudeOfStk) {
             "stk.v.11.0\n\nBEGIN Attitude\n\nNumberOfAttitudePoints 2\n"
             "ScenarioEpoch 29 Nov 2026 00:00:00.250000000\nCentralBody Earth\nCoordinateAxes J2000\n\n"
             "AttitudeTimeQuaternions\n\n0 0.6 0 0 0.8\n60 0 0.6 0 0.8\n\nEND Attitude\n");
+  const auto between = attitude_at({"2026-11-29T00:00:00.2499999999", "2026-11-29T00:01:00.25"},
+                                   attitude.quaternions, "EME2000");
+  EXPECT_EQ(stk_attitude(between), stk_attitude(attitude));  // not from -0 s on
   auto other = attitude;
   other.reference = "GCRF";
   EXPECT_NE(stk_attitude(other).find("CoordinateAxes ICRF"), std::string::npos);

@@ -90,6 +90,8 @@ Stated stated(const ScenarioTable& frame) {
 FixedFrame fixed_frame(const ScenarioTable& from) {
   const std::string& name = from.at("name").text();
   if (inertial(name)) refuse(from.at("name").place, "'" + name + "' is the name of a reference");
+  if (is_other_frame(name))
+    refuse(from.at("name").place, "'" + name + "' is the name of a frame that is not fixed in a body");
   const Stated said = stated(from);
   if ((said.to == name) == (said.from == name))
     refuse(said.place, "it is stated between '" + said.from + "' and '" + said.to +

@@ -7,7 +7,9 @@
 #include "figures.hpp"
 #include "plain_words.hpp"
 #include "pointing_error.hpp"
+#include "quantile.hpp"
 #include "resampled.hpp"
+#include "sample_faults.hpp"
 #include "sunlight.hpp"
 
 namespace vectrix::cli {
@@ -135,12 +137,22 @@ FlownAttitude read_flown_attitude(const Scenario& scenario) {
   return {std::move(record), std::move(frames)};
 }
 
+void require_orientation(const Scenario& scenario, const Epoch& t) {
+  if (!scenario.orientation) return;
+  try {
+    (void)scenario.orientation->at(t);
+  } catch (const BadInput& error) {
+    refuse(scenario.orientation_place, error.what());
+  }
+}
+
 Flight read_flight(const Scenario& scenario, Progress& progress) {
   FlownAttitude flown = read_flown_attitude(scenario);
-  AttitudeRecord attitude =
-      scenario.step ? resampled(flown.record, instants(scenario, flown.record)) : flown.record;
-  Flight flight{std::move(flown), std::move(attitude), nullptr, {}, {}};
+  const auto asked = scenario.step ? instants(scenario, flown.record) : flown.record.times;
+  AttitudeRecord attitude = scenario.step ? resampled(flown.record, asked) : flown.record;
+  Flight flight{std::move(flown), std::move(attitude), asked.size(), nullptr, {}, {}};
   const auto& times = flight.attitude.times;
+  for (const Epoch& t : {times.front(), times.back()}) require_orientation(scenario, t);
   if (scenario.orbit)
     flight.orbit = with_columns_of(
         scenario, [&] { return read_orbit(*scenario.orbit, from_until(times.front(), times.back())); });
@@ -149,6 +161,22 @@ Flight read_flight(const Scenario& scenario, Progress& progress) {
   progress.end();
   if (flight.orbit) flight.visible_sun = visible_suns(times, flight.motions);
   return flight;
+}
+
+std::string without_attitude(const Scenario& scenario, const Flight& flight) {
+  const AttitudeRecord& record = flight.attitude;
+  const std::string where = ", in gaps or outside the samples";
+  if (scenario.step) {
+    const std::size_t missing = flight.instants - record.size();
+    return missing == 0 ? "" : std::to_string(missing) + " of " + counted(flight.instants, "instant") + where;
+  }
+  auto steps = durations_of(record);
+  const double longest = longest_step(record, median(steps));
+  steps.push_back((record.times.front() - scenario.start.value_or(record.times.front())).value());
+  steps.push_back((scenario.end.value_or(record.times.back()) - record.times.back()).value());
+  double seconds = 0.0;
+  for (const double step : steps) seconds += step > longest ? step : 0.0;
+  return seconds == 0.0 ? "" : shown(seconds) + " s" + where;
 }
 
 Measured measured(const Measure& measure, const Scenario& scenario, const Flight& flight) {

@@ -17,15 +17,25 @@ struct FlownAttitude {
 /// Throws BadInput as read_attitude does, and for an axis or rates of a frame that is not there.
 FlownAttitude read_flown_attitude(const Scenario& scenario);
 
+/// Throws BadInput, with the place in the scenario, if it names an orientation of the Earth that is not known
+/// at a time.
+void require_orientation(const Scenario& scenario, const Epoch& t);
+
 /// A flight at the instants that are looked at.
 struct Flight {
   FlownAttitude flown;
   AttitudeRecord attitude;
+  std::size_t
+      instants;      // that are asked for by a step; those in gaps and outside the samples have no attitude
   FlownOrbit orbit;  // nothing if none is given
   std::vector<SatelliteMotion> motions;
   std::vector<double> visible_sun;  // empty without an orbit
 };
 Flight read_flight(const Scenario& scenario, Progress& progress);
+
+/// What of the time that is asked for has no attitude, as "61 of 660 instants, in gaps or outside the
+/// samples": "" if nothing.
+std::string without_attitude(const Scenario& scenario, const Flight& flight);
 
 /// What a measure finds, at every instant.
 struct Measured {

@@ -45,22 +45,24 @@ class MeasureReader {
 
  private:
   static StarTarget star(const ScenarioTable& from) {
+    require_at_most_a_turn(from.at("right_ascension"));
     const RightAscensionDeclination at{angle_of(from, "right_ascension"), angle_of(from, "declination")};
     require_latitude(from.at("declination"));
     return {from.at("name").text(), at};
   }
   StationTarget station(const ScenarioTable& from) const {
     require_latitude(from.at("latitude"));
-    const auto& longitude = from.at("longitude");
-    if (!(std::abs(longitude.as<Amount>().in("deg")) <= 360.0))
-      refuse(longitude.place,
-             "'" + longitude.path + "' is " + longitude.as<Amount>().text() + ", more than a turn");
+    require_at_most_a_turn(from.at("longitude"));
     if (!scenario_.orientation)
       refuse(from.place,
              "a station needs the orientation of the Earth; missing: orientation = \"FILE\" in [earth]");
     return {from.at("name").text(),
             {GeodeticLatitude(angle_of(from, "latitude")), angle_of(from, "longitude"),
              from.at("height").as<Amount>().in("m") * si::metre}};
+  }
+  static void require_at_most_a_turn(const ScenarioValue& value) {
+    if (!(std::abs(value.as<Amount>().in("deg")) <= 360.0))
+      refuse(value.place, "'" + value.path + "' is " + value.as<Amount>().text() + ", more than a turn");
   }
   static void require_latitude(const ScenarioValue& value) {
     if (!(std::abs(value.as<Amount>().in("deg")) <= 90.0))

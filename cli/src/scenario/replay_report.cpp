@@ -39,6 +39,14 @@ class Curves {
                                   const std::string& axes) const {
     return {title, unit, axes, seconds_, {}};
   }
+  [[nodiscard]] const std::vector<double>& seconds() const { return seconds_; }
+  /// Something of each sample, and `none` in each gap.
+  template <class Value>
+  [[nodiscard]] std::vector<Value> interrupted(const std::vector<Value>& values, const Value& none) const {
+    std::vector<Value> all;
+    for (const auto& sample : samples_) all.push_back(sample ? values[*sample] : none);
+    return all;
+  }
   /// Of the value at each sample.
   template <class Value>
   [[nodiscard]] Report::Curve curve(const std::string& name, const Value& value) const {
@@ -84,6 +92,8 @@ std::vector<Report::Fact> facts(const Scenario& scenario, const Flight& flight) 
                        record.reference + " from " + record.file},
       {"looked at", counted(flight.attitude.size(), scenario.step ? "instant" : "sample") + ", " +
                         span_of(flight.attitude)}};
+  if (const std::string missing = without_attitude(scenario, flight); !missing.empty())
+    all.push_back({"without attitude, not judged", missing});
   if (const auto& orbit = scenario.orbit)
     all.push_back({"orbit", !orbit->elements.empty()  ? orbit->elements.string()
                             : !orbit->message.empty() ? orbit->message.string()
@@ -232,9 +242,22 @@ void add_orbit(Report::Scene& scene, const Scenario& scenario, const Flight& fli
   scene.views.push_back(std::move(view));
 }
 
+void interrupt(Report::Scene& scene, const Curves& curves) {
+  const Quaterniond no_attitude(not_there, not_there, not_there, not_there);
+  const auto in_gaps = [&](auto& values, const auto& none) {
+    if (!values.empty()) values = curves.interrupted(values, none);
+  };
+  in_gaps(scene.reference_from_body, no_attitude);
+  for (auto& direction : scene.directions)
+    in_gaps(direction.vectors, Vector3d(Vector3d::Constant(not_there)));
+  for (auto& view : scene.views) in_gaps(view.from_reference, no_attitude);
+  in_gaps(scene.positions, Vector3d(Vector3d::Constant(not_there)));
+  in_gaps(scene.ground_track, Eigen::Vector2d(Eigen::Vector2d::Constant(not_there)));
+}
+
 Report::Scene scene(const Scenario& scenario, const Flight& flight, const std::vector<Measured>& measures,
-                    const std::vector<double>& seconds, const std::vector<Quaterniond>& q) {
-  Report::Scene scene{flight.attitude.body, flight.attitude.reference, seconds, q};
+                    const Curves& curves, const std::vector<Quaterniond>& q) {
+  Report::Scene scene{flight.attitude.body, flight.attitude.reference, curves.seconds(), q};
   const auto& frames = flight.flown.frames.all();
   scene.frames.assign(frames.begin() + 1, frames.end());
   for (std::size_t k = 0; k < measures.size(); ++k) {
@@ -247,6 +270,7 @@ Report::Scene scene(const Scenario& scenario, const Flight& flight, const std::v
       scene.directions.push_back({measures[k].target, measures[k].directions});
   }
   if (flight.orbit) add_orbit(scene, scenario, flight);
+  interrupt(scene, curves);
   return scene;
 }
 
@@ -294,9 +318,7 @@ Report replay_report(const Scenario& scenario, const Flight& flight, const std::
     report.tables.push_back(by_reading(scenario, flight, measures));
   }
   report.tables.push_back(faults(flight.flown.record));
-  std::vector<double> seconds;
-  for (const Epoch& t : attitude.times) seconds.push_back((t - report.start).value());
-  report.scene = scene(scenario, flight, measures, seconds, q);
+  report.scene = scene(scenario, flight, measures, curves, q);
   for (const auto& file : scenario.inputs) report.inputs.push_back(input(file));
   add_choices(report, scenario, flight);
   return report;

@@ -5,6 +5,7 @@
 #include <functional>
 #include <map>
 
+#include "attitude_kernel_record.hpp"
 #include "figures.hpp"
 #include "plain_words.hpp"
 #include "scales.hpp"
@@ -34,6 +35,7 @@ class Reader {
       const auto& value = earth->at("orientation");
       add_input(value.text());
       scenario_.orientation = EarthOrientation::read(value.text());
+      scenario_.orientation_place = value.place;
       choose("orientation of the Earth", value.text(), value.place);
     }
     read_attitude();
@@ -114,6 +116,10 @@ class Reader {
       if (const auto* const segment = from.find("segment")) selection.segment = segment->as<std::size_t>();
       return;
     }
+    if (is_kernel(file.text()))
+      refuse(file.place, file.text() +
+                             " is a kernel of SPICE; needed: a message of CCSDS or a table, which "
+                             "vectrix convert makes of it");
     refuse_keys(from, {"segment"}, "is of a message; " + file.text() + " is a table");
     want_keys(from, {"time", "quaternion"}, "a table");
     read_columns(from);
@@ -128,6 +134,13 @@ class Reader {
     const ScenarioTable& maps = *quaternion.table("maps");
     const auto &map_from = maps.at("from"), &map_to = maps.at("to");
     const auto reference_from = inertial(map_from.text()), reference_to = inertial(map_to.text());
+    const bool has_reference = reference_from || reference_to;
+    for (const auto* const name : {&map_from, &map_to})
+      if (is_other_frame(name->text()))
+        refuse(maps.place, "'" + name->text() + "' is the name of a frame that is not fixed in a body" +
+                               (has_reference ? ""
+                                              : "; of the two frames one must be J2000, EME2000, GCRF or "
+                                                "ICRF"));
     if (reference_from.has_value() == reference_to.has_value())
       refuse(maps.place,
              "'" + map_from.text() + "' and '" + map_to.text() +

@@ -80,6 +80,7 @@ struct Scenario {
   Place time_place{};
   std::optional<double> step{};  // s
   std::optional<EarthOrientation> orientation{};
+  Place orientation_place{};
   AttitudeSource attitude{};
   std::string body{};           // as the table names it; of a message empty
   std::optional<double> gap{};  // s

@@ -61,7 +61,8 @@ Key orbit() {
   return table(
       "orbit", optional, "the orbit: one of tle, oem and table",
       {{"tle", Kind::input, optional, "file of two-line elements; the set nearest to the middle is taken"},
-       {"oem", Kind::input, optional, "orbit message of CCSDS (OEM, KVN) in EME2000, GCRF, TEME or ITRF"},
+       {"oem", Kind::input, optional,
+        "orbit message of CCSDS (OEM, KVN or XML) in EME2000, GCRF, TEME or ITRF"},
        {"table", Kind::input, optional,
         "table (CSV); it needs time, position, velocity, unit, frame and interpolation"},
        table("interpolation", optional, "of a table, or of an OEM that does not say it",
@@ -79,7 +80,7 @@ Key attitude() {
   return table(
       "attitude", needed, "the attitude that was flown",
       {{"file", Kind::input, needed,
-        "attitude message of CCSDS (AEM, KVN), which says the rest itself, or table (CSV)"},
+        "attitude message of CCSDS (AEM, KVN or XML), which says the rest itself, or table (CSV)"},
        {"segment", Kind::whole_number, optional, "of a message with several, counted from 1"},
        time_column(),
        table("quaternion", optional, "the quaternions of a table",

@@ -326,6 +326,27 @@ test('outside its times a motion is not shown, nor a value', () =>
     assert.equal(await value(), '\u2013');
   }));
 
+test('in a gap of the attitude no body is drawn, however long the run', () =>
+  withPage('long', {}, async (page) => {
+    const shown = () => page.value("[...document.querySelectorAll('.label')].some((label) => !label.hidden && label.textContent === 'x Body')");
+    const goTo = async (time) => {
+      await page.key('0');
+      for (const width of [100000, 2000, 100]) {
+        const range = () => page.value('vectrix_report.shown[0]');
+        let [from, to] = await range();
+        for (; to - from > width; [from, to] = await range()) await page.key('+'); // about the time of the view
+        await page.click('.plot .u-over', (time - from) / (to - from));
+      }
+      near(await state(page, 'time'), time, 0.5);
+    };
+    await goTo(29900);
+    assert.equal(await shown(), true);
+    await goTo(30000);
+    assert.equal(await shown(), false);
+    await goTo(30100);
+    assert.equal(await shown(), true);
+  }));
+
 test('a sample between gaps is a dot at its place, and a limit a line at its value', () =>
   withPage('hostile', {}, async (page) => {
     const filled = (counts) => counts.flatMap((count, i) => (count ? [i] : []));

@@ -245,6 +245,34 @@ TEST(Replay, InterruptsCurvesInGaps) {
   EXPECT_EQ(gaps(with(whole, "gap = \"30 s\"", "gap = \"15 s\"")), 27U);  // steps of 20 and 30 s
 }
 
+// Between the two samples of a gap nothing of the scene is there.
+TEST(Replay, InterruptsTheSceneInGaps) {
+  const std::string whole = with(
+      example("ctim.toml"), "start = 2023-04-20T05:20:10Z\nend = 2023-04-20T06:10:00Z\nstep = \"10 s\"", "");
+  const auto found = result(with(whole, "gap = \"30 s\"", "gap = \"15 s\""));
+  const Report report = found.report();
+  const auto& scene = report.scene.value();
+  ASSERT_EQ(scene.seconds.size(), found.flight.attitude.size() + 27U);
+  const auto& times = found.flight.attitude.times;
+  std::size_t sample = 0;
+  for (std::size_t i = 0; i < scene.seconds.size(); ++i) {
+    const bool is_gap = std::isnan(scene.reference_from_body[i].x());
+    if (is_gap) {
+      EXPECT_GT((times.at(sample) - times.at(sample - 1)).value(), 15.0);
+      EXPECT_GT(scene.seconds[i], (times[sample - 1] - report.start).value());
+      EXPECT_LT(scene.seconds[i], (times[sample] - report.start).value());
+    } else {
+      EXPECT_EQ(scene.seconds[i], (times.at(sample++) - report.start).value());
+    }
+    EXPECT_EQ(std::isnan(scene.directions.at(0).vectors.at(i).x()), is_gap);
+    EXPECT_EQ(std::isnan(scene.views.at(0).from_reference.at(i).x()), is_gap);
+    EXPECT_EQ(std::isnan(scene.positions.at(i).x()), is_gap);
+    EXPECT_EQ(std::isnan(scene.ground_track.at(i).x()), is_gap);
+  }
+  EXPECT_EQ(sample, times.size());
+  EXPECT_TRUE(says(html(report), "692 of 692 samples; "));
+}
+
 // The Earth hides the Sun if the line to it passes nearer than its radius.
 TEST(Replay, CountsOnlySunlightOrShadow) {
   std::string text = with(with(example("ctim.toml"), "05:20:10Z", "05:00:10Z"), "06:10:00Z", "06:59:50Z");
@@ -357,6 +385,45 @@ TEST_F(ReplayFiles, HaveTheColumnsThatAreNamed) {
                 " has no column 'time'; there are: t, a, b, c, d, wx, wy, wz");
   EXPECT_EQ(complaint([&] { (void)run(with(plain, "\"d\"]", "\"wxx\"]")); }, file()),
             "FILE:7:11: " + folder.file("a.csv").string() + " has no column 'wxx'; the nearest is 'wx'");
+}
+
+TEST(Replay, NamesTheOrientationOfAnotherTime) {
+  const auto refused = complaint([&] {
+    (void)result(with(example("sentinel1.toml"), "finals2000A_april_2022", "finals2000A_april_2023"));
+  });
+  EXPECT_TRUE(
+      says(refused, "s.toml:7:15: EarthOrientation: the epoch 2022-04-14T10:22:11.874999 UTC is outside"))
+      << refused;
+}
+
+// What was asked for and is not known is not passed over in silence.
+TEST(Replay, SaysWhatHasNoAttitude) {
+  const std::string stepped = example("ctim.toml");
+  const std::string times = "start = 2023-04-20T05:20:10Z\nend = 2023-04-20T06:10:00Z\nstep = \"10 s\"";
+  const auto said = [&](const std::string& text) {
+    const auto found = result(text);
+    const std::string missing = without_attitude(found.scenario, found.flight);
+    const auto facts = found.report().facts;
+    EXPECT_EQ(
+        std::any_of(facts.begin(), facts.end(), [&](const auto& fact) { return fact.value == missing; }),
+        !missing.empty());
+    return missing;
+  };
+  EXPECT_EQ(said(stepped), "");
+  EXPECT_EQ(said(with(stepped, "06:10:00", "07:10:00")),
+            "61 of 660 instants, in gaps or outside the samples");  // the last sample is at 06:59:59
+  EXPECT_EQ(said(with(stepped, times, "")), "");
+  EXPECT_EQ(said(with(stepped, times, "start = 2023-04-20T05:20:10Z\nend = 2023-04-20T06:10:00Z")), "");
+  EXPECT_EQ(said(with(stepped, times, "end = 2023-04-20T07:00:59.001Z")),
+            "60 s, in gaps or outside the samples");
+  EXPECT_EQ(said(with(stepped, times, "start = 2023-04-20T04:59:09.001Z")),
+            "60 s, in gaps or outside the samples");
+}
+
+TEST_F(ReplayFiles, SayWhatHasNoAttitude) {
+  (void)run(plain + std::string("[time]\nstep = \"10 s\"\nend = 2026-11-29T00:01:00Z\n"));
+  EXPECT_TRUE(
+      says(out.str(), "\nWithout attitude, not judged: 4 of 7 instants, in gaps or outside the samples\n"));
 }
 
 TEST_F(ReplayFiles, HaveSamplesAtTheTimes) {

@@ -164,6 +164,29 @@ TEST_F(ScenarioWords, RefuseWhatIsNoFrame) {
             "FILE:19:1: 'body' is the name of the body of the attitude");
 }
 
+// Names that mean another frame are no names of a body: an attitude relative to ITRF would be read as one.
+TEST_F(ScenarioWords, RefuseTheNamesOfOtherFramesForABody) {
+  const std::string maps = "{ from = \"body\", to = \"GCRF\" }";
+  EXPECT_EQ(refusal(maps, "{ from = \"ITRF\", to = \"GCRF\" }"),
+            "FILE:9:8: 'ITRF' is the name of a frame that is not fixed in a body");
+  EXPECT_EQ(
+      refusal(maps, "{ from = \"body\", to = \"teme\" }"),
+      "FILE:9:8: 'teme' is the name of a frame that is not fixed in a body; of the two frames one must be "
+      "J2000, EME2000, GCRF or ICRF");
+  const std::string mounted =
+      "[[frame]]\nname = \"LVLH\"\n[frame.quaternion]\nnumbers = [1, 0, 0, 0]\nscalar = \"first\"\n"
+      "maps = { from = \"LVLH\", to = \"body\" }\n";
+  EXPECT_EQ(refusal_with(mounted), "FILE:20:8: 'LVLH' is the name of a frame that is not fixed in a body");
+}
+
+TEST_F(ScenarioWords, RefuseAKernel) {
+  folder.written("a.bc", "DAF/CK  ");
+  EXPECT_EQ(
+      refusal("file = \"a.csv\"", "file = \"a.bc\""),
+      "FILE:4:8: " + folder.file("a.bc").string() +
+          " is a kernel of SPICE; needed: a message of CCSDS or a table, which vectrix convert makes of it");
+}
+
 TEST_F(ScenarioWords, NameAnAxisAndItsFrame) {
   const auto axis = [&](const std::string& text) { return refusal("\"z of body\"", "\"" + text + "\""); };
   EXPECT_EQ(axis("z"),
@@ -208,6 +231,8 @@ TEST_F(ScenarioWords, NameATarget) {
       "\"apparent\"");
   EXPECT_EQ(refusal_with(with(star, "-16.716", "-116.716")),
             "FILE:22:15: 'star.declination' is -116.716 deg; it is at most 90 deg");
+  EXPECT_EQ(refusal_with(with(star, "101.287 deg", "365527.0 arcmin")),
+            "FILE:21:19: 'star.right_ascension' is 365527.0 arcmin, more than a turn");
   EXPECT_EQ(refusal_with(star + star), "FILE:24:8: there are two targets 'Sirius'");
   EXPECT_EQ(refusal_with(with(star, "Sirius", "Sun")), "FILE:20:8: there are two targets 'Sun'");
   const std::string station =
