@@ -16,14 +16,14 @@ std::int32_t frame_of(const DafFile& file, const std::string& named, const Frame
   for (const DafFile::Array& array : file.arrays())
     if (!array.integers.empty()) there.insert(array.integers.front());
   if (there.empty()) throw BadInput(file.place() + ": it has no segments");
-  const auto id = [&] {
+  const auto id_of_name = [&] {
     try {
       return frames.attitude_id_of(detail::claim_of<Body>(called<Body>(named)));
     } catch (const BadInput&) {
       throw BadInput("--ck-frame " + named + ": this is no number, and --fk has no frame of this name");
     }
   };
-  const std::int32_t wanted = named.empty() ? *there.begin() : id();
+  const std::int32_t wanted = named.empty() ? *there.begin() : id_of_name();
   if (named.empty() ? there.size() != 1 : !there.contains(wanted)) {
     std::string list;
     for (const std::int32_t id : there) list += (list.empty() ? "" : ", ") + detail::text(id);
