@@ -79,7 +79,8 @@ AttitudeRecord read_kernel(const std::filesystem::path& file, const KernelWords&
     record.numbers.push_back({q.w(), q.x(), q.y(), q.z()});
   }
   const auto& segments = kernel.segments();
-  if (std::all_of(segments.begin(), segments.end(), [](const auto& segment) { return segment.has_rates; })) {
+  if (std::all_of(segments.begin(), segments.end(),
+                  [&](const auto& segment) { return segment.has_rates || segment.frame != frame; })) {
     for (const auto& w : kernel.recorded_rates(of<Body>, relative_to<Reference>, span, body, reference))
       record.rates.push_back(w.coordinates());
   }

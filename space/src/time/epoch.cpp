@@ -39,6 +39,13 @@ Epoch Epoch::from(const TimeScale& scale, std::string_view text) {
   return detail::EpochReader(scale).read(text);
 }
 
+Epoch Epoch::from_written(const TimeScale& scale, std::string_view text, std::string_view written) {
+  if (written != scale.name())
+    throw BadInput("epoch '" + std::string{text} + "' in " + scale.name() + ": it was written in " +
+                   std::string{written});
+  return from(scale, text);
+}
+
 Epoch Epoch::from(std::string_view text) {
   if (text.ends_with('Z')) return from(scale::utc, text);
   const auto blank = text.rfind(' ');

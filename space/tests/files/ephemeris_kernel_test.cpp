@@ -374,7 +374,7 @@ TEST(EphemerisKernel, SaysWhereItHasNothing) {
   auto later = of_type(2);
   for (double& t : later.doubles) t += 2000.0;
   later.numbers[284 - 4] += 2000.0;
-  for (int i = 0; i < 20; ++i) later.numbers[14 * i] += 2000.0;
+  for (std::size_t i = 0; i < 20; ++i) later.numbers[14 * i] += 2000.0;
   const TemporaryFile file(daf_bytes("SPK", {of_type(2), later}));
   const auto kernel = EphemerisKernel::open(file.path());
   const auto part = from_until(at_seconds(300.0), at_seconds(2500.0));

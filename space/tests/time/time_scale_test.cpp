@@ -191,6 +191,20 @@ TEST(TimeScale, WritesTheSameTextForAScaleInATypeAndAtRunTime) {
   EXPECT_EQ(exact_text(t, gps), exact);
 }
 
+TEST(TimeScale, ATextIsNotReadInAnotherScaleThatIsKnownAtRunTime) {
+  const auto t = Epoch::from_utc("2016-12-31T23:59:60.25");
+  const auto text = t.text(scale::gps, 3);
+  const auto read_in = [&](const TimeScale& scale) {
+    return complaint([&] { EXPECT_LT(std::abs((Epoch::from(scale, text) - t).value()), clock_rounding); });
+  };
+  EXPECT_EQ(read_in(scale::gps), "nothing was thrown");
+  EXPECT_EQ(read_in(scale::tt), "epoch '2017-01-01T00:00:17.250' in TT: it was written in GPS");
+  // UT1 may be known by another difference than the one it was written with.
+  const auto ut1 = t.text(scale::Ut1::minus_tai(-36.4 * si::second), 3);
+  const TimeScale& by_utc = scale::Ut1::minus_utc(0.6 * si::second);
+  EXPECT_NO_THROW(Epoch::from(by_utc, ut1));
+}
+
 // 9 decimals, a nanosecond, of the 11 that an epoch has.
 RC_GTEST_PROP(TimeScale, TextIsReadBackToTheLastDigit, ()) {
   const auto epoch = *epoch_since_1980();

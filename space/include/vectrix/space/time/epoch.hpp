@@ -42,6 +42,17 @@ class VECTRIX_EXPORT Epoch {
     requires(!std::same_as<Scale, Written>)
   static auto from(  // a text is read in the scale in which it was written
       const Scale&, const DateText<Written>&) -> Epoch = delete;
+  /// In a scale that is known at run time only. Throws BadInput if the text was written in another.
+  template <ScaleType Written> static Epoch from(const TimeScale& scale, const DateText<Written>& text) {
+    constexpr const char* written = [] {
+      if constexpr (std::same_as<Written, scale::Ut1>) {
+        return "UT1";
+      } else {
+        return Written{}.name();
+      }
+    }();
+    return from_written(scale, text, written);
+  }
 
   /// From a Julian date in two parts, split in any way: (2459683.5, 0.25) or (2459683.75, 0.0). Nothing is
   /// lost between the parts; a single double is rounded to 40 microseconds, of a modified Julian date to 1.
@@ -117,6 +128,7 @@ class VECTRIX_EXPORT Epoch {
 
   explicit Epoch(const JulianDate<scale::Tai>& tai) : tai_(tai) {}
 
+  static Epoch from_written(const TimeScale& scale, std::string_view text, std::string_view written);
   [[nodiscard]] JulianDate<TimeScale> date_in(const TimeScale& scale) const;
 
   JulianDate<scale::Tai> tai_;
