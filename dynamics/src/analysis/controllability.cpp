@@ -65,7 +65,7 @@ Controllability controllability(const LinearSystem& system, double tolerance) {
                         static_cast<std::size_t>(n),
                         reduced(Q.rightCols(left).transpose() * in_balance),
                         {},
-                        system.state_names};
+                        detail::names_of_states("controllability", system)};
   const detail::ZerosApart apart =
       detail::zeros_apart(T.bottomRightCorner(left, left) * size, tolerance * size);
   found.unmoved_eigenvalues.assign(static_cast<std::size_t>(apart.zeros), 0.0);

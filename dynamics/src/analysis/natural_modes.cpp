@@ -26,7 +26,7 @@ NaturalModes natural_modes(const LinearSystem& system, double rounding) {
   const detail::ZerosApart apart =
       detail::zeros_apart(balanced, rounding * detail::largest_singular_value(balanced));
   const Eigen::Index zeros = apart.zeros, left = A.rows() - zeros;
-  NaturalModes modes{{}, static_cast<std::size_t>(zeros), system.state_names};
+  NaturalModes modes{{}, static_cast<std::size_t>(zeros), detail::names_of_states("natural_modes", system)};
   if (left == 0) return modes;
 
   const Eigen::EigenSolver<Eigen::MatrixXd> solver(apart.T.bottomRightCorner(left, left));

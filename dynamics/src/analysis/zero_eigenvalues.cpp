@@ -57,4 +57,15 @@ void require_finite_matrix(const char* action, const char* name, const Eigen::Ma
   if (!matrix.allFinite()) throw BadInput(std::string{action} + ": a number of " + name + " is not finite");
 }
 
+std::vector<std::string> names_of_states(const char* action, const LinearSystem& system) {
+  std::vector<std::string> names = system.state_names;
+  const auto size = static_cast<std::size_t>(system.A.rows());
+  if (names.empty())
+    for (std::size_t i = 1; i <= size; ++i) names.push_back("x" + text(i));
+  if (names.size() != size)
+    throw BadInput(std::string{action} + ": A has " + text(size) + " rows, and " + text(names.size()) +
+                   " states have names");
+  return names;
+}
+
 }  // namespace vectrix::detail

@@ -1,6 +1,9 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <string>
+#include <vector>
+#include <vectrix/dynamics/analysis/linear_system.hpp>
 
 namespace vectrix::detail {
 
@@ -19,5 +22,8 @@ ZerosApart zeros_apart(const Eigen::MatrixXd& A, double least);
 double largest_singular_value(const Eigen::MatrixXd& A);
 
 void require_finite_matrix(const char* action, const char* name, const Eigen::MatrixXd& matrix);
+
+/// Of each state; x1, x2, ... if the system has no names. BadInput if it has another number of them.
+std::vector<std::string> names_of_states(const char* action, const LinearSystem& system);
 
 }  // namespace vectrix::detail

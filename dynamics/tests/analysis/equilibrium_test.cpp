@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <limits>
+#include <sstream>
 #include <string>
 
 #include <vectrix/dynamics/analysis/controllability.hpp>
@@ -110,6 +111,22 @@ TEST(NaturalModes, ADamperDampsAsOfTheReducedMass) {
   EXPECT_NEAR(heavy.list[0].frequency.value(), 7.5 - std::sqrt(7.5 * 7.5 - 9.0), 1e-12);
   EXPECT_NEAR(heavy.list[1].damping_ratio, 1.0, 1e-13);
   static_assert(CraftType<Pair>);
+}
+
+// A system of my own, without names: an oscillator and an input that moves it.
+TEST(NaturalModes, OfASystemWithoutNames) {
+  LinearSystem system;
+  system.A = (Eigen::MatrixXd(2, 2) << 0.0, 1.0, -4.0, 0.0).finished();
+  system.B = Eigen::MatrixXd::Zero(2, 1);
+  std::ostringstream out;
+  out << natural_modes(system) << controllability(system);
+  EXPECT_EQ(out.str(),
+            "0 zero eigenvalues\n2 rad/s, damping ratio 0: 50 % x1, 50 % x2\n"
+            "0 of 2 states are controllable\nno input moves 1 (x1)\nno input moves 1 (x2)\n");
+  system.state_names = {"angle [rad]"};
+  EXPECT_EQ(vectrix_test::message<BadInput>([&] { natural_modes(system); }),
+            "natural_modes: A has 2 rows, and 1 states have names");
+  EXPECT_THROW(controllability(system), BadInput);
 }
 
 // On a hub that spins about z a mass m at the distance q has k (q - q0) = mu w^2 q.

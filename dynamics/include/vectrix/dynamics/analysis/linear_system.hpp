@@ -12,7 +12,7 @@ namespace vectrix {
 
 /// Small differences x from a motion, under small inputs u, and what they change in the outputs:
 ///     x' = A x + B u,   y = C x + D u
-/// Each row and column has a name with its unit.
+/// Each row and column has a name with its unit; in a system of your own the states may have none.
 struct LinearSystem {
   Eigen::MatrixXd A, B, C, D;
   std::vector<std::string> state_names, input_names, output_names;
