@@ -57,9 +57,9 @@ namespace difference_of_the_place_of_a_turning_hub {
 // expect: of a hub that is free_in<I>
 auto size(const CraftComparison<Sat>& found) {
 #ifdef REPAIRED
-  return found.attitude(of<Hub>).size;
+  return found.attitude(of<Hub>);
 #else
-  return found.position(of<Hub>).size;
+  return found.position(of<Hub>);
 #endif
 }
 }  // namespace difference_of_the_place_of_a_turning_hub
@@ -69,9 +69,9 @@ namespace difference_of_a_body_beside_the_craft {
 // expect: of the hub, or of a body of the craft C on a ball joint or a free one
 auto size(const CraftComparison<Sat>& found) {
 #ifdef REPAIRED
-  return found.attitude(of<Hub>).size;
+  return found.attitude(of<Hub>);
 #else
-  return found.attitude(of<Dish>).size;
+  return found.attitude(of<Dish>);
 #endif
 }
 }  // namespace difference_of_a_body_beside_the_craft
@@ -81,9 +81,9 @@ namespace difference_of_the_spin_of_the_hub {
 // expect: of a rotor of the craft C
 auto size(const CraftComparison<Sat>& found) {
 #ifdef REPAIRED
-  return found.spin(of<Wheel>).size;
+  return found.spin(of<Wheel>);
 #else
-  return found.spin(of<Hub>).size;
+  return found.spin(of<Hub>);
 #endif
 }
 }  // namespace difference_of_the_spin_of_the_hub
