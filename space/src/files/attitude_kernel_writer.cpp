@@ -34,9 +34,9 @@ void add_with_directory(std::vector<double>& numbers, const std::vector<double>&
 
 }  // namespace
 
-void write_attitude_kernel(const std::filesystem::path& file, const AttitudeKernelText& text,
-                           const AttitudeKernelNumbers& numbers, const SpacecraftClock& clock,
-                           const FrameKernel& frames, const FrameClaim& a, const FrameClaim& b) {
+void write_kernel_numbers(const std::filesystem::path& file, const AttitudeKernelText& text,
+                          const AttitudeKernelNumbers& numbers, const SpacecraftClock& clock,
+                          const FrameKernel& frames, const FrameClaim& a, const FrameClaim& b) {
   const std::string place = "attitude kernel " + file.string();
   require_kept(place, text);
   const std::int32_t frame = frames.attitude_id_of(b), reference = frames.id_of(a);

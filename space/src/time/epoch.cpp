@@ -35,15 +35,11 @@ std::string text_of(const JulianDate<scale::Tai>& tai, const TimeScale& scale, D
 
 }  // namespace
 
-Epoch Epoch::from(const TimeScale& scale, std::string_view text) {
-  return detail::EpochReader(scale).read(text);
-}
-
-Epoch Epoch::from_written(const TimeScale& scale, std::string_view text, std::string_view written) {
-  if (written != scale.name())
+Epoch Epoch::from(const TimeScale& scale, AnyDateText text) {
+  if (!text.written_in().empty() && text.written_in() != scale.name())
     throw BadInput("epoch '" + std::string{text} + "' in " + scale.name() + ": it was written in " +
-                   std::string{written});
-  return from(scale, text);
+                   std::string{text.written_in()});
+  return detail::EpochReader(scale).read(text);
 }
 
 Epoch Epoch::from(std::string_view text) {

@@ -134,6 +134,24 @@ auto attitude(const AttitudeKernel& kernel) {
 }
 }  // namespace attitude_kernel_without_the_name_of_a_frame
 
+namespace attitude_kernel_with_rates_in_the_body {
+// mistake: an attitude kernel of rates in the axes of the body: the format has them in those of the reference
+// expect: In<Body>
+// expect: rates in a
+auto write(const std::vector<AttitudeSample<earth::Gcrf, Body, Epoch>>& samples,
+           const std::vector<AngularVelocity<earth::Gcrf, Body, In<earth::Gcrf>>>& in_gcrf,
+           const std::vector<AngularVelocity<earth::Gcrf, Body, In<Body>>>& in_body,
+           const SpacecraftClock& clock, const FrameKernel& frames) {
+  const AttitudeKernelText text{"BODY", 10.0 * si::second};
+#ifdef REPAIRED
+  static_cast<void>(in_body);
+  return write_attitude_kernel("x.bc", text, samples, in_gcrf, clock, frames, called<Body>("BODY_COORD"));
+#else
+  return write_attitude_kernel("x.bc", text, samples, in_body, clock, frames, called<Body>("BODY_COORD"));
+#endif
+}
+}  // namespace attitude_kernel_with_rates_in_the_body
+
 namespace ephemeris_kernel_of_a_frame_without_an_origin {
 // mistake: the orbit of a ship from an ephemeris kernel in a frame of one's own, of which it does not know the origin
 // expect: MarsInertial

@@ -111,6 +111,20 @@ Epoch instant(const Epoch& t) {
 }
 }  // namespace utc_text_read_as_tt
 
+namespace text_read_in_another_scale {
+// mistake: reads a text in GPS time, kept in a table, as one in TAI: 19 s off
+// expect: scale::Gps\b
+// expect: scale::Tai\b
+Epoch instant(const Epoch& t) {
+  const auto kept = exact_text(t, scale::gps);
+#ifdef REPAIRED
+  return Epoch::from(scale::gps, kept);
+#else
+  return Epoch::from(scale::tai, kept);
+#endif
+}
+}  // namespace text_read_in_another_scale
+
 namespace ut1_dates_of_two_sources {
 // mistake: compares dates in UT1 of two tables of Earth orientation, which differ by what the tables do
 // expect: UT1 is as its table has it: compare the epochs

@@ -31,10 +31,10 @@ struct AttitudeKernelNumbers {
   std::vector<Eigen::Quaterniond> q_a_from_b;
   std::vector<Eigen::Vector3d> w_ab_a;  // of each, or none
 };
-VECTRIX_EXPORT void write_attitude_kernel(const std::filesystem::path& file, const AttitudeKernelText& text,
-                                          const AttitudeKernelNumbers& numbers, const SpacecraftClock& clock,
-                                          const FrameKernel& frames, const FrameClaim& a,
-                                          const FrameClaim& b);
+// Of another name, for a call that is refused lists its candidates.
+VECTRIX_EXPORT void write_kernel_numbers(const std::filesystem::path& file, const AttitudeKernelText& text,
+                                         const AttitudeKernelNumbers& numbers, const SpacecraftClock& clock,
+                                         const FrameKernel& frames, const FrameClaim& a, const FrameClaim& b);
 
 template <class A, class B>
 AttitudeKernelNumbers attitude_kernel_numbers(const std::vector<AttitudeSample<A, B, Epoch>>& samples) {
@@ -61,8 +61,8 @@ template <Frame A, Frame B, class... Given>
 void write_attitude_kernel(const std::filesystem::path& file, const AttitudeKernelText& text,
                            const std::vector<AttitudeSample<A, B, Epoch>>& samples,
                            const SpacecraftClock& clock, const FrameKernel& frames, const Given&... called) {
-  detail::write_attitude_kernel(file, text, detail::attitude_kernel_numbers(samples), clock, frames,
-                                detail::claim_among<A>(called...), detail::claim_among<B>(called...));
+  detail::write_kernel_numbers(file, text, detail::attitude_kernel_numbers(samples), clock, frames,
+                               detail::claim_among<A>(called...), detail::claim_among<B>(called...));
 }
 template <Frame A, Frame B, class... Given>
   requires(detail::are_claims<A, B, Given...>)
@@ -75,8 +75,8 @@ void write_attitude_kernel(const std::filesystem::path& file, const AttitudeKern
   if (numbers.w_ab_a.size() != samples.size())
     throw BadInput("attitude kernel " + file.string() + ": there are " + detail::text(samples.size()) +
                    " samples and " + detail::text(rates.size()) + " rates");
-  detail::write_attitude_kernel(file, text, numbers, clock, frames, detail::claim_among<A>(called...),
-                                detail::claim_among<B>(called...));
+  detail::write_kernel_numbers(file, text, numbers, clock, frames, detail::claim_among<A>(called...),
+                               detail::claim_among<B>(called...));
 }
 template <class Samples, class... Given>
 auto write_attitude_kernel(  // file, text, samples of b relative to a by Epoch, rates in a, clock, frames

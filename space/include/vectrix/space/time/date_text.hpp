@@ -15,6 +15,14 @@ template <ScaleType Scale> class DateText : public std::string {
  public:
   /// A claim: the text was written in this scale.
   explicit DateText(std::string text) : std::string(std::move(text)) {}
+
+  static constexpr const char* scale_name() {
+    if constexpr (std::same_as<Scale, scale::Ut1>) {
+      return "UT1";
+    } else {
+      return Scale{}.name();
+    }
+  }
 };
 
 /// A text that is to be read in one scale: any text, but not one that was written in another scale.
@@ -27,6 +35,23 @@ template <ScaleType Scale> class DateTextView : public std::string_view {
   DateTextView(  // a text is read in the scale in which it was written
       const DateText<Written>&)
   = delete;
+};
+
+/// A text that is to be read in a scale which is known at run time only: any text, with the name of the scale
+/// in which it was written if its type has it.
+class AnyDateText : public std::string_view {
+ public:
+  template <std::convertible_to<std::string_view> Text>
+  AnyDateText(const Text& text) : std::string_view(text) {}
+  template <class Written>
+  AnyDateText(const DateText<Written>& text)
+      : std::string_view(text), written_in_(DateText<Written>::scale_name()) {}
+
+  /// Empty if it is not known.
+  [[nodiscard]] std::string_view written_in() const { return written_in_; }
+
+ private:
+  std::string_view written_in_{};
 };
 
 }  // namespace vectrix

@@ -29,9 +29,9 @@ class VECTRIX_EXPORT Epoch {
  public:
   /// From "2022-04-14T10:22:11.874999" or, by the day of the year, "2022-104T10:22:11.874999", with 0 to 12
   /// decimals; the name of the scale may follow, " UTC", " TT", or in UTC a 'Z'. The second 60 is accepted
-  /// where UTC has a leap second. Throws BadInput for any other text, also if it names another scale, and for
-  /// dates that do not exist.
-  static Epoch from(const TimeScale& scale, std::string_view text);
+  /// where UTC has a leap second. Throws BadInput for any other text, also if it names or was written in
+  /// another scale, and for dates that do not exist.
+  static Epoch from(const TimeScale& scale, AnyDateText text);
   /// Epoch::from(scale::utc, text), Epoch::from(scale::tt, text)
   static Epoch from_utc(DateTextView<scale::Utc> text) { return from(scale::utc, text); }
   static Epoch from_tt(DateTextView<scale::Tt> text) { return from(scale::tt, text); }
@@ -42,17 +42,6 @@ class VECTRIX_EXPORT Epoch {
     requires(!std::same_as<Scale, Written>)
   static auto from(  // a text is read in the scale in which it was written
       const Scale&, const DateText<Written>&) -> Epoch = delete;
-  /// In a scale that is known at run time only. Throws BadInput if the text was written in another.
-  template <ScaleType Written> static Epoch from(const TimeScale& scale, const DateText<Written>& text) {
-    constexpr const char* written = [] {
-      if constexpr (std::same_as<Written, scale::Ut1>) {
-        return "UT1";
-      } else {
-        return Written{}.name();
-      }
-    }();
-    return from_written(scale, text, written);
-  }
 
   /// From a Julian date in two parts, split in any way: (2459683.5, 0.25) or (2459683.75, 0.0). Nothing is
   /// lost between the parts; a single double is rounded to 40 microseconds, of a modified Julian date to 1.
@@ -128,7 +117,6 @@ class VECTRIX_EXPORT Epoch {
 
   explicit Epoch(const JulianDate<scale::Tai>& tai) : tai_(tai) {}
 
-  static Epoch from_written(const TimeScale& scale, std::string_view text, std::string_view written);
   [[nodiscard]] JulianDate<TimeScale> date_in(const TimeScale& scale) const;
 
   JulianDate<scale::Tai> tai_;
