@@ -47,13 +47,21 @@ ParameterElements elements_of(const ReadBlock& block) {
       degrees("ARG_OF_PERICENTER"),
       TrueAnomaly(anomaly),
       Quantity<si::gravitational_parameter>::from_value(block.number(opm, "GM", cubic_kilometres))};
-  if (!(elements.gm.value() > 0.0)) block.entries.fail(block.entries.line("GM"), "it is not positive");
+  const auto fail = [&](const char* keyword, const std::string& reason) {
+    block.entries.fail(block.entries.line(keyword), reason);
+  };
+  if (!(elements.gm.value() > 0.0)) fail("GM", "it is not positive");
+  const double e = elements.eccentricity, inclination = block.number(opm, "INCLINATION");
+  if (e < 0.0) fail("ECCENTRICITY", "it is negative");
+  if (!(inclination >= 0.0 && inclination <= 180.0)) fail("INCLINATION", "not in [0, 180] deg");
+  const char* at = "SEMI_MAJOR_AXIS";
   try {
-    const double e = elements.eccentricity;
+    static_cast<void>(semi_latus_rectum(elements.semi_major_axis, e));
+    at = mean ? "MEAN_ANOMALY" : "TRUE_ANOMALY";
     if (mean) elements.true_anomaly = true_anomaly(eccentric_anomaly(MeanAnomaly(anomaly), e), e);
     static_cast<void>(orbit_numbers({"elements"}, elements));
   } catch (const BadInput& error) {
-    block.entries.fail(block.entries.line("SEMI_MAJOR_AXIS"), error.what());
+    fail(at, error.what());
   }
   return elements;
 }

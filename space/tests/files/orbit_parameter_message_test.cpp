@@ -229,9 +229,9 @@ TEST(OrbitParameterMessage, EveryFaultHasALineAColumnAndAReason) {
       {"SEMI_MAJOR_AXIS   =   41399.5123       [km]", "SEMI_MAJOR_AXIS = -41399.5123 [km]",
        "line 19, column 19 (SEMI_MAJOR_AXIS): '-41399.5123 [km]': semi_latus_rectum: a (1 - e^2) is "
        "-41381527.754325405 m; it must be finite and positive"},
+      {"0.020842611", "-0.1", "line 20, column 27 (ECCENTRICITY): '-0.1': it is negative"},
       {"0.117746     [deg]", "190 [deg]",
-       "line 19, column 23 (SEMI_MAJOR_AXIS): '41399.5123       [km]': elements: the inclination is "
-       "3.3161255787892263 rad, not in [0, pi]"},
+       "line 21, column 27 (INCLINATION): '190 [deg]': not in [0, 180] deg"},
       {"GM                =  398600.4415       [km**3/s**2]", "GM = 0",
        "line 25, column 6 (GM): '0': it is not positive"},
       {"GM  ", "MEAN_ANOMALY = 40\nGM  ",
@@ -259,6 +259,13 @@ TEST(OrbitParameterMessage, EveryFaultHasALineAColumnAndAReason) {
                 replaced(eutelsat.substr(0, eutelsat.find("COMMENT  State")), "UTC", "UTC\nMASS = 1"), "3.0",
                 "1.0")),
             "orbit parameter message: there is no state vector");
+  const std::string hyperbola =
+      replaced(replaced(eutelsat, "  41399.5123", "-41399.5123"), "0.020842611", "2");
+  EXPECT_EQ(complaint_of(hyperbola), "nothing was thrown");
+  EXPECT_EQ(complaint_of(replaced(hyperbola, "41.922339     [deg]", "130 [deg]")),
+            "orbit parameter message, line 24, column 27 (TRUE_ANOMALY): '130 [deg]': elements: the true "
+            "anomaly is "
+            "2.2689280275926285 rad, not inside the asymptotes of the orbit");
 }
 
 }  // namespace
