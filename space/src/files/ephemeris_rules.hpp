@@ -31,8 +31,8 @@ enum class MessagePart {
   maneuver
 };
 
-/// What the value of a keyword of a block is.
-enum class ValueKind { text, epoch, number };
+/// What the value of a keyword of a block is. An amount is a number that is not negative.
+enum class ValueKind { text, epoch, number, amount };
 
 /// A keyword of a part, and the versions that have it. Of a keyword of a block also what its value is, and
 /// whether the block must have it.

@@ -34,11 +34,11 @@ inline constexpr MessageKeyword orbit_parameter_keywords[] = {
     {"MEAN_ANOMALY", MessagePart::elements, "1.0", "9.9", ValueKind::number, "deg"},
     {"GM", MessagePart::elements, "1.0", "9.9", ValueKind::number, "km**3/s**2", true},
 
-    {"MASS", MessagePart::spacecraft, "1.0", "9.9", ValueKind::number, "kg"},
-    {"SOLAR_RAD_AREA", MessagePart::spacecraft, "1.0", "9.9", ValueKind::number, "m**2"},
-    {"SOLAR_RAD_COEFF", MessagePart::spacecraft, "1.0", "9.9", ValueKind::number, ""},
-    {"DRAG_AREA", MessagePart::spacecraft, "1.0", "9.9", ValueKind::number, "m**2"},
-    {"DRAG_COEFF", MessagePart::spacecraft, "1.0", "9.9", ValueKind::number, ""},
+    {"MASS", MessagePart::spacecraft, "1.0", "9.9", ValueKind::amount, "kg"},
+    {"SOLAR_RAD_AREA", MessagePart::spacecraft, "1.0", "9.9", ValueKind::amount, "m**2"},
+    {"SOLAR_RAD_COEFF", MessagePart::spacecraft, "1.0", "9.9", ValueKind::amount, ""},
+    {"DRAG_AREA", MessagePart::spacecraft, "1.0", "9.9", ValueKind::amount, "m**2"},
+    {"DRAG_COEFF", MessagePart::spacecraft, "1.0", "9.9", ValueKind::amount, ""},
 
     {"COV_REF_FRAME", MessagePart::covariance, "2.0"},
     {"CX_X", MessagePart::covariance, "2.0", "9.9", ValueKind::number, "km**2", true},
@@ -64,7 +64,7 @@ inline constexpr MessageKeyword orbit_parameter_keywords[] = {
     {"CZ_DOT_Z_DOT", MessagePart::covariance, "2.0", "9.9", ValueKind::number, "km**2/s**2", true},
 
     {"MAN_EPOCH_IGNITION", MessagePart::maneuver, "1.0", "9.9", ValueKind::epoch, "", true},
-    {"MAN_DURATION", MessagePart::maneuver, "1.0", "9.9", ValueKind::number, "s", true},
+    {"MAN_DURATION", MessagePart::maneuver, "1.0", "9.9", ValueKind::amount, "s", true},
     {"MAN_DELTA_MASS", MessagePart::maneuver, "1.0", "9.9", ValueKind::number, "kg", true},
     {"MAN_REF_FRAME", MessagePart::maneuver, "1.0", "9.9", ValueKind::text, "", true},
     {"MAN_DV_1", MessagePart::maneuver, "1.0", "9.9", ValueKind::number, "km/s", true},

@@ -141,7 +141,10 @@ class ParameterReader {
     for (const KvnLine& line : block.lines) {
       const MessageKeyword* keyword = known(block.kind->part, line);
       if (!keyword) continue;
-      if (keyword->value == ValueKind::number) static_cast<void>(block.entries.number(line, keyword->unit));
+      if (keyword->value == ValueKind::number || keyword->value == ValueKind::amount) {
+        const double value = block.entries.number(line, keyword->unit);
+        if (value < 0.0 && keyword->value == ValueKind::amount) block.entries.fail(line, "it is negative");
+      }
       if (keyword->value == ValueKind::epoch)
         static_cast<void>(block.entries.epoch(line, read_.metadata.time_system));
       if (line.value.empty()) block.entries.fail(line, "it is empty");

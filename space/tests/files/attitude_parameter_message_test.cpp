@@ -400,7 +400,9 @@ TEST(AttitudeParameterMessage, EveryFaultHasALineAColumnAndAReason) {
        "line 54, column 16 (ANGVEL_FRAME): 'GCRF': it is REF_FRAME_A or REF_FRAME_B"},
       {blocks, "REF_FRAME_A = EME2000", "REF_FRAME_A =", "line 20, column 14 (REF_FRAME_A): '': it is empty"},
       {blocks, "[kg*m**2]", "[kg*m**3]",
-       "line 74, column 7 (IXX): '6080.0 [kg*m**3]': the unit is [kg*m**2]"}};
+       "line 74, column 7 (IXX): '6080.0 [kg*m**3]': the unit is [kg*m**2]"},
+      {blocks, "IXX = 6080.0", "IXX = -6080.0",
+       "line 74, column 7 (IXX): '-6080.0 [kg*m**2]': it is negative"}};
   for (const auto& [text, old, by, reason] : faults)
     EXPECT_EQ(complaint_of(replaced(text, old, by)), "attitude parameter message, " + reason) << by;
   EXPECT_EQ(complaint_of(replaced(two_forms, "EPOCH           = 2004-02-14T14:28:15.1172", "")),

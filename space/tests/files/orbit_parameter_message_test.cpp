@@ -225,6 +225,8 @@ TEST(OrbitParameterMessage, EveryFaultHasALineAColumnAndAReason) {
       {"3.11548208    [km/s]", "inf", "line 15, column 26 (X_DOT): 'inf': not a finite number"},
       {"SOLAR_RAD_AREA    =      10.000        [m**2]", "SOLAR_RAD_AREA    = 10.000 [s]",
        "line 28, column 21 (SOLAR_RAD_AREA): '10.000 [s]': the unit is [m**2]"},
+      {"1913.000", "-1913", "line 27, column 25 (MASS): '-1913        [kg]': it is negative"},
+      {"132.60 [s]", "-1 [s]", "line 55, column 16 (MAN_DURATION): '-1 [s]': it is negative"},
       {"1.300", "1.300 [m]", "line 29, column 27 (SOLAR_RAD_COEFF): '1.300 [m]': it has no unit"},
       {"SEMI_MAJOR_AXIS   =   41399.5123       [km]", "SEMI_MAJOR_AXIS = -41399.5123 [km]",
        "line 19, column 19 (SEMI_MAJOR_AXIS): '-41399.5123 [km]': semi_latus_rectum: a (1 - e^2) is "
