@@ -225,7 +225,7 @@ TEST(OrbitParameterMessage, EveryFaultHasALineAColumnAndAReason) {
       {"3.11548208    [km/s]", "inf", "line 15, column 26 (X_DOT): 'inf': not a finite number"},
       {"SOLAR_RAD_AREA    =      10.000        [m**2]", "SOLAR_RAD_AREA    = 10.000 [s]",
        "line 28, column 21 (SOLAR_RAD_AREA): '10.000 [s]': the unit is [m**2]"},
-      {"1913.000", "-1913", "line 27, column 25 (MASS): '-1913        [kg]': it is negative"},
+      {"1913.000", "-1913", "line 27, column 24 (MASS): '-1913        [kg]': it is negative"},
       {"132.60 [s]", "-1 [s]", "line 55, column 16 (MAN_DURATION): '-1 [s]': it is negative"},
       {"1.300", "1.300 [m]", "line 29, column 27 (SOLAR_RAD_COEFF): '1.300 [m]': it has no unit"},
       {"SEMI_MAJOR_AXIS   =   41399.5123       [km]", "SEMI_MAJOR_AXIS = -41399.5123 [km]",
@@ -265,7 +265,7 @@ TEST(OrbitParameterMessage, EveryFaultHasALineAColumnAndAReason) {
       replaced(replaced(eutelsat, "  41399.5123", "-41399.5123"), "0.020842611", "2");
   EXPECT_EQ(complaint_of(hyperbola), "nothing was thrown");
   EXPECT_EQ(complaint_of(replaced(hyperbola, "41.922339     [deg]", "130 [deg]")),
-            "orbit parameter message, line 24, column 27 (TRUE_ANOMALY): '130 [deg]': elements: the true "
+            "orbit parameter message, line 24, column 26 (TRUE_ANOMALY): '130 [deg]': elements: the true "
             "anomaly is "
             "2.2689280275926285 rad, not inside the asymptotes of the orbit");
 }
