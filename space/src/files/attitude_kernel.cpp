@@ -21,6 +21,16 @@ KernelTurns::KernelTurns(std::string place, const SpacecraftClock& clock,
       clock_(clock),
       segments_(std::make_shared<const std::vector<AttitudeRecords>>(std::move(segments))) {}
 
+void KernelTurns::fail(const Epoch& epoch, double ticks) const {
+  for (const AttitudeRecords& records : *segments_) {
+    if (records.is_alone(ticks))
+      throw BadInput(records.place() + ": the record of " + shown(epoch) + ", " + text(ticks) +
+                     " ticks, is alone in its interval, and nothing says how it turns; samples() has it");
+  }
+  throw BadInput(place_ + ": the epoch " + shown(epoch) + ", " + text(ticks) +
+                 " ticks, is outside the intervals that were read");
+}
+
 KernelTurn KernelTurns::at(const Epoch& epoch) const {
   const double ticks = clock_.ticks(epoch).count;
   for (const AttitudeRecords& records : *segments_) {
@@ -32,8 +42,7 @@ KernelTurn KernelTurns::at(const Epoch& epoch) const {
       throw BadInput(records.place() + ": at " + shown(epoch) + " its numbers are too large");
     return now;
   }
-  throw BadInput(place_ + ": the epoch " + shown(epoch) + ", " + text(ticks) +
-                 " ticks, is outside the intervals that were read");
+  fail(epoch, ticks);
 }
 
 Eigen::Vector3d KernelTurns::recorded_rate(const Epoch& epoch) const {
@@ -41,8 +50,7 @@ Eigen::Vector3d KernelTurns::recorded_rate(const Epoch& epoch) const {
   for (const AttitudeRecords& records : *segments_) {
     if (const auto where = records.find(ticks)) return records.recorded_rate(*where);
   }
-  throw BadInput(place_ + ": the epoch " + shown(epoch) + ", " + text(ticks) +
-                 " ticks, is outside the intervals that were read");
+  fail(epoch, ticks);
 }
 
 }  // namespace detail

@@ -199,6 +199,11 @@ Eigen::Vector3d AttitudeRecords::w_ab_a(std::size_t i) const {
   return {x[0], x[1], x[2]};
 }
 
+// From the record i to the next one, unless there an interval begins.
+bool AttitudeRecords::is_step(std::size_t i) const {
+  return i + 1 < ticks_.size() && begins_[i + 1] == 0;
+}
+
 std::optional<AttitudeRecords::Place> AttitudeRecords::find(double ticks) const {
   if (!(ticks >= first_ - rounding_ && ticks <= last_ + rounding_)) return std::nullopt;
   const auto next = std::upper_bound(ticks_.begin(), ticks_.end(), ticks);
@@ -209,8 +214,6 @@ std::optional<AttitudeRecords::Place> AttitudeRecords::find(double ticks) const 
     if (behind < ticks_.size() && ticks >= ticks_[behind] - rounding_) return Place{behind, 0.0};
     return std::nullopt;
   }
-  // A step from the record i to the next one, unless there an interval begins.
-  const auto is_step = [&](std::size_t i) { return i + 1 < ticks_.size() && begins_[i + 1] == 0; };
   if (behind > 0 && is_step(behind - 1))
     return Place{behind - 1, (ticks - ticks_[behind - 1]) / (ticks_[behind] - ticks_[behind - 1])};
   // The end of an interval, or within rounding behind it or before the next one.
@@ -219,6 +222,13 @@ std::optional<AttitudeRecords::Place> AttitudeRecords::find(double ticks) const 
   if (behind < ticks_.size() && is_step(behind) && ticks >= ticks_[behind] - rounding_)
     return Place{behind, 0.0};
   return std::nullopt;
+}
+
+bool AttitudeRecords::is_alone(double ticks) const {
+  if (layout_.type != 3) return false;
+  const auto next = std::lower_bound(ticks_.begin(), ticks_.end(), ticks - rounding_);
+  const auto i = static_cast<std::size_t>(next - ticks_.begin());
+  return next != ticks_.end() && *next <= ticks + rounding_ && begins_[i] != 0 && !is_step(i);
 }
 
 double AttitudeRecords::ticks_of_step(const Place& where) const {

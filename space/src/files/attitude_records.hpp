@@ -46,12 +46,15 @@ class AttitudeRecords {
     double part;
   };
   [[nodiscard]] std::optional<Place> find(double ticks) const;
+  /// Whether the only record of an interval is there, so that nothing says how it turns.
+  [[nodiscard]] bool is_alone(double ticks) const;
   /// The rate is per tick between records of type 3, for there the turn is even in ticks.
   [[nodiscard]] KernelTurn at(const Place& where, double seconds_per_step) const;
   [[nodiscard]] double ticks_of_step(const Place& where) const;
   [[nodiscard]] Eigen::Vector3d recorded_rate(const Place& where) const;
 
  private:
+  [[nodiscard]] bool is_step(std::size_t i) const;
   void load_pointing(const DafFile& file, const DafFile::Array& array);
   void load_interpolated(const DafFile& file, const DafFile::Array& array);
   void load_rotating(const DafFile& file, const DafFile::Array& array);

@@ -314,6 +314,24 @@ TEST(AttitudeKernel, Type3StopsAtTheEndOfAnInterval) {
   expect_steady(attitude_of(one), 450.0);
 }
 
+TEST(AttitudeKernel, Type3SaysWhereARecordIsAlone) {
+  const auto kernel =
+      written({steady_segment("S", {0.0, 100.0, 200.0, 300.0, 400.0}, true, {0.0, 200.0, 300.0})});
+  const auto attitude = attitude_of(kernel);
+  const auto at = [&](double ticks) {
+    return complaint([&] { static_cast<void>(attitude(at_ticks(ticks))); });
+  };
+  EXPECT_NE(at(200.0).find(
+                "segment 1 'S': the record of 2000-01-01T11:58:57.816000 UTC, 200 ticks, is alone in its "
+                "interval, and nothing says how it turns; samples() has it"),
+            std::string::npos)
+      << at(200.0);
+  for (const double ticks : {199.0, 201.0, 299.0})
+    EXPECT_NE(at(ticks).find("is outside the intervals"), std::string::npos) << ticks;
+  expect_steady(attitude, 300.0);
+  EXPECT_EQ(kernel.samples(of<Body>, relative_to<Gcrf>, kernel.span(), called<Body>("-77001")).size(), 5U);
+}
+
 TEST(AttitudeKernel, Type3MayHaveNoRates) {
   const auto kernel = written({steady_segment("S", ticks_from(0.0, 100.0, 5), false, {0.0})});
   const auto attitude = attitude_of(kernel);

@@ -44,6 +44,9 @@ class VECTRIX_EXPORT KernelTurns {
   [[nodiscard]] Eigen::Vector3d recorded_rate(const Epoch& epoch) const;
 
  private:
+  /// Says why there is nothing at the epoch.
+  [[noreturn]] void fail(const Epoch& epoch, double ticks) const;
+
   std::string place_;
   SpacecraftClock clock_;
   std::shared_ptr<const std::vector<AttitudeRecords>> segments_;
@@ -55,7 +58,7 @@ class VECTRIX_EXPORT KernelTurns {
 /// graph. Between two records of an interval the turn is the shortest one at constant rate, evenly in the
 /// ticks of the clock (type 3), or the rate is that of the record (type 2). It never crosses from one
 /// interval to another. The rate w_ab^b is that of this motion, the derivative of its rotation. A call throws
-/// BadInput outside the intervals and the span that was asked for.
+/// BadInput outside the intervals and the span that was asked for, and at a record that is alone in one.
 template <Frame A, Frame B> class KernelAttitude {
  public:
   KernelAttitude(detail::Trusted, detail::KernelTurns turns) : turns_(std::move(turns)) {}
