@@ -223,6 +223,9 @@ std::string EphemerisKernel::refusal_of(std::size_t segment, const detail::Frame
 detail::KernelOrbit EphemerisKernel::orbit(const detail::FrameClaim& q, const detail::FrameClaim& a,
                                            const TimeSpan& span) const {
   const std::string place = this->place();
+  if (q.center != detail::default_center)
+    throw BadInput(place + ": the claim of the body " + detail::shown(q) + " has the centre '" +
+                   detail::excerpt(q.center) + "', which belongs to that of " + a.type);
   const auto all = std::make_shared<detail::OrbitSegments>(
       detail::OrbitSegments{place,
                             span,

@@ -318,6 +318,12 @@ TEST(EphemerisKernel, RefusesOtherBodiesAndFrames) {
       }),
       "ephemeris kernel FILE: 'SHIP' (" + frame_name<Ship>() +
           ") is no body that is known by name; give its number");
+  EXPECT_EQ(asked([&] {
+              static_cast<void>(
+                  kernel.motion(of<Ship>, relative_to<Gcrf>, kernel.span(), called<Ship>("-77", "MARS")));
+            }),
+            "ephemeris kernel FILE: the claim of the body '-77' (" + frame_name<Ship>() +
+                ") has the centre 'MARS', which belongs to that of " + frame_name<Gcrf>());
   const TemporaryFile fixed(daf_bytes("SPK", {of_type(2, -77, 399, 13000)}));
   EXPECT_EQ(complaint(
                 [&] {

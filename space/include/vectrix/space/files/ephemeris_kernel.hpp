@@ -45,7 +45,7 @@ template <> inline constexpr const char* kernel_body<sky::Neptune> = "NEPTUNE BA
 
 template <class Q, class... Given> FrameClaim body_claim(const Given&... given) {
   if constexpr (kernel_body<Q> != nullptr) {
-    return {frame_name<Q>(), StandardFrame::none, kernel_body<Q>, {}};
+    return {frame_name<Q>(), StandardFrame::none, kernel_body<Q>, default_center};
   } else {
     return claim_among<Q>(given...);
   }
@@ -110,7 +110,8 @@ class VECTRIX_EXPORT EphemerisKernel {
   [[nodiscard]] std::string comments() const { return file_.comments(); }
 
   /// Reads what the span needs, and checks it. Throws BadInput with the place and the number for what is
-  /// wrong, and one that names both bodies, or the frames, if the kernel has others.
+  /// wrong, and one that names both bodies, or the frames, if the kernel has others. A centre that is claimed
+  /// of the body is refused.
   template <Point Q, Frame A, class... Given>
     requires(detail::are_motion_claims<A, Q, Given...>)
   [[nodiscard]] KernelMotion<A, Q> motion(Of<Q>, RelativeTo<A>, const TimeSpan& span,

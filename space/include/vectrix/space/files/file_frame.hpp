@@ -12,6 +12,11 @@
 #include <vectrix/space/earth/teme.hpp>
 
 namespace vectrix {
+namespace detail {
+
+inline constexpr const char* default_center = "EARTH";
+
+}  // namespace detail
 
 /// Claims which frame type a file means by a name. A message of CCSDS names the axes, and in an orbit their
 /// centre: called<MarsInertial>("EME2000", "MARS BARYCENTER"). Capitals do not matter. Made by called(); the
@@ -27,7 +32,7 @@ template <Frame F> class Called {
  private:
   std::string name_, center_;
 };
-template <Frame F> Called<F> called(std::string name, std::string center = "EARTH") {
+template <Frame F> Called<F> called(std::string name, std::string center = detail::default_center) {
   return {detail::trusted, std::move(name), std::move(center)};
 }
 
@@ -60,7 +65,7 @@ struct FrameClaim {
   std::string center;
 };
 template <Frame F> FrameClaim claim_of() {
-  return {frame_name<F>(), standard_frame<F>, std::nullopt, "EARTH"};
+  return {frame_name<F>(), standard_frame<F>, std::nullopt, default_center};
 }
 template <Frame F> FrameClaim claim_of(const Called<F>& called) {
   return {frame_name<F>(), standard_frame<F>, called.name(), called.center()};
