@@ -86,28 +86,29 @@ XmlDocument::XmlDocument(std::string place, std::string_view text)
   if (const auto zero = text_.find('\0'); zero != std::string::npos)
     fail(position(zero), "the byte 0 is no character of XML");
   if (!without_xml_blanks(text_).starts_with('<')) fail(position(0), "UTF-16, but not XML");
+  const auto last = text_.find_last_not_of(xml_blanks), doctype = text_.find("<!DOCTYPE");
+  const bool has_end = text_[last] == '>';
   constexpr unsigned what = pugi::parse_cdata | pugi::parse_doctype | pugi::parse_declaration;
-  const auto result = document_->load_buffer(text_.data(), text_.size(), what, pugi::encoding_utf8);
+  const auto result =  // with the 0 at the end
+      document_.load_buffer_inplace(text_.data(), text_.size() + 1, what, pugi::encoding_utf8);
   // A document type may be what cannot be parsed.
-  for (const pugi::xml_node node : document_->children()) {
+  for (const pugi::xml_node node : document_.children()) {
     if (node.type() == pugi::node_doctype)
       fail(position(static_cast<std::size_t>(node.offset_debug())),
            "a document type; it can name other files and entities, and is refused");
   }
-  if (result.status == pugi::status_bad_doctype)
-    fail(position(text_.find("<!DOCTYPE")), "a document type, which is refused");
+  if (result.status == pugi::status_bad_doctype) fail(position(doctype), "a document type, which is refused");
   if (!result)
     fail(position(static_cast<std::size_t>(result.offset)),
          "it is not well-formed: " + std::string{result.description()});
-  if (const auto last = text_.find_last_not_of(xml_blanks); text_[last] != '>')
-    fail(position(last), "text behind the document");
+  if (!has_end) fail(position(last), "text behind the document");
   require_declaration(is_utf16(text));
   if (const pugi::xml_node second = root().next_sibling())
     fail(second, "a second element outside of the first");
 }
 
 void XmlDocument::require_declaration(bool is_wide) const {
-  const pugi::xml_node declaration = document_->first_child();
+  const pugi::xml_node declaration = document_.first_child();
   if (declaration.type() != pugi::node_declaration) return;
   const std::string encoding = upper_case(declaration.attribute("encoding").value());
   const bool is_known = is_wide ? encoding == "UTF-16" : encoding == "UTF-8" || encoding == "US-ASCII";

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,8 +18,9 @@ bool is_xml(std::string_view text);
 class XmlDocument {
  public:
   XmlDocument(std::string place, std::string_view text);
+  XmlDocument(XmlDocument&&) = delete;
 
-  [[nodiscard]] pugi::xml_node root() const { return document_->document_element(); }
+  [[nodiscard]] pugi::xml_node root() const { return document_.document_element(); }
   [[nodiscard]] const std::string& place() const { return place_; }
 
   /// The name without a prefix.
@@ -48,9 +48,9 @@ class XmlDocument {
   void require_attributes(pugi::xml_node element) const;
   [[nodiscard]] std::string decoded(pugi::xml_node text) const;
 
-  std::string place_, text_;
+  std::string place_, text_;  // the document points into the text
   std::vector<std::size_t> line_starts_{};
-  std::unique_ptr<pugi::xml_document> document_ = std::make_unique<pugi::xml_document>();
+  pugi::xml_document document_{};
 };
 
 }  // namespace vectrix::detail

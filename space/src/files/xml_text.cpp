@@ -23,8 +23,7 @@ void XmlText::put_keyword(const std::string& keyword, const TextPosition& place,
                           const XmlDocument::Value& value) {
   put(keyword + " =", place);
   put(" ", value.position);
-  put(value.text, value.position);
-  put("\n", value.position);
+  put(value.text + "\n", value.position);
 }
 
 void XmlText::put_comment(xml_node entry) {
@@ -106,7 +105,7 @@ void XmlText::put_line(xml_node state, const std::vector<XmlColumn>& columns) {
 }
 
 void XmlText::put_number(xml_node element, const XmlColumn& column, std::string_view end) {
-  const XmlDocument::Value value = value_of(element);
+  XmlDocument::Value value = value_of(element);
   if (value.text.empty()) document_.fail(element, "it is empty");
   if (value.text.find_first_of(" \t") != std::string::npos)
     document_.fail(value.position, "'" + excerpt(value.text) + "': more than one number");
@@ -114,8 +113,7 @@ void XmlText::put_number(xml_node element, const XmlColumn& column, std::string_
   if (!unit.empty() && upper_case(unit) != upper_case(column.unit))
     document_.fail(element, "the unit is '" + excerpt(unit) + "'" +
                                 (column.unit.empty() ? "; it has no unit" : ", not '" + column.unit + "'"));
-  put(value.text, value.position);
-  put(end, document_.position(element));
+  put(value.text.append(end), value.position);
 }
 
 }  // namespace vectrix::detail
