@@ -31,21 +31,26 @@ constexpr bool is_surrogate(std::uint32_t code) {
   return code >= 0xD800U && code < 0xE000U;
 }
 
-/// Whether a text is UTF-8, without asking for the shortest form.
-inline bool is_utf8(std::string_view text) {
-  std::size_t following = 0;
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    const bool follows = (byte & 0xC0U) == 0x80U;
-    if (follows != (following > 0)) return false;
-    if (follows) {
-      --following;
-    } else if (byte >= 0x80U) {
-      if (byte < 0xC2U || byte > 0xF4U) return false;
-      following = byte < 0xE0U ? 1 : byte < 0xF0U ? 2 : 3;
+/// The index of the first byte of a text that is not of UTF-8 in its shortest form; its size if all are.
+inline std::size_t first_not_utf8(std::string_view text) {
+  const auto byte = [&](std::size_t at) {
+    return at < text.size() ? std::uint32_t{static_cast<unsigned char>(text[at])} : 0U;
+  };
+  std::size_t at = 0;
+  while (at < text.size()) {
+    const std::uint32_t first = byte(at);
+    const std::size_t following = first < 0x80U ? 0 : first < 0xE0U ? 1 : first < 0xF0U ? 2 : 3;
+    constexpr std::uint32_t least[] = {0U, 0x80U, 0x800U, 0x10000U}, bits[] = {0x7FU, 0x1FU, 0xFU, 0x7U};
+    std::uint32_t code = first & bits[following];
+    bool follow = first < 0x80U || (first >= 0xC0U && first < 0xF8U);
+    for (std::size_t i = 1; i <= following; ++i) {
+      follow = follow && (byte(at + i) & 0xC0U) == 0x80U;
+      code = (code << 6U) | (byte(at + i) & 0x3FU);
     }
+    if (!follow || code < least[following] || code >= 0x110000U || is_surrogate(code)) return at;
+    at += following + 1;
   }
-  return following == 0;
+  return at;
 }
 
 }  // namespace vectrix::detail

@@ -85,6 +85,7 @@ XmlDocument::XmlDocument(std::string place, std::string_view text)
   }
   if (const auto zero = text_.find('\0'); zero != std::string::npos)
     fail(position(zero), "the byte 0 is no character of XML");
+  const auto wrong = first_not_utf8(text_);
   if (!without_xml_blanks(text_).starts_with('<')) fail(position(0), "UTF-16, but not XML");
   const auto last = text_.find_last_not_of(xml_blanks), doctype = text_.find("<!DOCTYPE");
   const bool has_end = text_[last] == '>';
@@ -103,6 +104,10 @@ XmlDocument::XmlDocument(std::string place, std::string_view text)
          "it is not well-formed: " + std::string{result.description()});
   if (!has_end) fail(position(last), "text behind the document");
   require_declaration(is_utf16(text));
+  if (wrong != text_.size())
+    fail(position(wrong), "the byte " +
+                              detail::text(static_cast<int>(static_cast<unsigned char>(text_[wrong]))) +
+                              " is not of UTF-8");
   if (const pugi::xml_node second = root().next_sibling())
     fail(second, "a second element outside of the first");
 }

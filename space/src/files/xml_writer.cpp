@@ -56,7 +56,7 @@ class XmlWriter {
   void line() {
     if (reader_.is_comment()) {
       const std::string comment = reader_.comment();
-      if (!is_utf8(comment))
+      if (first_not_utf8(comment) != comment.size())
         throw BadInput(reader_.place() + ": the comment '" + excerpt(comment) + "' is not UTF-8");
       leaf("COMMENT", comment);
     } else if (reader_.is("META_START")) {

@@ -516,6 +516,21 @@ TEST(XmlMessages, DocumentTypesAndEntitiesAreRefused) {
       "attitude ephemeris message");
 }
 
+// A byte of Latin-1, a long form of a short one, half of a pair of UTF-16, and one above all of Unicode.
+TEST(XmlMessages, OtherBytesThanOfUtf8AreRefused) {
+  const auto of_comment = [](const std::string& bytes) {
+    return complaint_of<AttitudeEphemerisMessage>(replaced(attitude_xml, "of the header", bytes));
+  };
+  for (const char* bytes : {"\xE4", "\x84", "\xC3", "\xC0\xAF", "\xE0\x80\xAF", "\xED\xA0\x80",
+                            "\xF0\x80\x80\xAF", "\xF4\x90\x80\x80", "\xF8\x88\x80\x80", "\xFF"})
+    EXPECT_EQ(of_comment(bytes), "attitude ephemeris message, line 4, column 14: the byte " +
+                                     std::to_string(int{static_cast<unsigned char>(*bytes)}) +
+                                     " is not of UTF-8");
+  for (const char* bytes : {"\xC2\x80", "\xDF\xBF", "\xE0\xA0\x80", "\xED\x9F\xBF", "\xEE\x80\x80",
+                            "\xEF\xBF\xBF", "\xF0\x90\x80\x80", "\xF4\x8F\xBF\xBF"})
+    EXPECT_EQ(of_comment(bytes), "nothing was thrown") << bytes;
+}
+
 TEST(XmlMessages, EveryFaultHasALineAColumnAndAReason) {
   expect_faults<AttitudeEphemerisMessage>(
       {{attitude_xml, "version=\"1.0\">", "version=\"4.0\">",
