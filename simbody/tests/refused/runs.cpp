@@ -1,23 +1,7 @@
 // Runs of Simbody
 #include <vectrix/simbody.hpp>
 
-using namespace vectrix;
-
-struct Gcrf : inertial_frame {};
-struct Hub : moving_frame {};
-
-auto make_sat() {
-  return spacecraft(
-      body(mass_properties(1.0 * si::kilogram, coincident(of<CentreOfMassOf<Hub>>, relative_to<Hub>, in<Hub>),
-                           trust_inertia(in<Hub>, Eigen::Matrix3d::Identity())),
-           turning_in<Gcrf>));
-}
-struct Sat : decltype(make_sat()) {
-  Sat() : decltype(make_sat())(make_sat()) {}
-};
-struct Probe : decltype(make_sat()) {
-  Probe() : decltype(make_sat())(make_sat()) {}
-};
+#include "../../../dynamics/tests/refused/sat.hpp"
 
 namespace a_run_of_simbody_from_the_state_of_another_craft {
 // mistake: Simbody runs the scenario of a satellite from the state of a probe
