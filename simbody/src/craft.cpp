@@ -56,7 +56,8 @@ SimbodyCraft simbody_craft(const char* action, const PlainSpacecraft& craft) {
     return name == craft.hub ? 0 : static_cast<int>(found - craft.bodies.begin()) + 1;
   };
   SimbodyCraft made{
-      craft.motion == HubMotion::free, craft.mass, three(craft.r_hc_h), by_rows(craft.J_c_h), {}, {}};
+      craft.hub, craft.motion == HubMotion::free, craft.mass, three(craft.r_hc_h), by_rows(craft.J_c_h), {},
+      {}};
   for (const PlainBody& body : craft.bodies) {
     const Eigen::Vector3d none = Eigen::Vector3d::Zero();
     if (body.joint == JointKind::gimbal) {
@@ -65,7 +66,7 @@ SimbodyCraft simbody_craft(const char* action, const PlainSpacecraft& craft) {
         refuse("Simbody's gimbal has orthogonal axes; between those of " + in_quotes(body.name) +
                " the cosine is " + text(cosine));
     }
-    made.bodies.push_back({joint_of(body.joint), number(body.parent), by_rows(body.R_p_from_b),
+    made.bodies.push_back({body.name, joint_of(body.joint), number(body.parent), by_rows(body.R_p_from_b),
                            three(body.r_pb_p), three(body.axes_b.empty() ? none : body.axes_b.front()),
                            three(body.axes_b.empty() ? none : body.axes_b.back()), body.mass,
                            three(body.r_bc_b), by_rows(body.J_c_b)});

@@ -1,5 +1,8 @@
 #include "simbody_system.hpp"
 
+#include <stdexcept>
+#include <string>
+
 namespace vectrix::detail {
 namespace {
 
@@ -7,34 +10,43 @@ constexpr double share_of_wheel = 0.05;
 
 /// Mass, centre and inertia about the centre of a body that lends mass to its wheels.
 struct Carrier {
+  std::string name;
   double mass;
   Vec3 centre;
   Mat33 inertia;
+  bool lends = false;
 
   Mat33 lend(const Vec3& axis, double J) {
     const Mat33 along = axis * ~axis;
     const Mat33 disc = J * along + 0.5 * J * (Mat33(1.0) - along);
     inertia -= disc;
+    lends = true;
     return disc;
   }
   SimTK::Body::Rigid rigid() const {
     const Mat33 J = inertia + mass * (centre.normSqr() * Mat33(1.0) - centre * ~centre);
-    return SimTK::Body::Rigid(SimTK::MassProperties(
-        mass, centre, Inertia(SymMat33(J(0, 0), J(1, 0), J(1, 1), J(2, 0), J(2, 1), J(2, 2)))));
+    try {
+      return SimTK::Body::Rigid(SimTK::MassProperties(
+          mass, centre, Inertia(SymMat33(J(0, 0), J(1, 0), J(1, 1), J(2, 0), J(2, 1), J(2, 2)))));
+    } catch (const std::exception& error) {
+      throw std::invalid_argument(name + (lends ? " less the discs of its rotors: " : ": ") + error.what());
+    }
   }
 };
 
 }  // namespace
 
 void SimbodyEngine::System::hang(const SimbodyCraft& craft) {
-  std::vector<Carrier> carriers{{craft.mass, simbody(craft.centre_b), simbody(craft.inertia_c_b)}};
+  std::vector<Carrier> carriers{
+      {craft.name_of_hub, craft.mass, simbody(craft.centre_b), simbody(craft.inertia_c_b)}};
   for (const auto& b : craft.bodies)
-    carriers.push_back({b.mass, simbody(b.centre_b), simbody(b.inertia_c_b)});
+    carriers.push_back({b.name, b.mass, simbody(b.centre_b), simbody(b.inertia_c_b)});
   std::vector<Carrier> discs;
   for (const auto& rotor : craft.rotors) {
     Carrier& carrier = carriers[static_cast<std::size_t>(rotor.body)];
     const double mass = share_of_wheel * carrier.mass;
-    discs.push_back({mass, Vec3(0), carrier.lend(simbody(rotor.axis_b), rotor.inertia)});
+    discs.push_back(
+        {"the rotor of " + carrier.name, mass, Vec3(0), carrier.lend(simbody(rotor.axis_b), rotor.inertia)});
     carrier.mass -= mass;
   }
 
@@ -129,63 +141,51 @@ void SimbodyEngine::System::write(SimTK::State& s, const double* numbers) const 
     wheels[i].setOneU(s, 0, numbers[static_cast<std::size_t>(wheels_at) + i] * T);
 }
 
-void SimbodyEngine::System::read(const SimTK::State& s, double* numbers) const {
-  for (int k = 0; k < 4; ++k) numbers[k] = hub.getOneQ(s, k);
-  put(~turned(hub, s) * speeds(hub, s, 0) / T, numbers + 4);
-  if (hub_has_place) {
-    put(Vec3(hub.getOneQ(s, 4), hub.getOneQ(s, 5), hub.getOneQ(s, 6)), numbers + 7);
-    put(speeds(hub, s, 3) / T, numbers + 10);
-  }
+// Numbers of a body, q(body, k) and u(body, k), as those of a state of ours. Of rates too: our axes turn with
+// the speed itself, which adds nothing to its derivative.
+template <class Q, class U>
+void SimbodyEngine::System::put_numbers(const SimTK::State& s, const Q& q, const U& u, double* to) const {
+  const auto three_of = [](const auto& numbers, const MobilizedBody& body, int first) {
+    return Vec3(numbers(body, first), numbers(body, first + 1), numbers(body, first + 2));
+  };
+  const auto put_turn = [&](const MobilizedBody& body, double* positions, double* speeds) {
+    for (int k = 0; k < 4; ++k) positions[k] = q(body, k);
+    put(~turned(body, s) * three_of(u, body, 0), speeds);
+  };
+  const auto put_place = [&](const MobilizedBody& body, const Rotation& mount, double* place,
+                             double* velocity) {
+    put(mount * three_of(q, body, 4), place);
+    put(mount * three_of(u, body, 3), velocity);
+  };
+  put_turn(hub, to, to + 4);
+  if (hub_has_place) put_place(hub, Rotation(), to + 7, to + 10);
   for (const Hung& hung : bodies) {
-    double* q = numbers + hung.positions_at;
-    double* u = numbers + hung.speeds_at;
+    double* positions = to + hung.positions_at;
+    double* speeds = to + hung.speeds_at;
     if (hung.turns_freely()) {
-      for (int k = 0; k < 4; ++k) q[k] = hung.body.getOneQ(s, k);
-      put(~turned(hung.body, s) * speeds(hung.body, s, 0) / T, u);
-      if (hung.joint == SimbodyJoint::free) {
-        const Vec3 moved(hung.body.getOneQ(s, 4), hung.body.getOneQ(s, 5), hung.body.getOneQ(s, 6));
-        put(hung.mount * moved, q + 4);
-        put(hung.mount * speeds(hung.body, s, 3) / T, u + 3);
-      }
+      put_turn(hung.body, positions, speeds);
+      if (hung.joint == SimbodyJoint::free) put_place(hung.body, hung.mount, positions + 4, speeds + 3);
     } else {
       for (int k = 0; k < hung.speeds(); ++k) {
-        q[k] = hung.body.getOneQ(s, k);
-        u[k] = hung.body.getOneU(s, k) / T;
+        positions[k] = q(hung.body, k);
+        speeds[k] = u(hung.body, k);
       }
     }
   }
   for (std::size_t i = 0; i < wheels.size(); ++i)
-    numbers[static_cast<std::size_t>(wheels_at) + i] = wheels[i].getOneU(s, 0) / T;
+    to[static_cast<std::size_t>(wheels_at) + i] = u(wheels[i], 0);
 }
 
-// The axes of ours turn with the speed itself, which adds nothing to its derivative.
+void SimbodyEngine::System::read(const SimTK::State& s, double* numbers) const {
+  put_numbers(
+      s, [&](const MobilizedBody& body, int k) { return body.getOneQ(s, k); },
+      [&](const MobilizedBody& body, int k) { return body.getOneU(s, k) / T; }, numbers);
+}
+
 void SimbodyEngine::System::read_rates(const SimTK::State& s, double* rates) const {
-  const double TT = T * T;
-  for (int k = 0; k < 4; ++k) rates[k] = hub.getOneQDot(s, k) / T;
-  put(~turned(hub, s) * accelerations(hub, s, 0) / TT, rates + 4);
-  if (hub_has_place) {
-    put(speeds(hub, s, 3) / T, rates + 7);
-    put(accelerations(hub, s, 3) / TT, rates + 10);
-  }
-  for (const Hung& hung : bodies) {
-    double* q = rates + hung.positions_at;
-    double* u = rates + hung.speeds_at;
-    if (hung.turns_freely()) {
-      for (int k = 0; k < 4; ++k) q[k] = hung.body.getOneQDot(s, k) / T;
-      put(~turned(hung.body, s) * accelerations(hung.body, s, 0) / TT, u);
-      if (hung.joint == SimbodyJoint::free) {
-        put(hung.mount * speeds(hung.body, s, 3) / T, q + 4);
-        put(hung.mount * accelerations(hung.body, s, 3) / TT, u + 3);
-      }
-    } else {
-      for (int k = 0; k < hung.speeds(); ++k) {
-        q[k] = hung.body.getOneQDot(s, k) / T;
-        u[k] = hung.body.getOneUDot(s, k) / TT;
-      }
-    }
-  }
-  for (std::size_t i = 0; i < wheels.size(); ++i)
-    rates[static_cast<std::size_t>(wheels_at) + i] = wheels[i].getOneUDot(s, 0) / TT;
+  put_numbers(
+      s, [&](const MobilizedBody& body, int k) { return body.getOneQDot(s, k) / T; },
+      [&](const MobilizedBody& body, int k) { return body.getOneUDot(s, k) / (T * T); }, rates);
 }
 
 }  // namespace vectrix::detail

@@ -56,12 +56,6 @@ struct Hung {
   int speeds() const { return speeds_of[static_cast<int>(joint)]; }
 };
 
-inline Vec3 speeds(const MobilizedBody& body, const SimTK::State& s, int first) {
-  return {body.getOneU(s, first), body.getOneU(s, first + 1), body.getOneU(s, first + 2)};
-}
-inline Vec3 accelerations(const MobilizedBody& body, const SimTK::State& s, int first) {
-  return {body.getOneUDot(s, first), body.getOneUDot(s, first + 1), body.getOneUDot(s, first + 2)};
-}
 inline Rotation turned(const MobilizedBody& body, const SimTK::State& s) {
   return rotation(Vec4(body.getOneQ(s, 0), body.getOneQ(s, 1), body.getOneQ(s, 2), body.getOneQ(s, 3)));
 }
@@ -100,6 +94,8 @@ struct SimbodyEngine::System {
   }
   void hang(const SimbodyCraft& craft);
   void write(SimTK::State& s, const double* numbers) const;
+  template <class Q, class U>
+  void put_numbers(const SimTK::State& s, const Q& q, const U& u, double* to) const;
   void read(const SimTK::State& s, double* numbers) const;
   void read_rates(const SimTK::State& s, double* rates) const;
   Locks found_locks() const { return {acting.locked_joints, acting.locked_rotors}; }

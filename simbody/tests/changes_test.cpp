@@ -219,5 +219,22 @@ TEST(SimbodyRun, refuses_what_simbody_has_not_by_name) {
   expect_says(message_of(lower), "Antenna");
 }
 
+// A plate has J_zz = J_xx + J_yy; less a disc about x it has less about x and y, and is no body.
+TEST(SimbodyRun, names_a_body_that_is_too_flat_for_its_wheel) {
+  RandomCraft random(12);
+  const auto plate =
+      mass_properties(3.0 * si::kilogram, coincident(of<CentreOfMassOf<Boom>>, relative_to<Boom>, in<Boom>),
+                      inertia_from_principal_moments(in<Boom>, 1.0 * kg_m2, 2.0 * kg_m2, 3.0 * kg_m2));
+  const auto flat = spacecraft(body(mass<Hub>(random, 10.0), turning_in<Gcrf>),
+                               body(plate, hinge(place<Hub, Boom>(random), unit_x(in<Boom>))),
+                               rotor(of<WheelOfBoom>, unit_x(in<Boom>), 0.1 * kg_m2));
+  const auto rest = state(flat, 0.0 * s, moving<Gcrf, Hub>(random).turning,
+                          starts(of<Boom>, 0.0 * rad, 0.0 * rad_s), spins(of<WheelOfBoom>, 0.0 * rad_s));
+  const auto run = [&] { (void)propagate_with_simbody(scenario(flat), rest, until(1.0)); };
+  EXPECT_THROW(run(), BadInput);
+  expect_says(message_of(run),
+              "Simbody refuses the craft: " + frame_name<Boom>() + " less the discs of its rotors: ");
+}
+
 }  // namespace
 }  // namespace vectrix_test::spacecraft_test::simbody_changes_test

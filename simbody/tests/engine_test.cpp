@@ -1,5 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <stdexcept>
+#include <utility>
 #include <vector>
 #include <vectrix/simbody.hpp>
 
@@ -85,6 +88,29 @@ TEST(SimbodyEngine, locks_what_ours_locks) {
     expect_same(accelerations(seed, 1.0, [](std::size_t i) { return i % 2 == 1; }));
     expect_same(accelerations(seed, 1.0, [](std::size_t i) { return i % 3 == 0; }));
   }
+}
+
+// What a load throws within Simbody's realization is kept there; it is thrown once.
+TEST(SimbodyEngine, forgets_what_a_load_has_thrown) {
+  RandomCraft random(27);
+  const Craft craft(random);
+  const auto start = start_of(craft, random);
+  const PlainSpacecraft& parts = plain(craft);
+  multibody::Work<double> applied = craft.core()->tree.work();
+  bool in_simbody = false, breaks = true;
+  detail::SimbodyEngine engine(detail::simbody_craft("test", parts), SimbodyPair::merson, 1e-3, 1.0,
+                               [&](double, const double*, detail::SimbodyLoads& loads) {
+                                 if (breaks && std::exchange(in_simbody, true))
+                                   throw std::domain_error("beyond the table");
+                                 detail::copy_loads(parts, applied, loads);
+                               });
+  std::vector<double> before(Craft::state_size), after(Craft::state_size);
+  EXPECT_THROW(engine.rates(start_time.value(), start.data(), before.data()), std::domain_error);
+  breaks = false;
+  engine.rates(start_time.value(), start.data(), before.data());
+  engine.start(start_time.value(), start.data(), start_time.value() + 1.0, 1.0);
+  engine.rate(after.data());
+  for (std::size_t i = 0; i < after.size(); ++i) EXPECT_NEAR(after[i], before[i], rounding) << i;
 }
 
 }  // namespace

@@ -136,19 +136,21 @@ void StateDifferences::set_events(std::vector<EventTime> ours, std::vector<Event
 }
 
 void StateDifferences::print(std::ostream& out) const {
+  std::ostringstream table;  // whose format is not that of `out`
   std::size_t width = std::string("angular momentum").size();
   for (const Row& row : rows_) width = std::max(width, row.name.size());
-  out << std::left << std::setw(static_cast<int>(width)) << text(from_) + " to " + text(until_) + " s"
-      << "  " << std::setw(22) << "largest difference"
-      << "at\n";
-  for (const Row& row : rows_) print_row(out, width, row.name, numbers_[row.at], row.unit);
-  print_row(out, width, "energy", energy_, "J");
-  if (core_->plain.motion == HubMotion::free) print_row(out, width, "momentum", momentum_, "kg m/s");
-  print_row(out, width, "angular momentum", angular_momentum_, "N m s");
+  table << std::left << std::setw(static_cast<int>(width)) << text(from_) + " to " + text(until_) + " s"
+        << "  " << std::setw(22) << "largest difference"
+        << "at\n";
+  for (const Row& row : rows_) print_row(table, width, row.name, numbers_[row.at], row.unit);
+  print_row(table, width, "energy", energy_, "J");
+  if (core_->plain.motion == HubMotion::free) print_row(table, width, "momentum", momentum_, "kg m/s");
+  print_row(table, width, "angular momentum", angular_momentum_, "N m s");
   if (!events_)
-    out << "the events differ: " << our_events_ << " and " << their_events_ << ", or their names\n";
+    table << "the events differ: " << our_events_ << " and " << their_events_ << ", or their names\n";
   else if (our_events_ > 0)
-    print_row(out, width, "times of events", *events_, "s");
+    print_row(table, width, "times of events", *events_, "s");
+  out << table.str();
 }
 
 }  // namespace vectrix::detail

@@ -13,6 +13,7 @@
 #include <vectrix/dynamics/load/friction.hpp>
 #include <vectrix/dynamics/load/point_mass.hpp>
 #include <vectrix/dynamics/load/springs.hpp>
+#include <vectrix/dynamics/load/stop_at.hpp>
 #include <vectrix/kinematics/rates/hat.hpp>
 
 #include "craft/random_spacecraft.hpp"
@@ -290,6 +291,31 @@ TEST(Linearise, FrictionHasTheStateInWhichARunStarts) {
   EXPECT_EQ(sticks.A(sticks.spin(of<Wheel>), sticks.spin(of<Wheel>)), 0.0);
   const double coupling = 1.0 / J_s + n.dot((J - J_s * n * n.transpose()).inverse() * n);
   EXPECT_NEAR(slips.A(slips.spin(of<Wheel>), slips.spin(of<Wheel>)), -0.02 * coupling, 1e-14);
+}
+
+// At a stop, a joint that moves beyond it has a spring and a damper, and one that moves away has nothing.
+TEST(Linearise, AStopHasTheSideOnWhichARunStarts) {
+  RandomCraft random(20261201);
+  const Every craft(random);
+  const auto k = 30.0 * (N / m);
+  const auto c = 2.0 * (N / m_s);
+  std::array<int, 2> pushes{};
+  for (int trial = 0; trial < 8; ++trial) {
+    const auto start = random_state(craft, random);
+    const auto at = start.coordinate(of<Mass>), far = 1.0 * m;
+    const auto matrix = [&](const auto&... load) { return linearise(scenario(craft, load...), start).A; };
+    const MatrixXd free = matrix(),
+                   springy = matrix(spring(craft, of<Mass>, k, at), damper(craft, of<Mass>, c));
+    const bool rises = start.speed(of<Mass>).value() > 0.0;
+    ++pushes[rises];
+    const MatrixXd upper = matrix(stop_at(craft, of<Mass>, at - far, at, k, c)),
+                   lower = matrix(stop_at(craft, of<Mass>, at, at + far, k, c));
+    const double rounding = 1e-12 * springy.cwiseAbs().maxCoeff();
+    EXPECT_LE((upper - (rises ? free : springy)).cwiseAbs().maxCoeff(), rounding);
+    EXPECT_LE((lower - (rises ? free : springy)).cwiseAbs().maxCoeff(), rounding);
+    EXPECT_GT((springy - free).cwiseAbs().maxCoeff(), 1e6 * rounding);
+  }
+  EXPECT_GT(pushes[0] * pushes[1], 0);
 }
 
 TEST(Linearise, RefusesDerivativesThatAreNotFinite) {

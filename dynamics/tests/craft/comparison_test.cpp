@@ -1,10 +1,13 @@
 #include <gtest/gtest.h>
 
+#include <iomanip>
 #include <sstream>
+#include <string>
 #include <vectrix/dynamics/craft/comparison.hpp>
 #include <vectrix/dynamics/craft/propagate.hpp>
 
 #include "short_units.hpp"
+#include "testing/attitudes.hpp"
 
 // Two runs of one craft whose difference is known in closed form: their starts differ by known numbers, and
 // nothing acts.
@@ -42,7 +45,8 @@ struct Sat : decltype(make_sat()) {
 struct Beyond {
   double turn = 0.0, place = 0.0, speed = 0.0, arm = 0.0, wheel = 0.0, probe_turn = 0.0, probe_speed = 0.0;
 };
-CraftTrajectory<Sat> run(const Beyond& by, double begin = 1.0, double end = 11.0, double at_place = -1.0) {
+CraftTrajectory<Sat> run(const Beyond& by, double begin = 1.0, double end = 11.0, double at_place = -1.0,
+                         bool dense = true) {
   const Sat sat;
   const auto none = 0.0 * rad_s;
   const auto still = [&](auto b, auto a) {
@@ -71,7 +75,8 @@ CraftTrajectory<Sat> run(const Beyond& by, double begin = 1.0, double end = 11.0
                          spins(of<Wheel>, by.wheel * rad_s)),
                    {.end = end * s,
                     .relative_tolerance = 1e-12,
-                    .absolute_tolerances = {1e-12 * rad, 1e-12 * rad_s, 1e-12 * m, 1e-12 * m_s, 1e-12}});
+                    .absolute_tolerances = {1e-12 * rad, 1e-12 * rad_s, 1e-12 * m, 1e-12 * m_s, 1e-12},
+                    .dense_output = dense});
 }
 /// Nothing moves but in a straight line.
 constexpr double rounding = 1e-12;
@@ -120,6 +125,18 @@ TEST(Comparison, is_within_the_span_that_both_have) {
   EXPECT_THROW((void)compare(sat, run({}, 1.0, 2.0), run({}, 3.0, 4.0)), BadInput);
 }
 
+TEST(Comparison, says_which_trajectory_has_no_dense_output) {
+  const Sat sat;
+  const auto dense = run({.wheel = 5.0}), sparse = run({.speed = 0.2}, 1.0, 11.0, 1.0, false);
+  const auto says = [&](const auto& ours, const auto& theirs, const std::string& part) {
+    const std::string text = message<BadInput>([&] { (void)compare(sat, ours, theirs); });
+    EXPECT_TRUE(text.starts_with("compare: the " + part + " trajectory of ")) << text;
+    EXPECT_TRUE(text.ends_with(" s, a node of the other: it was made without dense_output")) << text;
+  };
+  says(dense, sparse, "second");
+  says(sparse, dense, "first");
+}
+
 TEST(Comparison, compares_the_times_of_events) {
   const Sat sat;
   // y = v (t - 1 s) passes 1 m at 1 s + 1 m / v.
@@ -137,7 +154,7 @@ TEST(Comparison, compares_the_times_of_events) {
 
 TEST(Comparison, prints_a_row_for_each_quantity) {
   std::ostringstream out;
-  out << compare(Sat{}, run({}), run({.place = 0.1, .wheel = 5.0}));
+  out << compare(Sat{}, run({}), run({.place = 0.1, .wheel = 5.0})) << std::setw(4) << 7 << '\n';
   EXPECT_EQ(out.str(),
             "1 to 11 s          largest difference    at\n"
             "attitude of Hub    0.0e+00 rad           1 s\n"
@@ -153,7 +170,8 @@ TEST(Comparison, prints_a_row_for_each_quantity) {
             "spin of Wheel      5.0e+00 rad/s         1 s\n"
             "energy             1.2e+00 J             1 s\n"
             "momentum           0.0e+00 kg m/s        1 s\n"
-            "angular momentum   5.0e-01 N m s         1 s\n");
+            "angular momentum   5.0e-01 N m s         1 s\n"
+            "   7\n");  // as before
 }
 
 }  // namespace

@@ -1,23 +1,7 @@
 // Runs of Simbody
 #include <vectrix/simbody.hpp>
 
-using namespace vectrix;
-
-struct Gcrf : inertial_frame {};
-struct Hub : moving_frame {};
-
-auto make_sat() {
-  return spacecraft(
-      body(mass_properties(1.0 * si::kilogram, coincident(of<CentreOfMassOf<Hub>>, relative_to<Hub>, in<Hub>),
-                           trust_inertia(in<Hub>, Eigen::Matrix3d::Identity())),
-           turning_in<Gcrf>));
-}
-struct Sat : decltype(make_sat()) {
-  Sat() : decltype(make_sat())(make_sat()) {}
-};
-struct Probe : decltype(make_sat()) {
-  Probe() : decltype(make_sat())(make_sat()) {}
-};
+#include "../../../dynamics/tests/refused/sat.hpp"
 
 namespace a_run_of_simbody_from_the_state_of_another_craft {
 // mistake: Simbody runs the scenario of a satellite from the state of a probe
@@ -33,3 +17,27 @@ auto flight(const Sat& sat, const CraftState<Sat>& of_sat, const CraftState<Prob
 #endif
 }
 }  // namespace a_run_of_simbody_from_the_state_of_another_craft
+
+namespace a_run_of_simbody_as_of_ours {
+// mistake: Simbody is given how ours propagates, with tolerances and a method
+// expect: and how: SimbodyPropagation
+auto flight(const Sat& sat, const CraftState<Sat>& start) {
+#ifdef REPAIRED
+  return propagate_with_simbody(scenario(sat), start, SimbodyPropagation{60.0 * si::second, 1e-8});
+#else
+  return propagate_with_simbody(scenario(sat), start, CraftPropagation{60.0 * si::second, 1e-8, {}});
+#endif
+}
+}  // namespace a_run_of_simbody_as_of_ours
+
+namespace a_run_of_ours_as_of_simbody {
+// mistake: ours is given how Simbody propagates
+// expect: and how: CraftPropagation
+auto flight(const Sat& sat, const CraftState<Sat>& start) {
+#ifdef REPAIRED
+  return propagate(scenario(sat), start, CraftPropagation{60.0 * si::second, 1e-8, {}});
+#else
+  return propagate(scenario(sat), start, SimbodyPropagation{60.0 * si::second, 1e-8});
+#endif
+}
+}  // namespace a_run_of_ours_as_of_simbody

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <string>
 #include <vector>
 #include <vectrix/frames/export.hpp>
 
@@ -14,8 +15,9 @@ namespace vectrix::detail {
 enum class SimbodyJoint { hinge, slider, gimbal, ball, free, fixed };
 
 /// A body b on its parent p (0: the hub, else the body before it in the list with this number, from 1 on). A
-/// gimbal's two axes are orthogonal.
+/// gimbal's two axes are orthogonal. The name is for messages.
 struct SimbodyBody {
+  std::string name;
   SimbodyJoint joint;
   int parent;
   std::array<double, 9> R_p_from_b;
@@ -31,6 +33,7 @@ struct SimbodyRotor {
   double inertia;
 };
 struct SimbodyCraft {
+  std::string name_of_hub;
   bool hub_has_place;
   double mass;
   std::array<double, 3> centre_b;

@@ -63,10 +63,9 @@ typename detail::TrajectoryOf<C, detail::HeldTypes<Parts...>>::type propagate_wi
   return detail::fly("propagate_with_simbody", scenario, start, how, {}, solve);
 }
 
-template <CraftType C, class... Parts, CraftType GivenC>
-  requires(!std::is_same_v<C, GivenC>)
-auto propagate_with_simbody(  // propagate_with_simbody(scenario, start, how): a state of the scenario's craft
-    const CraftScenario<C, Parts...>&, const CraftState<GivenC>&, const SimbodyPropagation&)
-    -> Refused = delete;
+template <CraftType C, class... Parts, CraftType GivenC, class How = SimbodyPropagation>
+  requires(!std::is_same_v<C, GivenC> || !std::is_same_v<How, SimbodyPropagation>)
+auto propagate_with_simbody(  // a state of the scenario's craft, and how: SimbodyPropagation
+    const CraftScenario<C, Parts...>&, const CraftState<GivenC>&, const How&) -> Refused = delete;
 
 }  // namespace vectrix

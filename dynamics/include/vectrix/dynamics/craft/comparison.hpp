@@ -190,10 +190,20 @@ CraftComparison<C> compare(const C& craft, const CraftTrajectory<C, X...>& ours,
                    " s, where the later starts");
   }
   detail::StateDifferences differences(craft.core(), from.value(), until.value());
+  const auto at = [&](const char* which, const auto& trajectory, const Quantity<si::time>& t) {
+    try {
+      return trajectory.at(t);
+    } catch (const BadInput&) {
+      throw BadInput("compare: the " + std::string{which} + " trajectory of " + plain(craft).hub +
+                     " has no state at " + detail::text(t.value()) +
+                     " s, a node of the other: it was made without dense_output");
+    }
+  };
   const auto at_nodes_of = [&](const auto& trajectory) {
     for (std::size_t i = 0; i < trajectory.node_count(); ++i) {
       const Quantity<si::time> t = trajectory.node(i).time();
-      if (t >= from && t <= until) differences.add(t.value(), ours.at(t).data(), theirs.at(t).data());
+      if (t >= from && t <= until)
+        differences.add(t.value(), at("first", ours, t).data(), at("second", theirs, t).data());
     }
   };
   at_nodes_of(ours);

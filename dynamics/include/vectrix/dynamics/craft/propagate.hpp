@@ -121,11 +121,10 @@ typename detail::TrajectoryOf<C, detail::HeldTypes<Parts...>>::type propagate(
   return detail::fly("propagate", scenario, start, how, std::move(problem), solve);
 }
 
-template <CraftType C, class... Parts, CraftType GivenC>
-  requires(!std::is_same_v<C, GivenC>)
-auto propagate(  // propagate(scenario, start, how): a state of the scenario's craft
-    const CraftScenario<C, Parts...>&, const CraftState<GivenC>&, const CraftPropagation&)
-    -> Refused = delete;
+template <CraftType C, class... Parts, CraftType GivenC, class How = CraftPropagation>
+  requires(!std::is_same_v<C, GivenC> || !std::is_same_v<How, CraftPropagation>)
+auto propagate(  // a state of the scenario's craft, and how: CraftPropagation
+    const CraftScenario<C, Parts...>&, const CraftState<GivenC>&, const How&) -> Refused = delete;
 
 /// The accelerations at a time of a trajectory, and what the joints transmit, under the loads of its scenario
 /// with the values held then. Throws BadInput outside [start, end].
