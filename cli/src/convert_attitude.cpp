@@ -63,7 +63,7 @@ std::string attitude_message(const PlainAttitude& attitude, const MessageText& t
 void convert(const AttitudeSource& source, const ConvertOptions& options, std::ostream& out) {
   const bool is_for_viewer = is_viewer_name(options.out),
              is_table = !is_for_viewer && is_table_name(options.out, ".aem");
-  refuse_input(options.out, {source.file});
+  refuse_input(options.out, files_of(source));
   require_one_line("--body", options.body);
   const AttitudeRecord record = read_attitude(source);
   PlainAttitude attitude = plain(record);

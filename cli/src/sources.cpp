@@ -15,6 +15,21 @@ AttitudeRecord read_attitude(const AttitudeSource& source) {
   return record;
 }
 
+std::vector<std::filesystem::path> files_of(const AttitudeSource& source) {
+  std::vector<std::filesystem::path> files{source.file};
+  if (source.kernel)
+    for (const std::string& file : {source.kernel->clock, source.kernel->frames, source.kernel->leap_seconds})
+      if (!file.empty()) files.emplace_back(file);
+  return files;
+}
+
+std::vector<std::filesystem::path> files_of(const OrbitSource& source) {
+  std::vector<std::filesystem::path> files{source.elements, source.message, source.kernel};
+  if (source.table) files.push_back(source.table->file);
+  std::erase(files, std::filesystem::path());
+  return files;
+}
+
 FlownOrbit read_orbit(const OrbitSource& source, const TimeSpan& span) {
   std::string given;
   int count = 0;
