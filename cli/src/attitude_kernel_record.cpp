@@ -65,6 +65,7 @@ AttitudeRecord read_kernel(const std::filesystem::path& file, const KernelWords&
   record.are_normalised = true;
   const TimeSpan all = kernel.span();
   const Epoch first = std::max(all.start(), selection.from.value_or(all.start())),
+  record.names_body = known != nullptr;
               last = std::min(all.end(), selection.until.value_or(all.end()));
   if (last < first)
     throw BadInput(record.file + ": its attitude is from " + all.start().utc() + " UTC to " +
