@@ -30,7 +30,8 @@ std::vector<std::filesystem::path> files_of(const OrbitSource& source) {
   return files;
 }
 
-FlownOrbit read_orbit(const OrbitSource& source, const TimeSpan& span) {
+FlownOrbit read_orbit(const OrbitSource& source, const TimeSpan& span,
+                      const std::optional<Epoch>& nearest_to) {
   std::string given;
   int count = 0;
   for (const auto& [option, file] :
@@ -41,7 +42,7 @@ FlownOrbit read_orbit(const OrbitSource& source, const TimeSpan& span) {
   }
   if (count > 1) throw BadInput("two orbits are given, " + given);
   if (!source.kernel.empty()) return orbit_of_kernel(source.kernel, span);
-  if (!source.elements.empty()) return orbit_of_elements(source.elements, span);
+  if (!source.elements.empty()) return orbit_of_elements(source.elements, span, nearest_to);
   if (!source.message.empty())
     return orbit_of_message(source.message, span, source.interpolation, source.orientation);
   if (source.table)

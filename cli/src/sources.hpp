@@ -36,6 +36,7 @@ struct OrbitSource {
 std::vector<std::filesystem::path> files_of(const OrbitSource& source);
 /// Nothing if none is given. Throws BadInput for two, and as orbit_of_elements, orbit_of_message,
 /// orbit_of_kernel or orbit_of_table does.
-FlownOrbit read_orbit(const OrbitSource& source, const TimeSpan& span);
+FlownOrbit read_orbit(const OrbitSource& source, const TimeSpan& span,
+                      const std::optional<Epoch>& nearest_to = {});
 
 }  // namespace vectrix::cli
