@@ -59,13 +59,13 @@ AttitudeRecord read_kernel(const std::filesystem::path& file, const KernelWords&
   AttitudeRecord record;
   record.file = file.string();
   record.body = known ? known->name : detail::text(frame);
+  record.names_body = known != nullptr;
   record.reference = "GCRF";  // that is what J2000 means in kernels
   record.stated = {Convention::Scalar::first, Convention::Maps::to_body};
   record.rate_axes = RateAxes::reference;
   record.are_normalised = true;
   const TimeSpan all = kernel.span();
   const Epoch first = std::max(all.start(), selection.from.value_or(all.start())),
-  record.names_body = known != nullptr;
               last = std::min(all.end(), selection.until.value_or(all.end()));
   if (last < first)
     throw BadInput(record.file + ": its attitude is from " + all.start().utc() + " UTC to " +
