@@ -1,4 +1,4 @@
-// The data of the page: what cli/src/report_data.cpp has written.
+// The data of the page: what cli/src/report/data.cpp has written.
 
 function bytes(text) {
   return Uint8Array.from(atob(text), (c) => c.charCodeAt(0)).buffer;

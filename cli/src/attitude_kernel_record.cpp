@@ -59,6 +59,7 @@ AttitudeRecord read_kernel(const std::filesystem::path& file, const KernelWords&
   AttitudeRecord record;
   record.file = file.string();
   record.body = known ? known->name : detail::text(frame);
+  record.names_body = known != nullptr;
   record.reference = "GCRF";  // that is what J2000 means in kernels
   record.stated = {Convention::Scalar::first, Convention::Maps::to_body};
   record.rate_axes = RateAxes::reference;

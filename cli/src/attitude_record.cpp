@@ -123,6 +123,7 @@ AttitudeRecord read_message(const std::filesystem::path& file, const Selection& 
   AttitudeRecord record;
   record.file = file.string();
   record.body = a ? part.ref_frame_b() : part.ref_frame_a();
+  record.names_body = true;
   record.reference = a ? *a : *b;
   record.times = lines.times;
   record.time_scale = part.metadata().time_system;

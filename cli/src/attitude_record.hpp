@@ -37,7 +37,8 @@ inline RateAxes other(RateAxes axes) {
 /// frames of these numbers are what is in question, so they have none here.
 struct AttitudeRecord {
   std::string file, body;
-  std::string reference;  // EME2000 or GCRF
+  bool names_body = false;  // the file, or its frame kernel; else `body` only tells it from the reference
+  std::string reference;    // EME2000 or GCRF
   Convention stated{};
   bool has_quaternions = true;  // else Euler angles, whose numbers have no other order
   bool are_normalised = false;  // of a kernel, where the norm does not matter

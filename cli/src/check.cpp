@@ -63,7 +63,8 @@ class Findings {
                 "the body:\n"
                 "an orbit or a target would.\n";
     } else {
-      out_ << "Not decided. Rates (--rates), an orbit (--tle, --oem) or a target (--axis, --target) may "
+      out_ << "Not decided. Rates (--rates), an orbit (--tle, --oem, --spk) or a target (--axis, --target) "
+              "may "
               "decide.\n";
     }
     return refuted_ == 0 && confirmed_ > 0;

@@ -2,8 +2,10 @@
 #include <vector>
 
 #include "convert.hpp"
+#include "figures.hpp"
 #include "new_file.hpp"
 #include "plain_attitude.hpp"
+#include "sample_faults.hpp"
 #include "table_text.hpp"
 #include "viewer_text.hpp"
 
@@ -63,7 +65,7 @@ std::string attitude_message(const PlainAttitude& attitude, const MessageText& t
 void convert(const AttitudeSource& source, const ConvertOptions& options, std::ostream& out) {
   const bool is_for_viewer = is_viewer_name(options.out),
              is_table = !is_for_viewer && is_table_name(options.out, ".aem");
-  refuse_input(options.out, {source.file});
+  refuse_input(options.out, files_of(source));
   require_one_line("--body", options.body);
   const AttitudeRecord record = read_attitude(source);
   PlainAttitude attitude = plain(record);
@@ -74,7 +76,7 @@ void convert(const AttitudeSource& source, const ConvertOptions& options, std::o
   std::string text;
   if (is_for_viewer) {
     if (!attitude.rates.empty()) attitude.computed.emplace_back("the rates are left out");
-    attitude.computed.emplace_back("the quaternions are divided by their norms");
+    if (!record.are_normalised) attitude.computed.emplace_back("the quaternions are divided by their norms");
     if (options.out.extension() == ".a") {
       text = stk_attitude(attitude);
     } else {
@@ -87,8 +89,8 @@ void convert(const AttitudeSource& source, const ConvertOptions& options, std::o
     text = attitude_table(attitude, record.file);
   } else {
     attitude = as_in_a_message(std::move(attitude));
-    MessageText words = message_text(options.text, record.message, record.time_scale, record.file,
-                                     {{"--body FRAME", options.body}});
+    const Words body = record.names_body ? Words{} : Words{{"--body FRAME", options.body}};
+    MessageText words = message_text(options.text, record.message, record.time_scale, record.file, body);
     words.header.version = options.aem_version;
     if (!record.message || source.selection.from || source.selection.until)
       set_times(words.metadata, attitude.times.front(), attitude.times.back(), record.file);
@@ -98,6 +100,8 @@ void convert(const AttitudeSource& source, const ConvertOptions& options, std::o
   out << options.out.string() << ": " << attitude.times.size() << " samples of " << attitude.body
       << " relative to " << attitude.reference << '\n';
   for (const std::string& what : attitude.computed) out << "  not to the last digit: " << what << '\n';
+  if (const std::size_t gaps = is_for_viewer ? faults_of(record).gaps.count : 0; gaps > 0)
+    out << "  not marked: " << counted(gaps, "gap") << ", over which a viewer turns\n";
 }
 
 }  // namespace vectrix::cli

@@ -117,6 +117,10 @@ std::int32_t spacecraft_of(const std::string& file, const EphemerisKernel& kerne
 
 }  // namespace
 
+Epoch middle_of(const TimeSpan& span) {
+  return span.start() + 0.5 * (span.end() - span.start());
+}
+
 FlownOrbit orbit_of_kernel(const std::filesystem::path& file, const TimeSpan& span) {
   const auto kernel = EphemerisKernel::open(file);
   const auto satellite = called<Satellite>(detail::text(spacecraft_of(file.string(), kernel)));
@@ -128,9 +132,10 @@ FlownOrbit orbit_of_kernel(const std::filesystem::path& file, const TimeSpan& sp
   });
 }
 
-FlownOrbit orbit_of_elements(const std::filesystem::path& file, const TimeSpan& span) {
+FlownOrbit orbit_of_elements(const std::filesystem::path& file, const TimeSpan& span,
+                             const std::optional<Epoch>& nearest_to) {
   const auto sets = TwoLineElements::read(file);
-  const Epoch middle = span.start() + 0.5 * (span.end() - span.start());
+  const Epoch middle = nearest_to.value_or(middle_of(span));
   const auto nearest = std::min_element(sets.begin(), sets.end(), [&](const auto& a, const auto& b) {
     return std::abs((a.epoch() - middle).value()) < std::abs((b.epoch() - middle).value());
   });

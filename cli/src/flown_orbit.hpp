@@ -16,10 +16,14 @@ struct Satellite : moving_frame {};
 /// The motion of the satellite in GCRF.
 using FlownOrbit = std::function<PointMotion<earth::Gcrf, Satellite, earth::Gcrf>(const Epoch&)>;
 
-/// Of the element set of a file of two-line elements whose epoch is nearest to the middle of the span, at
-/// most a week from all of it. Throws BadInput as TwoLineElements does, for older elements, and where SGP4
-/// ends.
-FlownOrbit orbit_of_elements(const std::filesystem::path& file, const TimeSpan& span);
+/// Halfway from its start to its end.
+Epoch middle_of(const TimeSpan& span);
+
+/// Of the element set of a file of two-line elements whose epoch is nearest to an instant, by default the
+/// middle of the span, and at most a week from all of the span. Throws BadInput as TwoLineElements does, for
+/// older elements, and where SGP4 ends.
+FlownOrbit orbit_of_elements(const std::filesystem::path& file, const TimeSpan& span,
+                             const std::optional<Epoch>& nearest_to = {});
 
 /// An interpolation that was stated, and how to state one.
 struct StatedInterpolation {

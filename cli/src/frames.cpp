@@ -45,8 +45,9 @@ class Frames {
     }
     if (scenario.orbit) {
       struct Lvlh : moving_frame {};
-      const auto [r, v] =
-          read_orbit(*scenario.orbit, from_until(flown.record.times.front(), flown.record.times.back()))(t);
+      const TimeSpan time = looked_at(scenario, flown.record);
+      const TimeSpan with_t = from_until(std::min(time.start(), t), std::max(time.end(), t));
+      const auto [r, v] = read_orbit(*scenario.orbit, with_t, middle_of(time))(t);
       hang("LVLH", {"GCRF", "of the orbit", false}, lvlh(from<Lvlh>, r, v).matrix(), {});
     }
   }

@@ -21,7 +21,7 @@ MessageText message_text(const GivenText& given, const std::optional<MessageText
                  {"--originator NAME", given.originator}};
     for (const Word& word : also_needed) needed.push_back(word);
     if (const std::string missing = missing_of(needed); !missing.empty())
-      throw BadInput(file + ": a table does not say what a message needs; missing: " + missing);
+      throw BadInput(file + ": the file does not say what a message needs; missing: " + missing);
     text.metadata.time_system = scale;
   }
   const auto set = [](std::string& value, const std::string& words) {

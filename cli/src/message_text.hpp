@@ -30,11 +30,11 @@ void require_one_line(const char* option, const std::string& text);
 MessageText message_text(const GivenText& given, const std::optional<MessageText>& read,
                          const TimeScale& scale, const std::string& file, const Words& also_needed);
 
-/// The times of the metadata, for data from the first to the last time. Throws BadInput if none of them is
-/// useable.
 /// The name that was given, or that of the message. Throws BadInput if there is none.
 std::string object_name(const GivenText& given, const std::optional<MessageText>& read,
                         const std::string& file);
+/// The times of the metadata, for data from the first to the last time. Throws BadInput if none of them is
+/// useable.
 void set_times(EphemerisMetadata& metadata, const Epoch& first, const Epoch& last, const std::string& file);
 
 /// Throws BadInput if the text of the message, which is to be written, cannot be read.

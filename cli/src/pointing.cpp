@@ -124,7 +124,8 @@ bool write_relative(const PointingOptions& options, const AttitudeRecord& record
 
 bool pointing(const PointingOptions& options, std::ostream& out) {
   check_options(options);
-  refuse_input(options.csv, {options.attitude.file, options.orbit.elements, options.orbit.message});
+  for (const auto& inputs : {files_of(options.attitude), files_of(options.orbit)})
+    refuse_input(options.csv, inputs);
   const AttitudeRecord record = read_attitude(options.attitude);
   require_utc(record);
   const FlownOrbit orbit = read_orbit(options.orbit, from_until(record.times.front(), record.times.back()));

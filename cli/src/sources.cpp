@@ -15,7 +15,23 @@ AttitudeRecord read_attitude(const AttitudeSource& source) {
   return record;
 }
 
-FlownOrbit read_orbit(const OrbitSource& source, const TimeSpan& span) {
+std::vector<std::filesystem::path> files_of(const AttitudeSource& source) {
+  std::vector<std::filesystem::path> files{source.file};
+  if (source.kernel)
+    for (const std::string& file : {source.kernel->clock, source.kernel->frames, source.kernel->leap_seconds})
+      if (!file.empty()) files.emplace_back(file);
+  return files;
+}
+
+std::vector<std::filesystem::path> files_of(const OrbitSource& source) {
+  std::vector<std::filesystem::path> files{source.elements, source.message, source.kernel};
+  if (source.table) files.push_back(source.table->file);
+  std::erase(files, std::filesystem::path());
+  return files;
+}
+
+FlownOrbit read_orbit(const OrbitSource& source, const TimeSpan& span,
+                      const std::optional<Epoch>& nearest_to) {
   std::string given;
   int count = 0;
   for (const auto& [option, file] :
@@ -26,7 +42,7 @@ FlownOrbit read_orbit(const OrbitSource& source, const TimeSpan& span) {
   }
   if (count > 1) throw BadInput("two orbits are given, " + given);
   if (!source.kernel.empty()) return orbit_of_kernel(source.kernel, span);
-  if (!source.elements.empty()) return orbit_of_elements(source.elements, span);
+  if (!source.elements.empty()) return orbit_of_elements(source.elements, span, nearest_to);
   if (!source.message.empty())
     return orbit_of_message(source.message, span, source.interpolation, source.orientation);
   if (source.table)

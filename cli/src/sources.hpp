@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <vector>
 
 #include "attitude_kernel_record.hpp"
 #include "attitude_record.hpp"
@@ -21,6 +22,8 @@ struct AttitudeSource {
 /// Throws BadInput as read_table, read_message or read_kernel does, and if fewer than two samples are within
 /// the times.
 AttitudeRecord read_attitude(const AttitudeSource& source);
+/// Every file that is read.
+std::vector<std::filesystem::path> files_of(const AttitudeSource& source);
 
 /// The file of an orbit; all are empty if none is given.
 struct OrbitSource {
@@ -29,8 +32,11 @@ struct OrbitSource {
   StatedInterpolation interpolation{};            // of a table, or a message that does not say it
   std::optional<EarthOrientation> orientation{};  // of an orbit in ITRF
 };
+/// The file that is read, or none.
+std::vector<std::filesystem::path> files_of(const OrbitSource& source);
 /// Nothing if none is given. Throws BadInput for two, and as orbit_of_elements, orbit_of_message,
 /// orbit_of_kernel or orbit_of_table does.
-FlownOrbit read_orbit(const OrbitSource& source, const TimeSpan& span);
+FlownOrbit read_orbit(const OrbitSource& source, const TimeSpan& span,
+                      const std::optional<Epoch>& nearest_to = {});
 
 }  // namespace vectrix::cli

@@ -86,7 +86,7 @@ bool is_in_sky(Target target) {
 
 void require_orbit_for(Target target, const FlownOrbit& orbit) {
   if (target != Target::sun && !orbit)
-    throw BadInput("the direction of " + name_of(target) + " needs an orbit: --tle or --oem");
+    throw BadInput("the direction of " + name_of(target) + " needs an orbit: --tle, --oem or --spk");
 }
 
 std::vector<Motion> motions_at(const std::vector<Epoch>& times, const FlownOrbit& orbit,

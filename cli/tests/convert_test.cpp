@@ -301,8 +301,45 @@ TEST(Convert, RefusesWhatWouldLoseOrOverwriteSomething) {
       TableColumns{"t", scale::utc, {"w", "x", "y", "z"}, {Scalar::first, Maps::to_reference}, "GCRF", {}}};
   options.text.originator = "TEST";
   EXPECT_EQ(refusal(source.file),
-            "FILE: a table does not say what a message needs; missing: --object-name NAME, --object-id ID, "
+            "FILE: the file does not say what a message needs; missing: --object-name NAME, --object-id ID, "
             "--body FRAME");
+}
+
+// The name of the body is that of the frame kernel, if there is one.
+TEST(Convert, TakesTheNameOfTheBodyFromAKernel) {
+  const auto data = std::filesystem::path(VECTRIX_SOURCE_DIR) / "examples/data";
+  const TemporaryFolder folder;
+  AttitudeSource source{data / "CTIM_20230420_attitude.bc"};
+  source.kernel = KernelWords{.clock = (data / "CTIM_clock.tsc").string()};
+  ConvertOptions options{folder.file("out.aem")};
+  options.text = {"CTIM", "2022-074G", "LASP", "2026-11-29T00:00:00"};
+  std::ostringstream said;
+  EXPECT_EQ(complaint([&] { convert(source, options, said); }, source.file),
+            "FILE: the file does not say what a message needs; missing: --body FRAME");
+  source.kernel->frames = (data / "CTIM_frames.tf").string();
+  convert(source, options, said);
+  EXPECT_EQ(read_message(options.out, {}).body, "CTIM_COORD");
+  options.out = folder.file("out.a");
+  said.str("");
+  convert(source, options, said);
+  const std::string norms = "divided by their norms";
+  EXPECT_TRUE(says(said.str(), norms));
+  EXPECT_EQ(said.str().find(norms), said.str().rfind(norms)) << "said twice";
+}
+
+// A viewer's file has no gaps; what is not passed on is said.
+TEST(Convert, SaysWhichGapsAViewerDoesNotSee) {
+  const TemporaryFolder folder;
+  const std::string first_rows = "t,w,x,y,z\n2026-11-29T00:00:00,1,0,0,0\n2026-11-29T00:00:01,1,0,0,0\n";
+  const auto said_of = [&](const std::string& last) {
+    return convert_to(
+        {folder.written("t.csv", first_rows + last + ",1,0,0,0\n"),
+         TableColumns{
+             "t", scale::utc, {"w", "x", "y", "z"}, {Scalar::first, Maps::to_reference}, "GCRF", {}}},
+        folder.file(last.substr(17) + ".a"));
+  };
+  EXPECT_TRUE(says(said_of("2026-11-29T00:00:09"), "  not marked: 1 gap, over which a viewer turns\n"));
+  EXPECT_EQ(said_of("2026-11-29T00:00:02").find("not marked"), std::string::npos);
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 #include "resampled.hpp"
 #include "says.hpp"
 #include "scenario/flight.hpp"
-#include "space/tests/temporary_file.hpp"
+#include "temporary_folder.hpp"
 
 namespace vectrix::cli::frames_test {
 namespace {
@@ -72,6 +72,42 @@ TEST(Frames, MeetInOneThatIsNoneOfTheirs) {
   EXPECT_TRUE(says(lvlh, "w is not known"));
   EXPECT_TRUE(says(said, "R3: v_GCRF = R3 v_EME2000; the bias of J2000\n"));
   EXPECT_TRUE(says(said, "R4: v_ITRF = R4 v_GCRF; the observed turn of the Earth, inverted\n"));
+}
+
+// Of two element sets the one near the time that is looked at, and not near the middle of the file.
+TEST(Frames, HaveTheOrbitOfTheReplay) {
+  const TemporaryFolder folder;
+  std::string table = "t,w,x,y,z\n";
+  for (const char* time : {"19T12", "20T00", "20T12", "21T00", "21T12", "22T00", "22T12"})
+    table += "2023-04-" + std::string(time) + ":00:00,1,0,0,0\n";
+  folder.written("a.csv", table);
+  folder.written("two.tle",
+                 "1 52950U 22074G   23109.57820907  .00068572  00000-0  17802-2 0  9997\n"
+                 "2 52950  45.0036 325.6810 0013662 217.4787 142.5173 15.38064442 44569\n"
+                 "1 52950U 22074G   23111.57820907  .00068572  00000-0  17802-2 0  9990\n"
+                 "2 52950  45.0036 325.6810 0013662 217.4787 302.5173 15.38064442 44567\n");
+  const auto file = folder.written("s.toml", R"(version = 1
+title = "T"
+[time]
+start = 2023-04-19T14:00:00Z
+end = 2023-04-19T16:00:00Z
+step = "10 min"
+[orbit]
+tle = "two.tle"
+[attitude]
+file = "a.csv"
+time = { column = "t", scale = "UTC" }
+[attitude.quaternion]
+columns = ["w", "x", "y", "z"]
+scalar = "first"
+maps = { from = "body", to = "GCRF" }
+)");
+  Progress silent(nullptr);
+  const auto flight = read_flight(read_scenario(file), silent);
+  struct Lvlh : moving_frame {};
+  const auto said = turn(text(file.c_str(), "LVLH", "GCRF", "2023-04-19T15:00:00 UTC"));
+  const auto [r, v] = flight.orbit(Epoch::from_utc("2023-04-19T15:00:00"));
+  EXPECT_LE(said.angularDistance(Eigen::Quaterniond(lvlh(from<Lvlh>, r, v).matrix())), rounding);
 }
 
 TEST(Frames, AreListed) {

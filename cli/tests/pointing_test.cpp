@@ -239,6 +239,15 @@ TEST(Pointing, DoesNotWriteOverWhatItReads) {
   options.orbit.elements = options.csv = tle;
   EXPECT_EQ(complaint([&] { (void)fulfilled(options); }, tle),
             "FILE: is the same file as " + tle.string() + ", which is read");
+  options.orbit = {};
+  options.orbit.kernel = options.csv = folder.written("orbit.bsp", "precious");
+  EXPECT_EQ(complaint([&] { (void)fulfilled(options); }, options.csv),
+            "FILE: is the same file as " + options.csv.string() + ", which is read");
+  options.attitude.kernel = KernelWords{.clock = folder.written("clock.tsc", "precious").string()};
+  options.csv = options.attitude.kernel->clock;
+  EXPECT_EQ(complaint([&] { (void)fulfilled(options); }, options.csv),
+            "FILE: is the same file as " + options.csv.string() + ", which is read");
+  EXPECT_EQ(content(options.csv), "precious");
   EXPECT_EQ(std::filesystem::file_size(copy),
             std::filesystem::file_size(data / "CTIM_20230420_attitude.csv"));
 }
@@ -304,7 +313,7 @@ TEST(Pointing, RefusesWhatIsNotStated) {
   EXPECT_EQ(refusal([](auto& o) { o.target = Target::earth; }),
             "--correction is of the Sun and the Moon, not of the centre of the Earth");
   EXPECT_EQ(refusal([](auto& o) { o.target = Target::velocity, o.correction.reset(), o.orbit = {}; }),
-            "the direction of the velocity relative to GCRF needs an orbit: --tle or --oem");
+            "the direction of the velocity relative to GCRF needs an orbit: --tle, --oem or --spk");
   EXPECT_EQ(
       refusal([](auto& o) { o.required = 1.0; }),
       "--percent, how many of the samples have to fulfil it, goes with --require or --require-relative");

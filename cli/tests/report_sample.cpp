@@ -1,7 +1,7 @@
 // report_sample cubesat|long|hostile <file>: writes a report for the browser to try. `cubesat` is two hours
 // of CTIM, from its telemetry, as examples/radiometer_on_sun.cpp has them; `long` has a million samples;
 // `hostile` has names that end the script.
-#include "report.hpp"
+#include "report/report.hpp"
 
 #include <algorithm>
 #include <array>

@@ -28,10 +28,6 @@ void turn_rates(AttitudeRecord& record, const StatedRates& stated, const BodyFra
 std::vector<Epoch> instants(const Scenario& scenario, const AttitudeRecord& record) {
   const Epoch start = scenario.start.value_or(record.times.front()),
               end = scenario.end.value_or(record.times.back());
-  if (end < start)
-    refuse(scenario.time_place, "the samples of " + record.file + " are from " + record.times.front().utc() +
-                                    " UTC to " + record.times.back().utc() +
-                                    " UTC, none from 'time.start' to 'time.end'");
   const auto steps = every(*scenario.step * si::second, from_until(start, end));
   constexpr std::int64_t most = 10'000'000;
   if (steps.size() > most)
@@ -137,6 +133,16 @@ FlownAttitude read_flown_attitude(const Scenario& scenario) {
   return {std::move(record), std::move(frames)};
 }
 
+TimeSpan looked_at(const Scenario& scenario, const AttitudeRecord& samples) {
+  const Epoch &first = samples.times.front(), &last = samples.times.back();
+  const Epoch start = std::max(scenario.start.value_or(first), first),
+              end = std::min(scenario.end.value_or(last), last);
+  if (end < start)
+    refuse(scenario.time_place, "the samples of " + samples.file + " are from " + first.utc() + " UTC to " +
+                                    last.utc() + " UTC, none from 'time.start' to 'time.end'");
+  return from_until(start, end);
+}
+
 void require_orientation(const Scenario& scenario, const Epoch& t) {
   if (!scenario.orientation) return;
   try {
@@ -148,14 +154,16 @@ void require_orientation(const Scenario& scenario, const Epoch& t) {
 
 Flight read_flight(const Scenario& scenario, Progress& progress) {
   FlownAttitude flown = read_flown_attitude(scenario);
+  const Epoch middle = middle_of(looked_at(scenario, flown.record));
   const auto asked = scenario.step ? instants(scenario, flown.record) : flown.record.times;
   AttitudeRecord attitude = scenario.step ? resampled(flown.record, asked) : flown.record;
   Flight flight{std::move(flown), std::move(attitude), asked.size(), nullptr, {}, {}};
   const auto& times = flight.attitude.times;
   for (const Epoch& t : {times.front(), times.back()}) require_orientation(scenario, t);
   if (scenario.orbit)
-    flight.orbit = with_columns_of(
-        scenario, [&] { return read_orbit(*scenario.orbit, from_until(times.front(), times.back())); });
+    flight.orbit = with_columns_of(scenario, [&] {
+      return read_orbit(*scenario.orbit, from_until(times.front(), times.back()), middle);
+    });
   progress.begin("orbit", times.size());
   flight.motions = motions_at(times, flight.orbit, [&] { progress.count(); });
   progress.end();

@@ -17,6 +17,10 @@ struct FlownAttitude {
 /// Throws BadInput as read_attitude does, and for an axis or rates of a frame that is not there.
 FlownAttitude read_flown_attitude(const Scenario& scenario);
 
+/// The time that is looked at: that of the scenario, as far as there are samples. Throws BadInput, with the
+/// place in the scenario, if there are none.
+TimeSpan looked_at(const Scenario& scenario, const AttitudeRecord& samples);
+
 /// Throws BadInput, with the place in the scenario, if it names an orientation of the Earth that is not known
 /// at a time.
 void require_orientation(const Scenario& scenario, const Epoch& t);

@@ -135,6 +135,7 @@ class FileReader {
     if (!found) refuse_kind(node, key, path);
     std::string text = found->get();
     if (text.empty()) refuse(place(node), "'" + path + "' is empty");
+    if (text.find_first_not_of(' ') == std::string::npos) refuse(place(node), "'" + path + "' is blank");
     if (const auto control =
             std::find_if(text.begin(), text.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; });
         control != text.end())

@@ -294,7 +294,8 @@ void add_choices(Report& report, const Scenario& scenario, const Flight& flight)
   if (!scenario.gap)
     report.choices.push_back({"gaps", "steps longer than three times the usual one", "the program"});
   if (scenario.orbit && !scenario.orbit->elements.empty())
-    report.choices.push_back({"element set", "the one nearest to the middle of the instants", "the program"});
+    report.choices.push_back(
+        {"element set", "the one nearest to the middle of the time that is looked at", "the program"});
   if (scenario.orbit && !scenario.orientation)
     report.choices.push_back(
         {"ground track", "with UT1 equal to UTC and no polar motion: up to 0.004 deg off", "the program"});

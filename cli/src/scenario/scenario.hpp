@@ -7,7 +7,7 @@
 #include <variant>
 #include <vector>
 
-#include "report.hpp"
+#include "report/report.hpp"
 #include "scenario/place.hpp"
 #include "sources.hpp"
 #include "target.hpp"

@@ -59,8 +59,9 @@ Key earth() {
 
 Key orbit() {
   return table(
-      "orbit", optional, "the orbit: one of tle, oem and table",
-      {{"tle", Kind::input, optional, "file of two-line elements; the set nearest to the middle is taken"},
+      "orbit", optional, "the orbit: one of tle, oem, spk and table",
+      {{"tle", Kind::input, optional,
+        "file of two-line elements; the set nearest to the middle of the time that is looked at is taken"},
        {"oem", Kind::input, optional,
         "orbit message of CCSDS (OEM, KVN or XML) in EME2000, GCRF, TEME or ITRF"},
        {"table", Kind::input, optional,

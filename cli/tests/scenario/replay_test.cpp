@@ -1,10 +1,9 @@
-#include "replay.hpp"
+#include "scenario/flight.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <numbers>
 #include <sstream>
 
@@ -13,9 +12,8 @@
 #include "cubesat.hpp"
 #include "figures.hpp"
 #include "pointing_error.hpp"
+#include "replayed.hpp"
 #include "says.hpp"
-#include "scenario/replay_report.hpp"
-#include "scenario_folder.hpp"
 
 namespace vectrix::cli::replay_test {
 namespace {
@@ -23,36 +21,6 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double arcsecond = std::numbers::pi / 648000.0;
-const std::filesystem::path examples = std::filesystem::path(VECTRIX_SOURCE_DIR) / "examples";
-
-// The text of an example that may stand in any folder, and writes nothing.
-std::string example(const std::string& name) {
-  std::string text = content(examples / "scenarios" / name);
-  for (auto at = text.find("../data"); at != std::string::npos; at = text.find("../data"))
-    text.replace(at, 7, (examples / "data").string());
-  return text.substr(0, text.find("[output]"));
-}
-
-struct Result {
-  std::shared_ptr<const TemporaryFolder> folder;
-  Scenario scenario;
-  Flight flight;
-  std::vector<Measured> measures;
-  std::vector<Report::Verdict> judged;
-
-  [[nodiscard]] bool fulfilled(std::size_t i) const { return judged.at(i).fulfilled; }
-  [[nodiscard]] Report report() const { return replay_report(scenario, flight, measures, judged, "0"); }
-};
-Result result(const std::string& text) {
-  const auto folder = std::make_shared<const TemporaryFolder>();
-  const Scenario scenario = read_scenario(folder->written("s.toml", text));
-  Progress silent(nullptr);
-  Result made{folder, scenario, read_flight(scenario, silent), {}, {}};
-  for (const Measure& each : scenario.measures)
-    made.measures.push_back(measured(each, scenario, made.flight));
-  made.judged = verdicts(scenario, made.flight, made.measures);
-  return made;
-}
 
 // The flight's own results: the cosine of the angle between the boresight and the Sun.
 TEST(Replay, FindsTheAnglesThatACubesatsGroundProcessingHasPublished) {
@@ -172,107 +140,6 @@ TEST(Replay, FindsTheZeroDopplerSteeringOfSentinel1) {
           .fulfilled(0));
 }
 
-TEST(Replay, SeesTheGyrosOfSentinel1AgreeWithItsTurns) {
-  const auto report = result(example("sentinel1.toml")).report();
-  ASSERT_EQ(report.plots.size(), 4U);
-  const Report::Plot& differences = report.plots[3];
-  EXPECT_EQ(differences.unit, "deg/s");
-  EXPECT_EQ(differences.axes, "quaternion axes");
-  double sum = 0.0;
-  for (const auto& curve : differences.curves) {
-    ASSERT_EQ(curve.values.size(), differences.seconds.size());
-    EXPECT_TRUE(std::isnan(curve.values.back()));  // no turn follows it
-    for (std::size_t i = 0; i + 1 < curve.values.size(); ++i) sum += std::pow(curve.values[i] / degrees, 2);
-  }
-  constexpr double published = 2e-6;  // rad/s rms
-  EXPECT_LE(std::sqrt(sum / static_cast<double>(differences.seconds.size() - 1)), published);
-}
-
-TEST(Replay, FillsAReport) {
-  const auto found = result(example("ctim.toml"));
-  const Report report = found.report();
-  EXPECT_EQ(report.title, "CTIM, 20 April 2023: is the radiometer on the Sun?");
-  EXPECT_EQ(report.start, Epoch::from_utc("2023-04-20T05:20:10"));
-  EXPECT_EQ(report.verdicts.size(), 2U);
-  ASSERT_EQ(report.plots.size(), 3U);
-  EXPECT_EQ(report.plots[0].limits.at(0).value, 0.36);
-  EXPECT_EQ(report.plots[0].limits.at(0).name, "off-Sun at most 0.36 deg");
-  // The samples around the instants, each 10 s at 9.001 s of it.
-  EXPECT_NEAR(report.plots[2].seconds.front(), -0.999, 1e-9);
-  EXPECT_NEAR(report.plots[2].seconds.back(), 2999.001, 1e-9);
-  for (const auto& plot : report.plots) {
-    for (const auto& curve : plot.curves) EXPECT_EQ(curve.values.size(), plot.seconds.size());
-    for (std::size_t i = 1; i < plot.seconds.size(); ++i) EXPECT_GT(plot.seconds[i], plot.seconds[i - 1]);
-  }
-  // The angle between the axis and the direction of the scene is that of the measure.
-  const auto& scene = report.scene.value();
-  ASSERT_EQ(scene.seconds.size(), found.flight.attitude.size());
-  constexpr double rounding = 1e-14;
-  for (std::size_t i = 0; i < scene.seconds.size(); i += 50) {
-    const Vector3d axis = scene.reference_from_body[i] * scene.axes.at(0).axis;
-    EXPECT_NEAR(angle_between(axis, scene.directions.at(0).vectors[i]), found.measures[0].angles[i],
-                rounding);
-    // LVLH has the Earth along z, and a low orbit its velocity nearly along x.
-    const Vector3d down = scene.views.at(0).from_reference[i] * -scene.positions[i].normalized();
-    EXPECT_LE((down - Vector3d::UnitZ()).norm(), rounding);
-    EXPECT_LE(std::abs(scene.ground_track[i].x()), 53.3);  // its inclination is 53 deg
-  }
-  EXPECT_EQ(scene.frames.at(0).name, "radiometer");
-  EXPECT_EQ(report.inputs.size(), 3U);
-  for (const auto& input : report.inputs)
-    EXPECT_EQ(input.bytes, input.path.find("s.toml") != std::string::npos
-                               ? example("ctim.toml").size()
-                               : std::filesystem::file_size(input.path));
-  bool is_said = false;
-  for (const auto& choice : report.choices)
-    is_said = is_said || (choice.value == "v_body = R(q) v_ICRF, the scalar is first" &&
-                          choice.by.find("s.toml:") != std::string::npos);
-  EXPECT_TRUE(is_said);
-  EXPECT_TRUE(result(example("ctim.toml")).report().tables.at(0).rows.at(0).size() ==
-              report.tables[0].headings.size());
-}
-
-TEST(Replay, InterruptsCurvesInGaps) {
-  const std::string whole = with(
-      example("ctim.toml"), "start = 2023-04-20T05:20:10Z\nend = 2023-04-20T06:10:00Z\nstep = \"10 s\"", "");
-  const auto gaps = [&](const std::string& text) {
-    const auto plot = result(text).report().plots[0];
-    std::size_t count = 0;
-    for (const double value : plot.curves[0].values) count += std::isnan(value) ? 1U : 0U;
-    return count;
-  };
-  EXPECT_EQ(gaps(whole), 0U);
-  EXPECT_EQ(gaps(with(whole, "gap = \"30 s\"", "gap = \"15 s\"")), 27U);  // steps of 20 and 30 s
-}
-
-// Between the two samples of a gap nothing of the scene is there.
-TEST(Replay, InterruptsTheSceneInGaps) {
-  const std::string whole = with(
-      example("ctim.toml"), "start = 2023-04-20T05:20:10Z\nend = 2023-04-20T06:10:00Z\nstep = \"10 s\"", "");
-  const auto found = result(with(whole, "gap = \"30 s\"", "gap = \"15 s\""));
-  const Report report = found.report();
-  const auto& scene = report.scene.value();
-  ASSERT_EQ(scene.seconds.size(), found.flight.attitude.size() + 27U);
-  const auto& times = found.flight.attitude.times;
-  std::size_t sample = 0;
-  for (std::size_t i = 0; i < scene.seconds.size(); ++i) {
-    const bool is_gap = std::isnan(scene.reference_from_body[i].x());
-    if (is_gap) {
-      EXPECT_GT((times.at(sample) - times.at(sample - 1)).value(), 15.0);
-      EXPECT_GT(scene.seconds[i], (times[sample - 1] - report.start).value());
-      EXPECT_LT(scene.seconds[i], (times[sample] - report.start).value());
-    } else {
-      EXPECT_EQ(scene.seconds[i], (times.at(sample++) - report.start).value());
-    }
-    EXPECT_EQ(std::isnan(scene.directions.at(0).vectors.at(i).x()), is_gap);
-    EXPECT_EQ(std::isnan(scene.views.at(0).from_reference.at(i).x()), is_gap);
-    EXPECT_EQ(std::isnan(scene.positions.at(i).x()), is_gap);
-    EXPECT_EQ(std::isnan(scene.ground_track.at(i).x()), is_gap);
-  }
-  EXPECT_EQ(sample, times.size());
-  EXPECT_TRUE(says(html(report), "692 of 692 samples; "));
-}
-
 // The Earth hides the Sun if the line to it passes nearer than its radius.
 TEST(Replay, CountsOnlySunlightOrShadow) {
   std::string text = with(with(example("ctim.toml"), "05:20:10Z", "05:00:10Z"), "06:10:00Z", "06:59:50Z");
@@ -326,67 +193,6 @@ TEST(Replay, LeavesOutWindowsOverWhatDoesNotCount) {
   }
 }
 
-class ReplayFiles : public ::testing::Test, protected ScenarioFolder {
- protected:
-  [[nodiscard]] bool run(const std::string& text, bool force = false, bool check = false) {
-    folder.written("s.toml", text);
-    out.str("");
-    Progress silent(nullptr);
-    return replay({file(), check, force, "0"}, silent, out);
-  }
-  std::ostringstream out;
-};
-
-TEST_F(ReplayFiles, SaysWhatIsFulfilled) {
-  // The body is along the reference, its z axis 68 deg from the Sun of that day.
-  EXPECT_FALSE(run(plain));
-  EXPECT_TRUE(
-      says(out.str(),
-           "not fulfilled  off-Sun: absolute error at most 0.5 deg in 95 % of the samples; it is 111."));
-  EXPECT_TRUE(says(out.str(), "Not fulfilled: 1 of 1 requirement.\n"));
-  EXPECT_TRUE(run(with(plain, "0.5 deg", "179 deg")));
-  EXPECT_TRUE(says(out.str(), "Everything required is fulfilled.\n"));
-  EXPECT_TRUE(run(std::string(plain).substr(0, std::string(plain).find("[[require]]"))));
-  EXPECT_TRUE(says(out.str(), "Nothing is required.\n"));
-}
-
-TEST_F(ReplayFiles, OnlyReadsThemForACheck) {
-  EXPECT_TRUE(
-      run(plain + std::string("[output]\ncsv = \"") + folder.file("o.csv").string() + "\"\n", false, true));
-  EXPECT_TRUE(says(out.str(), "s.toml: 1 measure and 1 requirement of body relative to GCRF, 3 samples, "));
-  EXPECT_FALSE(std::filesystem::exists(folder.file("o.csv")));
-  EXPECT_EQ(complaint([&] { (void)run(with(plain, "z of body", "z of boy"), false, true); }, file()),
-            "FILE:12:9: there is no frame 'boy' fixed in the body; the nearest is 'body'");
-}
-
-TEST_F(ReplayFiles, AreWrittenOnce) {
-  const auto csv = folder.file("o.csv");
-  const std::string text = plain + std::string("[output]\ncsv = \"") + csv.string() + "\"\n";
-  (void)run(text);
-  EXPECT_TRUE(says(out.str(), "Written: " + csv.string()));
-  const auto table = CsvTable::read(csv, {"time_utc", "off-Sun_deg"});
-  EXPECT_EQ(table.rows(), 3U);
-  EXPECT_EQ(complaint([&] { (void)run(text); }, csv), "FILE: exists; --force overwrites it");
-  (void)run(text, true);
-  const std::string input =
-      plain + std::string("[output]\ncsv = \"") + folder.file("a.csv").string() + "\"\n";
-  EXPECT_EQ(complaint([&] { (void)run(input, true); }, folder.file("a.csv")),
-            "FILE: is the same file as " + folder.file("a.csv").string() + ", which is read");
-}
-
-TEST_F(ReplayFiles, LimitTheInstants) {
-  EXPECT_EQ(complaint([&] { (void)run(plain + std::string("[time]\nstep = \"0.001 ms\"\n")); }, file()),
-            "FILE:19:1: 'time.step' makes 20000001 instants; at most 10000000 are looked at");
-}
-
-TEST_F(ReplayFiles, HaveTheColumnsThatAreNamed) {
-  EXPECT_EQ(complaint([&] { (void)run(with(plain, "\"t\"", "\"time\"")); }, file()),
-            "FILE:5:19: " + folder.file("a.csv").string() +
-                " has no column 'time'; there are: t, a, b, c, d, wx, wy, wz");
-  EXPECT_EQ(complaint([&] { (void)run(with(plain, "\"d\"]", "\"wxx\"]")); }, file()),
-            "FILE:7:11: " + folder.file("a.csv").string() + " has no column 'wxx'; the nearest is 'wx'");
-}
-
 TEST(Replay, NamesTheOrientationOfAnotherTime) {
   const auto refused = complaint([&] {
     (void)result(with(example("sentinel1.toml"), "finals2000A_april_2022", "finals2000A_april_2023"));
@@ -418,23 +224,6 @@ TEST(Replay, SaysWhatHasNoAttitude) {
             "60 s, in gaps or outside the samples");
   EXPECT_EQ(said(with(stepped, times, "start = 2023-04-20T04:59:09.001Z")),
             "60 s, in gaps or outside the samples");
-}
-
-TEST_F(ReplayFiles, SayWhatHasNoAttitude) {
-  (void)run(plain + std::string("[time]\nstep = \"10 s\"\nend = 2026-11-29T00:01:00Z\n"));
-  EXPECT_TRUE(
-      says(out.str(), "\nWithout attitude, not judged: 4 of 7 instants, in gaps or outside the samples\n"));
-}
-
-TEST_F(ReplayFiles, HaveSamplesAtTheTimes) {
-  EXPECT_EQ(
-      complaint(
-          [&] { (void)run(plain + std::string("[time]\nstep = \"1 s\"\nstart = 2026-11-30T00:00:00Z\n")); },
-          file()),
-      "FILE:19:1: the samples of " + folder.file("a.csv").string() +
-          " are from 2026-11-29T00:00:00.000000 UTC to 2026-11-29T00:00:20.000000 UTC, none from "
-          "'time.start' to "
-          "'time.end'");
 }
 
 }  // namespace

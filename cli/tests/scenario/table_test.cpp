@@ -84,6 +84,7 @@ TEST_F(ScenarioFile, WantsTheKindOfItsKeys) {
   EXPECT_EQ(refusal("[\"a\", \"b\", \"c\", \"d\"]", "[\"a\", \"b\", \"c\", 4]"),
             "FILE:7:27: 'attitude.quaternion.columns' is a number; needed: 4 texts");
   EXPECT_EQ(refusal("title = \"T\"", "title = \"\""), "FILE:2:9: 'title' is empty");
+  EXPECT_EQ(refusal("name = \"off-Sun\"", "name = \"  \""), "FILE:11:8: 'measure.name' is blank");
   EXPECT_EQ(refusal("title = \"T\"", "title = \"a\\nb\""),
             "FILE:2:9: 'title' holds a line break or another control character");
   EXPECT_EQ(refusal("name = \"off-Sun\"", "name = \"off,Sun\""),

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "report_data.hpp"
+#include "report/data.hpp"
 
 namespace vectrix::cli {
 

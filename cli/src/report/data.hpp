@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "report.hpp"
+#include "report/report.hpp"
 
 namespace vectrix::cli {
 

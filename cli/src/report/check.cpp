@@ -1,4 +1,4 @@
-#include "report_check.hpp"
+#include "report/check.hpp"
 
 #include <cmath>
 #include <string>

@@ -1,16 +1,16 @@
-#include "report.hpp"
+#include "report/report.hpp"
 
 #include <algorithm>
 #include <sstream>
 
 #include "figures.hpp"
-#include "report_assets.hpp"
-#include "report_check.hpp"
-#include "report_data.hpp"
-#include "report_plot.hpp"
-#include "report_scene.hpp"
-#include "report_text.hpp"
-#include "thinning.hpp"
+#include "report/assets.hpp"
+#include "report/check.hpp"
+#include "report/data.hpp"
+#include "report/plot.hpp"
+#include "report/scene.hpp"
+#include "report/text.hpp"
+#include "report/thinning.hpp"
 
 namespace vectrix::cli {
 namespace {

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "report.hpp"
+#include "report/report.hpp"
 
 namespace vectrix::cli {
 

@@ -1,10 +1,10 @@
-#include "report_data.hpp"
+#include "report/data.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "report_text.hpp"
-#include "thinning.hpp"
+#include "report/text.hpp"
+#include "report/thinning.hpp"
 
 namespace vectrix::cli {
 namespace {

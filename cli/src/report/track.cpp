@@ -1,9 +1,9 @@
 #include <cmath>
 
-#include "report_axis.hpp"
-#include "report_scene.hpp"
-#include "report_svg.hpp"
-#include "thinning.hpp"
+#include "report/axis.hpp"
+#include "report/scene.hpp"
+#include "report/svg.hpp"
+#include "report/thinning.hpp"
 
 namespace vectrix::cli {
 namespace {

@@ -1,13 +1,13 @@
-#include "report_scene.hpp"
+#include "report/scene.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
 
-#include "report_data.hpp"
-#include "report_svg.hpp"
-#include "thinning.hpp"
+#include "report/data.hpp"
+#include "report/svg.hpp"
+#include "report/thinning.hpp"
 
 namespace vectrix::cli {
 namespace {

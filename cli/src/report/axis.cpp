@@ -1,10 +1,10 @@
-#include "report_axis.hpp"
+#include "report/axis.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 
-#include "report_text.hpp"
+#include "report/text.hpp"
 
 namespace vectrix::cli {
 

@@ -1,11 +1,11 @@
-#include "report_plot.hpp"
+#include "report/plot.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "report_axis.hpp"
-#include "report_svg.hpp"
-#include "thinning.hpp"
+#include "report/axis.hpp"
+#include "report/svg.hpp"
+#include "report/thinning.hpp"
 
 namespace vectrix::cli {
 namespace {

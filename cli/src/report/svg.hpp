@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "report_text.hpp"
+#include "report/text.hpp"
 
 namespace vectrix::cli {
 

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "scenario/replay_report.hpp"
+#include "scenario_folder.hpp"
+
+namespace vectrix::cli {
+
+inline const std::filesystem::path examples = std::filesystem::path(VECTRIX_SOURCE_DIR) / "examples";
+
+/// The text of an example that may stand in any folder, and writes nothing.
+inline std::string example(const std::string& name) {
+  std::string text = content(examples / "scenarios" / name);
+  for (auto at = text.find("../data"); at != std::string::npos; at = text.find("../data"))
+    text.replace(at, 7, (examples / "data").string());
+  return text.substr(0, text.find("[output]"));
+}
+
+/// All that a replay finds.
+struct Replayed {
+  std::shared_ptr<const TemporaryFolder> folder;
+  Scenario scenario;
+  Flight flight;
+  std::vector<Measured> measures;
+  std::vector<Report::Verdict> judged;
+
+  [[nodiscard]] bool fulfilled(std::size_t i) const { return judged.at(i).fulfilled; }
+  [[nodiscard]] Report report() const { return replay_report(scenario, flight, measures, judged, "0"); }
+};
+inline Replayed result(const std::string& text) {
+  const auto folder = std::make_shared<const TemporaryFolder>();
+  const Scenario scenario = read_scenario(folder->written("s.toml", text));
+  Progress silent(nullptr);
+  Replayed made{folder, scenario, read_flight(scenario, silent), {}, {}};
+  for (const Measure& each : scenario.measures)
+    made.measures.push_back(measured(each, scenario, made.flight));
+  made.judged = verdicts(scenario, made.flight, made.measures);
+  return made;
+}
+
+}  // namespace vectrix::cli
