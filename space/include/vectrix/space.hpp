@@ -40,8 +40,10 @@
 #include <vectrix/space/orbit/two_body.hpp>
 #include <vectrix/space/orbit/two_line_elements.hpp>
 #include <vectrix/space/pointing/earth_directions.hpp>
+#include <vectrix/space/pointing/line_of_sight_error.hpp>
 #include <vectrix/space/pointing/moving_direction.hpp>
 #include <vectrix/space/pointing/pointing.hpp>
+#include <vectrix/space/pointing/pointing_error.hpp>
 #include <vectrix/space/pointing/steering.hpp>
 #include <vectrix/space/sky/aberration.hpp>
 #include <vectrix/space/sky/ephemeris.hpp>
