@@ -32,4 +32,14 @@ std::vector<double> absolute_errors(const std::vector<Eigen::Vector3d>& in_body,
 RelativeErrors relative_errors(const AttitudeRecord& record, const std::vector<Eigen::Vector3d>& in_body,
                                double seconds, const std::vector<bool>& among = {});
 
+/// The errors in windows of so many seconds one after the other, rad: of each window the angle between the
+/// axis and the mean direction of the target, and of each sample of them that between the target and this
+/// mean. Each sample is in one window, or in none: so all count alike. Windows, their means, and what is
+/// refused, as of relative_errors().
+struct WindowErrors {
+  std::vector<double> of_means, from_means;
+};
+WindowErrors window_errors(const AttitudeRecord& record, const std::vector<Eigen::Vector3d>& in_body,
+                           const Eigen::Vector3d& axis, double seconds, const std::vector<bool>& among = {});
+
 }  // namespace vectrix::cli

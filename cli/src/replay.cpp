@@ -8,6 +8,7 @@
 #include "figures.hpp"
 #include "new_file.hpp"
 #include "plain_words.hpp"
+#include "scenario/budget.hpp"
 #include "scenario/flight.hpp"
 #include "scenario/replay_report.hpp"
 #include "table_text.hpp"
@@ -50,6 +51,20 @@ bool write_verdicts(const Scenario& scenario, const std::vector<Report::Verdict>
                       : "Not fulfilled: " + std::to_string(failed) + " of " +
                             counted(verdicts.size(), "requirement") + ".\n");
   return failed == 0;
+}
+
+void write_budgets(const Scenario& scenario, const std::vector<BudgetFigure>& budgets, std::ostream& out) {
+  std::size_t width = 0;
+  for (const BudgetFigure& each : budgets) width = std::max(width, each.what.size());
+  for (std::size_t i = 0; i < budgets.size(); ++i) {
+    const BudgetFigure& each = budgets[i];
+    if (i == 0 || each.measure != budgets[i - 1].measure)
+      out << (i == 0 ? "\n" : "") << "Budget of " << scenario.measures[each.measure].name << ", "
+          << counted(each.parts.size(), "contribution") << ":\n";
+    out << label(each.what, width + 4) << "budget " << decimals(each.budget) << " deg, data "
+        << decimals(each.data) << " deg; " << each.remark << '\n';
+  }
+  if (!budgets.empty()) out << '\n';
 }
 
 std::string table(const Scenario& scenario, const Flight& flight, const std::vector<Measured>& measures) {
@@ -95,6 +110,7 @@ bool replay(const ReplayOptions& options, Progress& progress, std::ostream& out)
   for (const Measure& each : scenario.measures)
     measures.push_back(in_plain_words(each.place.text(), [&] { return measured(each, scenario, flight); }));
   const auto judged = verdicts(scenario, flight, measures);
+  const auto budgets = budget_figures(scenario, flight, measures);
 
   out << scenario.title << '\n'
       << counted(flight.attitude.size(), scenario.step ? "instant" : "sample") << " of "
@@ -105,6 +121,7 @@ bool replay(const ReplayOptions& options, Progress& progress, std::ostream& out)
   out << '\n';
   write_measures(scenario, measures, out);
   const bool fulfilled = write_verdicts(scenario, judged, out);
+  write_budgets(scenario, budgets, out);
   for (std::size_t i = 0; i < measures.size(); ++i)
     if (const std::string better = better_readings(flight, measures[i]); !better.empty())
       out << scenario.measures[i].name
@@ -115,7 +132,8 @@ bool replay(const ReplayOptions& options, Progress& progress, std::ostream& out)
     out << "Written: " << scenario.csv.string() << '\n';
   }
   if (!scenario.report.empty()) {
-    write_new(scenario.report, html(replay_report(scenario, flight, measures, judged, options.version)),
+    write_new(scenario.report,
+              html(replay_report(scenario, flight, measures, judged, budgets, options.version)),
               options.force);
     out << "Written: " << scenario.report.string() << '\n';
   }

@@ -92,5 +92,30 @@ RC_GTEST_PROP(RelativeError, IsThatOfEachWindow, ()) {
   RC_ASSERT(std::abs(angle_between(seen[found.change_from], seen[found.change_until]) - change) <= rounding);
 }
 
+// Each sample of a whole window once, and none of those that reach over a gap or over what does not count.
+TEST(WindowErrors, AreThoseOfWindowsOneAfterTheOther) {
+  const double rate = 1e-3;
+  const AttitudeMotion drift{{0.0, 0.0, rate}, {0.0, 0.0, 1e-9}};
+  auto record = drift.record(20, stated, stated, RateAxes::body, RateAxes::body);
+  const auto seen = seen_in_body(record, std::vector<Vector3d>(record.size(), Vector3d::UnitX()));
+  for (std::size_t i = 10; i < 20; ++i) record.times[i] = record.times[i] + 100.0 * si::second;
+  // Of 10 samples 0 to 3 and 4 to 7, whose middles are 1.5 and 5.5 steps from the first direction.
+  const auto found = window_errors(record, seen, Vector3d::UnitX(), 3.0);
+  constexpr double rounding = 1e-7;  // rad: of the other axis' 1e-9 rad/s, and of a mean of unit vectors
+  ASSERT_EQ(found.of_means.size(), 4U);
+  ASSERT_EQ(found.from_means.size(), 16U);
+  const std::vector<double> middles{1.5, 5.5, 11.5, 15.5};
+  for (std::size_t k = 0; k < 4; ++k) {
+    EXPECT_NEAR(found.of_means[k], rate * middles[k], rounding);
+    for (std::size_t i = 0; i < 4; ++i)
+      EXPECT_NEAR(found.from_means[4 * k + i], rate * std::abs(static_cast<double>(i) - 1.5), rounding);
+  }
+  std::vector<bool> among(20, true);
+  among[2] = false;  // so 3 to 6, then 10 to 13 and 14 to 17
+  EXPECT_EQ(window_errors(record, seen, Vector3d::UnitX(), 3.0, among).of_means.size(), 3U);
+  EXPECT_EQ(complaint([&] { (void)window_errors(record, seen, Vector3d::UnitX(), 10.0); }),
+            "the window of 10 s: no stretch without gaps of motion is so long");
+}
+
 }  // namespace
 }  // namespace vectrix::cli::relative_error_test

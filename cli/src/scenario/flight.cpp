@@ -6,10 +6,10 @@
 #include "evidence.hpp"
 #include "figures.hpp"
 #include "plain_words.hpp"
-#include "pointing_error.hpp"
 #include "quantile.hpp"
 #include "resampled.hpp"
 #include "sample_faults.hpp"
+#include "scenario/budget.hpp"
 #include "sunlight.hpp"
 
 namespace vectrix::cli {
@@ -83,29 +83,23 @@ std::vector<Vector3d> lines_of(const Measure& measure, const Scenario& scenario,
 }
 
 // Which instants count; empty if all do.
-std::vector<bool> counting(When when, const Flight& flight) {
+std::vector<bool> counting(const Requirement& required, const Flight& flight) {
   std::vector<bool> all;
-  if (when != When::always)
-    for (const double part : flight.visible_sun) all.push_back(part == (when == When::sunlight ? 1.0 : 0.0));
+  if (required.when == When::always) return all;
+  const bool in_sunlight = required.when == When::sunlight;
+  for (const double part : flight.visible_sun) all.push_back(part == (in_sunlight ? 1.0 : 0.0));
+  if (std::find(all.begin(), all.end(), true) == all.end())
+    refuse(required.place, std::string("no instant is in ") + (in_sunlight ? "sunlight" : "shadow"));
   return all;
 }
 
-std::vector<double> errors_of(const Requirement& required, const Flight& flight, const Measured& measure) {
-  const auto among = counting(required.when, flight);
-  if (!among.empty() && std::find(among.begin(), among.end(), true) == among.end())
-    refuse(required.place,
-           std::string("no instant is in ") + (required.when == When::sunlight ? "sunlight" : "shadow"));
-  if (required.window) {
-    try {
-      return relative_errors(flight.attitude, measure.in_body, *required.window, among).errors;
-    } catch (const BadInput& error) {
-      refuse(required.place, error.what());
-    }
+// The result of the function, which is refused at the place of the requirement.
+template <class Function> auto of_windows(const Requirement& required, const Function& function) {
+  try {
+    return function();
+  } catch (const BadInput& error) {
+    refuse(required.place, error.what());
   }
-  std::vector<double> errors;
-  for (std::size_t i = 0; i < measure.angles.size(); ++i)
-    if (among.empty() || among[i]) errors.push_back(measure.angles[i]);
-  return errors;
 }
 
 // The result of the function. If a table cannot be used, a column that it does not have is named where the
@@ -130,6 +124,7 @@ FlownAttitude read_flown_attitude(const Scenario& scenario) {
   BodyFrames frames(record.body, scenario.frames);
   if (scenario.rates) turn_rates(record, *scenario.rates, frames);
   for (const Measure& measure : scenario.measures) (void)frames.in_body(measure.axis);
+  for (const Contribution& each : scenario.contributions) (void)frames.body_from(each.in, each.in_place);
   return {std::move(record), std::move(frames)};
 }
 
@@ -213,14 +208,40 @@ std::string better_readings(const Flight& flight, const Measured& measure) {
   return names;
 }
 
+std::vector<double> errors_of(const Requirement& required, const Scenario& scenario, const Flight& flight,
+                              const Measured& measure) {
+  if (required.by_budget && required.window)
+    return errors_in_windows(required, scenario, flight, measure).from_means;
+  const auto among = counting(required, flight);
+  if (required.window)
+    return of_windows(required, [&] {
+      return relative_errors(flight.attitude, measure.in_body, *required.window, among).errors;
+    });
+  std::vector<double> errors;
+  for (std::size_t i = 0; i < measure.angles.size(); ++i)
+    if (among.empty() || among[i]) errors.push_back(measure.angles[i]);
+  return errors;
+}
+
+WindowErrors errors_in_windows(const Requirement& required, const Scenario& scenario, const Flight& flight,
+                               const Measured& measure) {
+  const auto among = counting(required, flight);
+  const Vector3d axis = flight.flown.frames.in_body(scenario.measures[required.measure].axis);
+  return of_windows(required, [&] {
+    return window_errors(flight.attitude, measure.in_body, axis, *required.window, among);
+  });
+}
+
 std::vector<Report::Verdict> verdicts(const Scenario& scenario, const Flight& flight,
                                       const std::vector<Measured>& measures) {
   std::vector<Report::Verdict> all;
   for (const Requirement& required : scenario.requirements) {
-    const AngleFigures figures(errors_of(required, flight, measures[required.measure]));
-    const Judgement judged = figures.judge(required.degrees, required.percent);
-    all.push_back({scenario.measures[required.measure].name + ": " + measures[required.measure].what,
-                   required.text,
+    const Measured& measure = measures[required.measure];
+    const AngleFigures figures(errors_of(required, scenario, flight, measure));
+    const double limit =
+        required.by_budget ? limit_by_budget(required, scenario, flight.flown.frames) : required.degrees;
+    const Judgement judged = figures.judge(limit, required.percent);
+    all.push_back({scenario.measures[required.measure].name + ": " + measure.what, required.text,
                    decimals(judged.found) + " deg (" + std::to_string(judged.within) + " of " +
                        std::to_string(figures.size()) + " are within)",
                    decimals(judged.margin) + " deg", judged.fulfilled});

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "pointing_error.hpp"
 #include "progress.hpp"
 #include "scenario/fixed_frame.hpp"
 #include "scenario/scenario.hpp"
@@ -56,6 +57,13 @@ Measured measured(const Measure& measure, const Scenario& scenario, const Flight
 /// The readings of the quaternions by which the axis looks at the target, and as stated it does not: "" if
 /// there is none. None is chosen.
 std::string better_readings(const Flight& flight, const Measured& measure);
+
+/// The errors that a requirement judges, rad. Throws BadInput, with its place, if nothing is left.
+std::vector<double> errors_of(const Requirement& required, const Scenario& scenario, const Flight& flight,
+                              const Measured& measure);
+/// Of one with a window. Throws BadInput as errors_of().
+WindowErrors errors_in_windows(const Requirement& required, const Scenario& scenario, const Flight& flight,
+                               const Measured& measure);
 
 /// Which requirements are fulfilled. Throws BadInput if nothing is left to be judged.
 std::vector<Report::Verdict> verdicts(const Scenario& scenario, const Flight& flight,

@@ -110,16 +110,18 @@ class MeasureReader {
     if (found == names.end())
       refuse(measure.place,
              "there is no measure '" + measure.text() + "'" + instead_of(measure.text(), names));
-    const auto& limit = one_of(from, {"absolute", "relative"});
+    const auto& limit = one_of(from, {"absolute", "relative", "budget"});
     const auto& percent = from.at("percent");
-    Requirement made{from.place, static_cast<std::size_t>(found - names.begin()), positive(limit, "deg"),
+    Requirement made{from.place, static_cast<std::size_t>(found - names.begin()), 0.0,
                      positive(percent, "%")};
+    made.by_budget = limit.path == "require.budget";
+    if (!made.by_budget) made.degrees = positive(limit, "deg");
     if (made.degrees > 180.0)
       refuse(limit.place, "'" + limit.path + "' is " + limit.as<Amount>().text() + "; it is at most 180 deg");
     if (made.percent > 100.0)
       refuse(percent.place,
              "'" + percent.path + "' is " + percent.as<Amount>().text() + "; it is at most 100 %");
-    const bool is_relative = limit.path == "require.relative";
+    const bool is_relative = made.by_budget ? limit.text() == "relative" : limit.path == "require.relative";
     const auto* const window = from.find("window");
     if (is_relative) {
       if (!window)
@@ -137,8 +139,9 @@ class MeasureReader {
         refuse(when->place, "whether it is in " + when->text() + " needs an orbit; missing: [orbit]");
     }
     made.text = (is_relative ? "relative error in " + window->as<Amount>().text() : "absolute error") +
-                " at most " + limit.as<Amount>().text() + " in " + percent.as<Amount>().text() + " of the " +
-                (is_relative ? "windows" : "samples") + condition;
+                " at most " + (made.by_budget ? "that of the budget" : limit.as<Amount>().text()) + " in " +
+                percent.as<Amount>().text() + " of the " +
+                (is_relative && !made.by_budget ? "windows" : "samples") + condition;
     return made;
   }
 

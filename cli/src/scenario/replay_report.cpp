@@ -109,7 +109,7 @@ Report::Plot angles(const Scenario& scenario, const std::vector<Measured>& measu
     plot.curves.push_back(curves.curve(scenario.measures[k].name,
                                        [&](std::size_t i) { return degrees * measures[k].angles[i]; }));
   for (const Requirement& required : scenario.requirements)
-    if (!required.window)
+    if (!required.window && !required.by_budget)
       plot.limits.push_back({required.degrees, scenario.measures[required.measure].name + " at most " +
                                                    detail::text(required.degrees) + " deg"});
   return plot;
@@ -204,6 +204,18 @@ Report::Table by_reading(const Scenario& scenario, const Flight& flight,
     for (const double median : measures[k].by_reading)
       table.rows.back().push_back(decimals(degrees * median));
   }
+  return table;
+}
+
+// The contributions in the order of the scenario, then all together, and the data.
+Report::Table budget_table(const Scenario& scenario, const BudgetFigure& figure) {
+  Report::Table table{"Budget of " + scenario.measures[figure.measure].name + ": " + figure.what + ", deg",
+                      {"contribution", "in", "kind", "alone", "share of the mean square"},
+                      {}};
+  for (const auto& [name, in, kind, alone, share] : figure.parts)
+    table.rows.push_back({name, in, kind, decimals(alone), shown(100.0 * share) + " %"});
+  table.rows.push_back({"all together", "", "", decimals(figure.budget), ""});
+  table.rows.push_back({"the data", "", figure.remark, decimals(figure.data), ""});
   return table;
 }
 
@@ -305,7 +317,8 @@ void add_choices(Report& report, const Scenario& scenario, const Flight& flight)
 }  // namespace
 
 Report replay_report(const Scenario& scenario, const Flight& flight, const std::vector<Measured>& measures,
-                     const std::vector<Report::Verdict>& verdicts, const std::string& version) {
+                     const std::vector<Report::Verdict>& verdicts, const std::vector<BudgetFigure>& budgets,
+                     const std::string& version) {
   const AttitudeRecord& attitude = flight.attitude;
   Report report{scenario.title, attitude.times.front(), facts(scenario, flight), verdicts, {}, {}, {}, {}, {},
                 version};
@@ -317,6 +330,7 @@ Report replay_report(const Scenario& scenario, const Flight& flight, const std::
   if (!measures.empty()) {
     report.tables.push_back(statistics(scenario, flight, measures));
     report.tables.push_back(by_reading(scenario, flight, measures));
+    for (const BudgetFigure& each : budgets) report.tables.push_back(budget_table(scenario, each));
   }
   report.tables.push_back(faults(flight.flown.record));
   report.scene = scene(scenario, flight, measures, curves, q);

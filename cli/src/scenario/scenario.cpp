@@ -9,6 +9,7 @@
 #include "figures.hpp"
 #include "plain_words.hpp"
 #include "scales.hpp"
+#include "scenario/contributions.hpp"
 #include "scenario/fixed_frame.hpp"
 #include "scenario/given.hpp"
 #include "scenario/measures.hpp"
@@ -46,6 +47,7 @@ class Reader {
       choose("frame " + frame.name, stated_frame(each), each.place);
     }
     read_measures(table_, scenario_);
+    read_contributions(table_, scenario_);
     if (const auto* const output = table_.table("output")) {
       if (const auto* const report = output->find("report")) scenario_.report = named(*report, ".html");
       if (const auto* const csv = output->find("csv")) scenario_.csv = named(*csv, ".csv");

@@ -52,11 +52,25 @@ enum class When { always, sunlight, shadow };
 struct Requirement {
   Place place;
   std::size_t measure;
-  double degrees;
+  double degrees;  // at most; not of one that the budget limits
   double percent;
   std::optional<double> window{};  // s: of the relative error, else it is of the absolute one
   When when = When::always;
   std::string text{};  // "absolute error at most 0.5 deg in 95 % of the samples"
+  bool by_budget = false;
+};
+
+/// The frame in which a contribution arises, fixed in the body; its name is known at run time.
+struct ErrorFrame : moving_frame {};
+
+/// A part of the pointing error budget of some measures.
+struct Contribution {
+  Place place;
+  std::string name;
+  std::vector<std::size_t> measures;
+  Place in_place;
+  std::string in, kind;
+  PointingError<ErrorFrame> error;
 };
 
 /// A column of a table, and where it is named.
@@ -89,6 +103,7 @@ struct Scenario {
   std::vector<FixedFrame> frames{};
   std::vector<Measure> measures{};
   std::vector<Requirement> requirements{};
+  std::vector<Contribution> contributions{};
   std::filesystem::path report{}, csv{};        // empty if not wanted
   std::vector<std::filesystem::path> inputs{};  // every file that is read, this one first
   std::vector<NamedColumn> columns{};

@@ -150,17 +150,53 @@ Key measure() {
            {"geometric", "light_time", "apparent"})});
 }
 
+Key contribution() {
+  const auto three = [](std::string name, Dimension dimension, std::string help) {
+    return Key{std::move(name), Kind::amounts, optional, std::move(help), {}, dimension, 3};
+  };
+  return tables(
+      "contribution",
+      "an error that is expected: a small turn, a part of the pointing error budget of some measures",
+      {{"name", Kind::name, needed, "its name"},
+       several("measures", Kind::texts, needed, 0, "the names of the measures in whose budget it is"),
+       {"in", Kind::text, needed,
+        "the frame in which it arises: its numbers are turns about the axes x, y, z of this one"},
+       choice("kind", needed,
+              "the same at all times, a Gauss-Markov process of first order, or a rate times the time since "
+              "the last update",
+              {"constant", "random", "drift"}),
+       three("known", Dimension::angle, "of a constant one that is known: the turns"),
+       three("standard_deviations", Dimension::angle,
+             "of a constant or a random one: of three independent turns"),
+       table("covariance", optional, "the same for turns that are not independent",
+             {several("rows", Kind::rows, needed, 3, "its rows"),
+              choice("unit", needed, "whose square is the unit of the numbers",
+                     {"deg", "rad", "mrad", "arcmin", "arcsec"})}),
+       amount("correlation_time", optional, Dimension::duration,
+              "of a random one: after it the correlation is 1/e"),
+       three("known_rate", Dimension::rate, "of a drift that is known: the rates"),
+       three("standard_deviations_of_rate", Dimension::rate, "of a drift: of three independent rates"),
+       amount("since_update", optional, Dimension::duration,
+              "of a drift: the time since the last update, for whose end the figures are; a window ends "
+              "there")});
+}
+
 Key requirement() {
-  return tables("require", "what a measure has to fulfil: the exit code is 1 if one does not",
-                {{"measure", Kind::text, needed, "the name of the measure"},
-                 amount("absolute", optional, Dimension::angle, "the largest absolute error that is allowed"),
-                 amount("relative", optional, Dimension::angle,
-                        "the largest relative error that is allowed, in a window"),
-                 amount("window", optional, Dimension::duration, "of the relative error"),
-                 amount("percent", needed, Dimension::share, "of the samples, or of the windows"),
-                 choice("when", optional,
-                        "only while the whole disc of the Sun is seen (sunlight) or none of it (shadow)",
-                        {"sunlight", "shadow"})});
+  return tables(
+      "require", "what a measure has to fulfil: the exit code is 1 if one does not",
+      {{"measure", Kind::text, needed, "the name of the measure"},
+       amount("absolute", optional, Dimension::angle, "the largest absolute error that is allowed"),
+       amount("relative", optional, Dimension::angle,
+              "the largest relative error that is allowed, in a window"),
+       choice("budget", optional,
+              "instead of these two: at most what the budget says, of the absolute error, or of the "
+              "relative one at any time of a window",
+              {"absolute", "relative"}),
+       amount("window", optional, Dimension::duration, "of the relative error"),
+       amount("percent", needed, Dimension::share, "of the samples, or of the windows"),
+       choice("when", optional,
+              "only while the whole disc of the Sun is seen (sunlight) or none of it (shadow)",
+              {"sunlight", "shadow"})});
 }
 
 Key output() {
@@ -185,6 +221,7 @@ Key whole_file() {
        station(),
        measure(),
        requirement(),
+       contribution(),
        output()});
 }
 
@@ -225,7 +262,7 @@ std::string form_of(const Key& key) {
     case Kind::rows:
       return "3 rows of 3 numbers";
     case Kind::texts:
-      return count + " texts";
+      return key.count == 0 ? "texts, at least one" : count + " texts";
     case Kind::amount:
       return "text: a number " + with_unit(key);
     case Kind::amounts:

@@ -33,6 +33,10 @@ constexpr std::array units{
     Unit{"km", Dimension::length, 1e3},
     Unit{"mm", Dimension::length, 1e-3},
     Unit{"%", Dimension::share, 1.0},
+    Unit{"deg/h", Dimension::rate, 1.0},
+    Unit{"deg/s", Dimension::rate, 3600.0},
+    Unit{"rad/s", Dimension::rate, 3600.0 * of_radian},
+    Unit{"arcsec/s", Dimension::rate, 1.0},
 };
 
 const Unit* unit_called(std::string_view name) {
@@ -90,6 +94,8 @@ std::string name_of(Dimension dimension) {
       return "a duration";
     case Dimension::length:
       return "a length";
+    case Dimension::rate:
+      return "a rate of turn";
     default:
       return "a share";
   }

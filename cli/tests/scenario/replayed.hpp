@@ -30,7 +30,12 @@ struct Replayed {
   std::vector<Report::Verdict> judged;
 
   [[nodiscard]] bool fulfilled(std::size_t i) const { return judged.at(i).fulfilled; }
-  [[nodiscard]] Report report() const { return replay_report(scenario, flight, measures, judged, "0"); }
+  [[nodiscard]] std::vector<BudgetFigure> budgets() const {
+    return budget_figures(scenario, flight, measures);
+  }
+  [[nodiscard]] Report report() const {
+    return replay_report(scenario, flight, measures, judged, budgets(), "0");
+  }
 };
 inline Replayed result(const std::string& text) {
   const auto folder = std::make_shared<const TemporaryFolder>();

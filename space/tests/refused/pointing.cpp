@@ -166,3 +166,58 @@ auto direction_of(const PointMotion<Itrf, Satellite, Itrf>& motion_itrf, const M
 #endif
 }
 }  // namespace limb_towards_a_direction_of_inertial_axes
+
+namespace error_of_a_part_at_an_axis_of_the_body {
+// mistake: the error of a camera, in its axes, looked at along an axis of the body
+// expect: ErrorIn = Camera
+// expect: AxisIn = Body
+auto cone(const Covariance<Camera, si::angle>& P_camera, const Dcm<Body, Camera>& R_body_from_camera) {
+  const auto noise = constant_error(P_camera);
+#ifdef REPAIRED
+  return absolute_error(R_body_from_camera * noise, unit_z(in<Body>));
+#else
+  return static_cast<void>(R_body_from_camera), absolute_error(noise, unit_z(in<Body>));
+#endif
+}
+}  // namespace error_of_a_part_at_an_axis_of_the_body
+
+namespace errors_of_two_frames {
+// mistake: errors that arise in two frames added
+// expect: PointingError<Body>
+// expect: PointingError<Camera>
+auto total(const Covariance<Body, si::angle>& P_body, const Covariance<Camera, si::angle>& P_camera,
+           const Dcm<Body, Camera>& R_body_from_camera) {
+#ifdef REPAIRED
+  return constant_error(P_body) + R_body_from_camera * constant_error(P_camera);
+#else
+  return static_cast<void>(R_body_from_camera), constant_error(P_body) + constant_error(P_camera);
+#endif
+}
+}  // namespace errors_of_two_frames
+
+namespace error_outside_the_chain {
+// mistake: an error carried by a rotation that does not begin at its frame
+// expect: Dcm<Body, Camera
+// expect: PointingError<Body>
+auto in_body(const Covariance<Body, si::angle>& P_body, const Covariance<Camera, si::angle>& P_camera,
+             const Dcm<Body, Camera>& R_body_from_camera) {
+#ifdef REPAIRED
+  return static_cast<void>(P_body), R_body_from_camera * constant_error(P_camera);
+#else
+  return static_cast<void>(P_camera), R_body_from_camera * constant_error(P_body);
+#endif
+}
+}  // namespace error_outside_the_chain
+
+namespace correlation_time_without_a_unit {
+// mistake: a bare number as a correlation time
+// expect: random_error
+// expect: double
+auto noise(const Covariance<Camera, si::angle>& P_camera) {
+#ifdef REPAIRED
+  return random_error(P_camera, 0.5 * si::second);
+#else
+  return random_error(P_camera, 0.5);
+#endif
+}
+}  // namespace correlation_time_without_a_unit

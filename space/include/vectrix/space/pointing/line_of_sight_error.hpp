@@ -1,6 +1,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <concepts>
+#include <utility>
 #include <vector>
 
 #include <vectrix/frames/dcm_doors.hpp>
@@ -84,26 +86,27 @@ LineOfSightError mean_error(const PointingError<F>& e_f, const Vector<F, si::dim
 /// any time of it alike. With u from the middle of the window, a = x/2 + u/T and b = x/2 - u/T
 ///     constant  0      drift  d u, in the mean square d^2 D^2/12
 ///     random    P r(u), r(u) = 1 + m - 2 (2 - e^-a - e^-b)/x, in the mean P (1 - m)
-/// In frequencies m is the weight 2 (1 - cos wD)/(wD)^2 of Lucke, Sirlin and San Martin (1992), which
-/// ESSB-HB-E-003 uses too. Throws BadInput as mean_error().
+/// In frequencies m is the weight 2 (1 - cos wD)/(wD)^2 of Lucke, Sirlin and San Martin (1992).
+/// Throws BadInput as mean_error().
 template <Frame F>
 LineOfSightError relative_error(const PointingError<F>& e_f, const Vector<F, si::dimensionless>& n_f,
                                 const Quantity<si::time>& window) {
   return detail::relative_error(e_f.sources(), n_f.coordinates(), window.value());
 }
 
-// One frame: carry the error to the frame of the axis, R_b_from_a * e_a.
 template <class ErrorIn, class AxisIn>
   requires(!std::same_as<ErrorIn, AxisIn>)
-auto absolute_error(const PointingError<ErrorIn>&, const Vector<AxisIn, si::dimensionless>&)
-    -> Refused = delete;  // absolute_error(e_f, n_f): one frame
+auto absolute_error(  // (e_f, n_f): one frame; R_f_from_a * e_a carries an error to it
+    const PointingError<ErrorIn>&, const Vector<AxisIn, si::dimensionless>&) -> Refused = delete;
 template <class ErrorIn, class AxisIn>
   requires(!std::same_as<ErrorIn, AxisIn>)
-auto mean_error(const PointingError<ErrorIn>&, const Vector<AxisIn, si::dimensionless>&,
-                const Quantity<si::time>&) -> Refused = delete;  // mean_error(e_f, n_f, D): one frame
+auto mean_error(  // (e_f, n_f, window): one frame; R_f_from_a * e_a carries an error to it
+    const PointingError<ErrorIn>&, const Vector<AxisIn, si::dimensionless>&, const Quantity<si::time>&)
+    -> Refused = delete;
 template <class ErrorIn, class AxisIn>
   requires(!std::same_as<ErrorIn, AxisIn>)
-auto relative_error(const PointingError<ErrorIn>&, const Vector<AxisIn, si::dimensionless>&,
-                    const Quantity<si::time>&) -> Refused = delete;  // relative_error(e_f, n_f, D): one frame
+auto relative_error(  // (e_f, n_f, window): one frame; R_f_from_a * e_a carries an error to it
+    const PointingError<ErrorIn>&, const Vector<AxisIn, si::dimensionless>&, const Quantity<si::time>&)
+    -> Refused = delete;
 
 }  // namespace vectrix
