@@ -14,21 +14,15 @@ template <class U> Vector<ErrorFrame, U> numbers_of(const ScenarioValue& value, 
                    Eigen::Vector3d(amount.in(unit, 0), amount.in(unit, 1), amount.in(unit, 2)));
 }
 
-// The result of the function; what it refuses is refused at the place of the value.
-template <class Function> auto at_place(const ScenarioValue& value, const Function& function) {
-  try {
-    return function();
-  } catch (const BadInput& error) {
-    refuse(value.place, "'" + value.path + "': " + without_types(error.what()));
-  }
-}
-
 template <class U>
 Covariance<ErrorFrame, U> covariance_of_deviations(const ScenarioValue& value, std::string_view unit) {
-  return at_place(value, [&] {
-    const auto s = numbers_of<U>(value, unit);
+  const auto s = numbers_of<U>(value, unit);
+  try {
     return covariance_from_standard_deviations(in<ErrorFrame>, s.x(), s.y(), s.z());
-  });
+  } catch (const BadInput&) {
+    refuse(value.place, "'" + value.path + "' is " + value.as<Amount>().text() +
+                            "; each must be 0, or positive with a square that a number can hold");
+  }
 }
 
 Covariance<ErrorFrame, si::angle> covariance_of_rows(const ScenarioTable& from) {
@@ -36,7 +30,11 @@ Covariance<ErrorFrame, si::angle> covariance_of_rows(const ScenarioTable& from) 
   const auto& n = rows.as<std::vector<double>>();
   const double unit = Amount::parse("1 " + from.at("unit").text(), Dimension::angle).in("rad");
   const Eigen::Matrix3d matrix = Eigen::Map<const Eigen::Matrix3d>(n.data()).transpose() * (unit * unit);
-  return at_place(rows, [&] { return covariance<si::angle>(in<ErrorFrame>, matrix); });
+  try {
+    return covariance<si::angle>(in<ErrorFrame>, matrix);
+  } catch (const BadInput& error) {
+    refuse(rows.place, "'" + rows.path + "': " + without_types(error.what()));
+  }
 }
 
 Covariance<ErrorFrame, si::angle> covariance_of(const ScenarioTable& from, const ScenarioValue& given) {
@@ -109,7 +107,7 @@ void require_figures(const ScenarioTable& from, const Contribution& made, const 
       if (!(0.01 * required.percent <= 1.0 - least_risk))
         refuse(required.place, "a budget has no figure for " + detail::text(required.percent) +
                                    " %: a normal distribution has no bound; at most " +
-                                   detail::text(100.0 * (1.0 - least_risk)) + " %");
+                                   detail::text(100.0 - 100.0 * least_risk) + " %");
       const auto* const since = from.find("since_update");
       if (required.window && since && *required.window > since->as<Amount>().in("s"))
         refuse(since->place, "'" + since->path + "' is " + since->as<Amount>().text() +
