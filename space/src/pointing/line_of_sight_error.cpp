@@ -1,7 +1,7 @@
 #include <vectrix/space/pointing/line_of_sight_error.hpp>
 
 #include <Eigen/Geometry>
-#include <array>
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -146,25 +146,29 @@ Quantity<si::angle> LineOfSightError::rms() const {
 double LineOfSightError::probability(const Quantity<si::angle>& x) const {
   const double radius = x.value();
   if (!std::isfinite(radius)) throw BadInput("probability(): the angle is " + detail::text(radius));
-  const auto at = [&](double u) {
+  const double half = 0.5 * numbers_.window;
+  const auto covariance_at = [&](double u) {
     Matrix2d covariance = numbers_.covariance + u * u * numbers_.drift_covariance;
     for (const auto& [P, T] : numbers_.random)
-      covariance += detail::share_at(numbers_.window / T, (0.5 * numbers_.window + u) / T) * P;
-    return detail::normal_in_circle(numbers_.mean + u * numbers_.drift, covariance, radius);
+      covariance += detail::share_at(numbers_.window / T, (half + u) / T) * P;
+    return covariance;
+  };
+  const auto at = [&](double u) {
+    return detail::normal_in_circle(numbers_.mean + u * numbers_.drift, covariance_at(u), radius);
   };
   if (numbers_.window == 0.0) return at(0.0);
-  // Alike for u and -u. It changes fast within a few correlation times of the ends, and where a known drift
+  // Alike for u and -u. It changes fast within some correlation times of the ends, and where a known drift
   // leaves the circle.
-  const double half = 0.5 * numbers_.window;
   std::vector<double> places;
-  double largest = numbers_.drift_covariance.trace() * half * half;
-  for (const auto& [P, T] : numbers_.random) {
-    largest += P.trace();
-    for (const double times : {0.3, 1.0, 3.0, 10.0}) places.push_back(half - times * T);
-  }
-  if (const double drift = numbers_.drift.norm(); drift > 0.0)
+  for (const auto& [P, T] : numbers_.random)
+    for (const double times : {0.1, 0.3, 1.0, 3.0, 8.0, 16.0, 40.0}) places.push_back(half - times * T);
+  if (const double drift = numbers_.drift.norm(); drift * half > radius) {
+    const double u = radius / drift;
+    const Vector2d along = numbers_.drift / drift;
+    const double deviation = std::sqrt(std::max(along.dot(covariance_at(u) * along), 0.0));
     for (const double times : {-9.0, -3.0, -1.0, 0.0, 1.0, 3.0, 9.0})
-      places.push_back((radius + times * std::sqrt(largest)) / drift);
+      places.push_back(u + times * deviation / drift);
+  }
   return detail::adaptive_integral(at, 0.0, half, std::move(places)) / half;
 }
 

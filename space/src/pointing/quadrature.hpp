@@ -5,6 +5,7 @@
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace vectrix::detail {
@@ -30,14 +31,16 @@ double integral(const Function& f, double from, double to, std::vector<double> p
       from, to, std::move(places));
 }
 
-/// By rules of Gauss and Kronrod on halves of each piece, until the two agree to a relative 1e-10.
+/// Of a function that is nowhere above 1: by rules of Gauss and Kronrod on halves of each piece, until the
+/// two agree to 1e-10 of the interval.
 template <class Function>
 double adaptive_integral(const Function& f, double from, double to, std::vector<double> places) {
-  constexpr unsigned halvings = 8;
-  constexpr double tolerance = 1e-10;
+  constexpr unsigned halvings = 6;
+  constexpr double tolerance = 1e-10, coarsest = 1e-3;
   return in_pieces(
       [&](double a, double b) {
-        return boost::math::quadrature::gauss_kronrod<double, 15>::integrate(f, a, b, halvings, tolerance);
+        const double of_piece = std::min(tolerance * (to - from) / (b - a), coarsest);
+        return boost::math::quadrature::gauss_kronrod<double, 15>::integrate(f, a, b, halvings, of_piece);
       },
       from, to, std::move(places));
 }

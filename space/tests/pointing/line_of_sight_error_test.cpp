@@ -126,6 +126,17 @@ TEST(WindowStatistics, AreTheClosedFormsOfAGaussMarkovProcess) {
   }
 }
 
+// What changes fast compared with the window is in it as at any time; the ends, of some correlation times,
+// differ.
+TEST(WindowStatistics, OfAFastProcessAreAlmostThoseOfOneTime) {
+  const double T = 1e-5, window = 1.0;
+  const auto error = random_error(deviations(1e-3, 3e-4, 1.0), seconds(T));
+  const auto relative = relative_error(error, z_axis, seconds(window));
+  const auto absolute = absolute_error(error, z_axis);
+  for (const double p : {0.1, 0.5, 0.997})
+    EXPECT_NEAR(absolute.probability(relative.half_cone(p)), p, 4.0 * T / window) << p;
+}
+
 TEST(WindowStatistics, OfAConstantErrorAreItsMeanAlone) {
   const auto error = constant_error(deviations(1e-3, 2e-3, 0.0)) + constant_error(turn(1e-3, 0.0, 0.0));
   EXPECT_NEAR(cone(mean_error(error, z_axis, seconds(60.0)), 0.9), cone(absolute_error(error, z_axis), 0.9),
