@@ -253,7 +253,8 @@ TEST_F(ScenarioWords, NameATarget) {
 TEST_F(ScenarioWords, SayWhatIsRequired) {
   EXPECT_EQ(refusal("measure = \"off-Sun\"", "measure = \"of-Sun\""),
             "FILE:16:11: there is no measure 'of-Sun'; the nearest is 'off-Sun'");
-  EXPECT_EQ(refusal("absolute = \"0.5 deg\"\n", ""), "FILE:15:1: 'require' needs one of: absolute, relative");
+  EXPECT_EQ(refusal("absolute = \"0.5 deg\"\n", ""),
+            "FILE:15:1: 'require' needs one of: absolute, relative, budget");
   EXPECT_EQ(refusal("percent", "relative = \"1 deg\"\npercent"),
             "FILE:18:12: 'require.relative' and 'require.absolute' are both given; one is needed");
   EXPECT_EQ(
