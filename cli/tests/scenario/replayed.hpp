@@ -32,7 +32,7 @@ struct Replayed {
   [[nodiscard]] bool fulfilled(std::size_t i) const { return judged.at(i).fulfilled; }
   [[nodiscard]] Report report() const { return replay_report(scenario, flight, measures, judged, "0"); }
 };
-inline Replayed result(const std::string& text) {
+inline Replayed replayed(const std::string& text) {
   const auto folder = std::make_shared<const TemporaryFolder>();
   const Scenario scenario = read_scenario(folder->written("s.toml", text));
   Progress silent(nullptr);
