@@ -146,8 +146,10 @@ Eigen::Vector3d axis_of(const std::string& text) {
 
 AttitudeSource attitude_source(const AttitudeWords& words) {
   AttitudeSource source{words.file};
+  const bool of_kernel = is_kernel(words.file);
+  if (of_kernel) use_leap_seconds_of(words.kernel);  // before the times of the selection are read
   source.selection = selection_of(words);
-  if (is_kernel(words.file)) {
+  if (of_kernel) {
     const std::string is = words.file.string() + ": is a kernel and says itself what its data are; ";
     refuse({{"--segment", words.segment}}, is, " is of a message");
     refuse({{"--time", words.time}, {"--scale", words.scale}, {"--reference", words.reference}}, is,

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "newer_leap_seconds.hpp"
 #include "space/tests/temporary_file.hpp"
 #include "temporary_folder.hpp"
 
@@ -113,6 +114,17 @@ TEST(Words, ThatDoNotApplyAreRefused) {
                         w = AttitudeWords{w.file, segment};
                       }),
               std::string("--segment ") + segment + " is no whole number from 1 on");
+}
+
+// The times that are asked for have them too.
+TEST(Words, OfAKernelMayBringLeapSeconds) {
+  const KeptLeapSeconds kept;
+  const TemporaryFolder folder;
+  AttitudeWords words;
+  words.file = folder.written("a.bc", "DAF/CK  ");
+  words.until = "2036-01-01T00:00:00 UTC";
+  words.kernel.leap_seconds = folder.written("newer.tls", leap_second_kernel(with_an_invented_one));
+  EXPECT_EQ(attitude_source(words).selection.until, Epoch::from(scale::tai, "2036-01-01T00:00:38"));
 }
 
 TEST(Words, OfAnOrbitAreNotThoseOfAnAttitude) {
