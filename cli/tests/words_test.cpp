@@ -196,15 +196,6 @@ TEST(Words, OfAMessageAreForOne) {
   EXPECT_EQ(options.aem_version, "2.0");
 }
 
-TEST(Words, OfAnAxisAreThreeNumbers) {
-  EXPECT_EQ(axis_of("1,-2.5,1e3"), Eigen::Vector3d(1.0, -2.5, 1000.0));
-  const auto refused = [](const char* text) { return complaint([&] { (void)axis_of(text); }); };
-  EXPECT_EQ(refused("0,0"), "--axis 0,0 has 2 fields between commas, not 3");
-  EXPECT_EQ(refused("0,0,"), "--axis 0,0,: '' is no number");
-  EXPECT_EQ(refused("0,1e999,0"), "--axis 0,1e999,0: '1e999' is no number");
-  EXPECT_EQ(refused("0,1x,0"), "--axis 0,1x,0: '1x' is no number");
-}
-
 TEST(Words, OfAnInterpolationSayMethodAndDegree) {
   const auto refused = [](const char* method, const char* degree, const char* message) {
     OrbitSource source{{}, message};

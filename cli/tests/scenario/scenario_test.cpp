@@ -214,9 +214,10 @@ TEST_F(ScenarioWords, NameATarget) {
             "FILE:13:10: the direction of moon needs an orbit; missing: [orbit]");
   const std::string star =
       "[[star]]\nname = \"Sirius\"\nright_ascension = \"101.287 deg\"\ndeclination = \"-16.716 deg\"\n";
-  EXPECT_EQ(refusal(with(plain, "\"sun\"", "\"sirius\"") + orbit + star),
-            "FILE:14:14: a catalogue says where a star is seen, not where it is; needed: \"light_time\" or "
-            "\"apparent\"");
+  EXPECT_EQ(
+      refusal(with(plain, "\"sun\"", "\"sirius\"") + orbit + star),
+      "FILE:14:14: a catalogue says where a star is seen, not where it is; needed one of: \"light_time\", "
+      "\"apparent\"");
   EXPECT_EQ(
       refusal(with(with(plain, "\"sun\"", "\"sirius\""), "correction = \"geometric\"\n", "") + orbit + star),
       "FILE:10:1: 'measure.correction' is missing: sirius is not where it is seen; one of: \"light_time\", "
