@@ -20,8 +20,8 @@ if(TARGET draw_pictures)
 endif()
 
 # docs/reference/scenario_file.md.
-if(TARGET scenario_page)
-  add_dependencies(docs scenario_page)
+if(TARGET reference_pages)
+  add_dependencies(docs reference_pages)
 endif()
 
 # The compiler's message in README.md.

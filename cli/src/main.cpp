@@ -6,6 +6,9 @@
 #include <iostream>
 
 #include "command/commands.hpp"
+#include "command/completion.hpp"
+#include "command/pages.hpp"
+#include "new_file.hpp"
 #include "plain_words.hpp"
 #include "scenario/schema.hpp"
 
@@ -79,8 +82,9 @@ bool run_frames(const FramesOptions& options) {
   return true;
 }
 
-bool write_schema() {
-  std::cout << schema_page();
+bool write_pages(const std::filesystem::path& folder) {
+  for (const CommandDescription& command : described_program(VECTRIX_VERSION).commands)
+    write_new(folder / page_name(command), command_page(command), true);
   return true;
 }
 
@@ -89,7 +93,17 @@ bool run(const std::string& command, CommandWords& words) {
   if (command == "pointing") return run_pointing(words.pointing);
   if (command == "convert") return run_convert(words.convert);
   if (command == "replay") return run_replay(words.replay);
-  return command == "frames" ? run_frames(words.frames) : write_schema();
+  if (command == "frames") return run_frames(words.frames);
+  if (command == "pages") return write_pages(words.folder);
+  const auto program = described_program(VECTRIX_VERSION);
+  if (command == "completion") {
+    std::cout << (words.shell == "bash" ? bash_completion(program) : zsh_completion(program));
+  } else if (command == "man") {
+    std::cout << (words.manual == "vectrix.1" ? program_manual(program) : scenario_manual(VECTRIX_VERSION));
+  } else {
+    std::cout << schema_page();
+  }
+  return true;
 }
 
 }  // namespace

@@ -179,7 +179,7 @@ void add_replay(CLI::App& app, ReplayOptions& options) {
   replay.footer(
       "The scenario file names the attitude, the orbit, the frames on the body, what is measured and what "
       "is\n"
-      "required: docs/reference/scenario_file.md lists its keys. A short "
+      "required: docs/reference/scenario_file.md and the manual vectrix-scenario(5) list its keys. A short "
       "one:\n\n"
       "  version = 1\n"
       "  title = \"Is the camera on the Sun?\"\n"
@@ -218,9 +218,28 @@ void add_frames(CLI::App& app, FramesOptions& options) {
   all.add("--at", options.at, "TIME", "the instant; by default the first sample of the attitude");
 }
 
-// For docs/reference/scenario_file.md; of no use to others.
-void add_schema(CLI::App& app) {
+void add_completion(CLI::App& app, std::string& shell) {
+  auto& completion =
+      *app.add_subcommand("completion", "the script with which a shell completes this command");
+  completion.footer(
+      "It is installed with the program. Without that, in the shell:\n\n"
+      "  source <(vectrix completion bash)");
+  Options(completion).choose("shell", shell, {"bash", "zsh"}, "for which one").required();
+}
+
+void add_manual(CLI::App& app, std::string& manual) {
+  auto& man = *app.add_subcommand("man", "a page of the manual, as troff");
+  man.footer(
+      "The pages are installed with the program: man vectrix, man vectrix-scenario. Without that:\n\n"
+      "  vectrix man vectrix.1 | man -l -");
+  Options(man).choose("page", manual, {"vectrix.1", "vectrix-scenario.5"}, "which one").required();
+}
+
+// For docs/reference; of no use to others.
+void add_pages(CLI::App& app, std::string& folder) {
   app.add_subcommand("schema", "the page of the scenario file")->group("");
+  auto& pages = *app.add_subcommand("pages", "the pages of the commands")->group("");
+  Options(pages).add("folder", folder, "FOLDER", "where they are written").required();
 }
 
 }  // namespace
@@ -234,7 +253,16 @@ void add_commands(CLI::App& app, CommandWords& words, const std::string& version
   add_convert(app, words.convert);
   add_replay(app, words.replay);
   add_frames(app, words.frames);
-  add_schema(app);
+  add_completion(app, words.shell);
+  add_manual(app, words.manual);
+  add_pages(app, words.folder);
+}
+
+ProgramDescription described_program(const std::string& version) {
+  CLI::App app;
+  CommandWords words;
+  add_commands(app, words, version);
+  return described(app, version);
 }
 
 }  // namespace vectrix::cli

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "check.hpp"
+#include "command/description.hpp"
 #include "convert.hpp"
 #include "frames.hpp"
 #include "pointing.hpp"
@@ -41,9 +42,12 @@ struct CommandWords {
   ConvertWords convert;
   ReplayOptions replay;
   FramesOptions frames;
+  std::string shell, manual, folder;  // of completion, man and pages
 };
 
 /// The commands, and the words that their options fill. Nothing is run.
 void add_commands(CLI::App& app, CommandWords& words, const std::string& version);
+/// What the manual, the completions and the reference say.
+ProgramDescription described_program(const std::string& version);
 
 }  // namespace vectrix::cli
