@@ -241,7 +241,7 @@ void fly(const char* title, Robustness robustness, std::ofstream& table) {
       "the torque is wrong by up to %.3f N m, by more than 1 N m for %.2f s; the hub is up to %.3f deg "
       "behind\n",
       worst, late, behind);
-  std::printf("until 8 s det A A^T is its closed form to %s\n", off < 1e-6 ? "1e-6" : "no more than 1e-6");
+  std::printf("until 8 s det A A^T %s its closed form to 1e-6\n", off < 1e-6 ? "is" : "is not");
   std::printf("the angular momentum of the whole is %s\n", kept < 1e-9 ? "zero to 1e-9 h" : "not kept");
 }
 
