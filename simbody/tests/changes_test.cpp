@@ -111,6 +111,19 @@ TEST(SimbodyRun, locks_a_joint_and_a_rotor_while_ours_does) {
   EXPECT_NEAR(speed(2.9), speed(2.0), 1e-12);
 }
 
+// The impulses are ours; what moves after them is theirs.
+TEST(SimbodyRun, is_latched_where_ours_is) {
+  const auto flight = scenario(craft, damp, lockable(craft, of<Boom>), lockable(craft, of<WheelOfHub>),
+                               at_times({1.5 * s}, becomes(Locked<Boom>{true})),
+                               at_times({2.5 * s}, becomes(Locked<WheelOfHub>{true})));
+  const auto ours = propagate(flight, start(), ours_until(4.0));
+  const auto theirs = propagate_with_simbody(flight, start(), until(4.0));
+  expect_close(compare(craft, ours, theirs));
+  EXPECT_NE(theirs.at(1.4 * s).speed(of<Boom>).value(), 0.0);
+  EXPECT_EQ(theirs.at(4.0 * s).speed(of<Boom>).value(), 0.0);
+  EXPECT_EQ(theirs.at(4.0 * s).spin(of<WheelOfHub>).value(), 0.0);
+}
+
 TEST(SimbodyRun, sticks_and_slips_as_ours) {
   const auto flight = scenario(
       craft, damp,

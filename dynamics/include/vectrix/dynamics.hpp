@@ -23,6 +23,7 @@
 #include <vectrix/dynamics/force/moment.hpp>
 #include <vectrix/dynamics/force/wrench.hpp>
 #include <vectrix/dynamics/load/friction.hpp>
+#include <vectrix/dynamics/load/lockable.hpp>
 #include <vectrix/dynamics/load/magnetorquer.hpp>
 #include <vectrix/dynamics/load/of_time.hpp>
 #include <vectrix/dynamics/load/point_mass.hpp>
@@ -34,6 +35,7 @@
 #include <vectrix/dynamics/mass/join.hpp>
 #include <vectrix/dynamics/mass/mass_properties.hpp>
 #include <vectrix/dynamics/mass/parallel_axes.hpp>
+#include <vectrix/dynamics/multibody/impulse.hpp>
 #include <vectrix/dynamics/multibody/tree.hpp>
 #include <vectrix/dynamics/ode/inlined.hpp>
 #include <vectrix/dynamics/ode/radau_iia_7.hpp>

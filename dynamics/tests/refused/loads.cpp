@@ -171,6 +171,18 @@ void lock(Forces<Sat>& forces) {
 }
 }  // namespace a_lock_of_the_hub
 
+namespace a_latch_of_the_hub {
+// mistake: the hub can be locked, which hangs on nothing
+// expect: of a body of the craft C on a joint that moves, or a rotor; at the start a Locked<B>
+auto latch(const Sat& sat) {
+#ifdef REPAIRED
+  return lockable(sat, of<Panel>);
+#else
+  return lockable(sat, of<Hub>);
+#endif
+}
+}  // namespace a_latch_of_the_hub
+
 namespace friction_of_a_wheel_in_newtons {
 // mistake: the friction of a wheel in newtons
 // expect: on a hinge or rotor

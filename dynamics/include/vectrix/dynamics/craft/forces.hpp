@@ -141,8 +141,9 @@ template <CraftType C, class S = double> class Forces {
   template <class W, class Given>
   auto motor(Of<W>, const Given&) -> Refused = delete;  // on a rotor of the craft C, in N m
 
-  /// The joint of a body, or a rotor, keeps its speed, whatever acts on it: one at rest stays where it is.
-  /// Whether it is locked may change between smooth segments only, with a held value.
+  /// The joint of a body, or a rotor, keeps its speed, whatever acts on it: one at rest stays where it is,
+  /// one that moves goes on as it moves; lockable() stops it. Whether it is locked may change between smooth
+  /// segments only, with a held value.
   template <class B>
     requires can_lock<B>
   void lock(Of<B>) {

@@ -134,7 +134,8 @@ template <CraftType C, class On, class Effort, class Speed, class Damping> struc
                       at_start(at_first),
                       when(name + " comes to rest", slipping, ode::Direction::falling, becomes(State{})),
                       when(name + " breaks away", breaking, ode::Direction::rising, as_it_is),
-                      detail::StandsStill<State>{detail::speed_number<C, On>()},
+                      detail::StandsStill<State>{detail::speed_number<C, On>(), State{1}},
+                      detail::after_impulse(at_first),
                       detail::settling(rests, begins)};
   }
 };
