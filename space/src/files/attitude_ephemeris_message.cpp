@@ -74,15 +74,18 @@ detail::AttitudeLines read_type(const KvnEntries& entries, const std::string& ve
   return lines;
 }
 
-std::string_view column(const detail::AttitudeLines& lines, std::size_t number) {
-  static constexpr std::string_view angles[] = {"ANGLE_1", "ANGLE_2", "ANGLE_3"},
-                                    rates[] = {"X_RATE", "Y_RATE", "Z_RATE"},
-                                    first[] = {"QC",     "Q1",     "Q2",     "Q3",
-                                               "QC_DOT", "Q1_DOT", "Q2_DOT", "Q3_DOT"},
-                                    last[] = {"Q1", "Q2", "Q3", "QC", "Q1_DOT", "Q2_DOT", "Q3_DOT", "QC_DOT"};
-  if (lines.type == AttitudeType::euler_angle) return angles[number];
-  if (lines.type == AttitudeType::quaternion_rate && number >= 4) return rates[number - 4];
-  return lines.is_scalar_first ? first[number] : last[number];
+/// The names of the numbers in a line.
+std::vector<std::string_view> columns(const detail::AttitudeLines& lines) {
+  if (lines.type == AttitudeType::euler_angle) return {"ANGLE_1", "ANGLE_2", "ANGLE_3"};
+  std::vector<std::string_view> names{"Q1", "Q2", "Q3"}, more;
+  names.insert(lines.is_scalar_first ? names.begin() : names.end(), "QC");
+  if (lines.type == AttitudeType::quaternion_rate) more = {"X_RATE", "Y_RATE", "Z_RATE"};
+  if (lines.type == AttitudeType::quaternion_derivative) {
+    more = {"Q1_DOT", "Q2_DOT", "Q3_DOT"};
+    more.insert(lines.is_scalar_first ? more.begin() : more.end(), "QC_DOT");
+  }
+  names.insert(names.end(), more.begin(), more.end());
+  return names;
 }
 
 /// One segment after the other.
@@ -114,7 +117,12 @@ class AttitudeSegmentReader {
  private:
   /// From META_STOP to DATA_STOP.
   void read_data(const EphemerisMetadata& metadata, detail::AttitudeLines& lines) {
-    detail::TimeReader times(reader_, metadata);
+    const std::size_t numbers = detail::numbers_in_line(lines.type);
+    detail::DataReader data(reader_, metadata,
+                            {columns(lines), numbers, 0,
+                             "a line of " + detail::type_name(lines.type, version_) + " has an epoch and " +
+                                 detail::text(numbers) + " numbers",
+                             "DATA_STOP"});
     bool started = false;
     while (reader_.next()) {
       if (reader_.is_comment()) {
@@ -124,31 +132,31 @@ class AttitudeSegmentReader {
         started = true;
       } else if (reader_.is("DATA_STOP")) {
         if (lines.times.empty()) throw BadInput(lines.place + ": there are no data lines");
+        detail::give_back(lines.times);
+        detail::give_back(lines.numbers);
         return;
       } else {
-        read_line(times, lines);
+        if (lines.times.empty()) {
+          lines.times.reserve(reader_.lines_left());
+          lines.numbers.reserve(numbers * reader_.lines_left());
+        }
+        const auto line = data.read();
+        lines.times.push_back(line.time);
+        lines.numbers.insert(lines.numbers.end(), line.numbers.begin(), line.numbers.begin() + line.size);
+        if (lines.type != AttitudeType::euler_angle) check_norm(line.numbers, lines);
       }
     }
     throw BadInput(lines.place + ": there is no " + (started ? "DATA_STOP" : "DATA_START"));
   }
-  void read_line(detail::TimeReader& times, detail::AttitudeLines& lines) const {
-    if (reader_.has_keyword() || reader_.is("META_START")) reader_.fail("no line of data, and not DATA_STOP");
-    std::array<std::string_view, KvnReader::most_words> words{};
-    const std::size_t size = reader_.words(words), numbers = detail::numbers_in_line(lines.type);
-    if (size != numbers + 1)
-      reader_.fail(detail::text(size) + " fields; a line of " + detail::type_name(lines.type, version_) +
-                   " has an epoch and " + detail::text(numbers) + " numbers");
-    lines.times.push_back(times.read(words[0]));
-    for (std::size_t i = 0; i < numbers; ++i)
-      lines.numbers.push_back(detail::read_number(reader_, words[i + 1], column(lines, i)));
-    if (lines.type != AttitudeType::euler_angle) check_norm(words[1], lines, numbers);
-  }
-  void check_norm(std::string_view first, detail::AttitudeLines& lines, std::size_t numbers) const {
-    const double* q = lines.numbers.data() + lines.numbers.size() - numbers;
-    const double norm = detail::scaled_norm(Eigen::Map<const Eigen::Vector4d>(q));
+  void check_norm(const std::array<double, detail::DataReader::most_numbers>& line,
+                  detail::AttitudeLines& lines) const {
+    const double norm = detail::scaled_norm(Eigen::Map<const Eigen::Vector4d>(line.data()));
     const double error = std::abs(norm - 1.0);
-    if (const std::string fault = detail::norm_fault(norm); !fault.empty())
-      reader_.fail(first, column(lines, 0), fault);
+    if (const std::string fault = detail::norm_fault(norm); !fault.empty()) {
+      std::array<std::string_view, KvnReader::most_words> words{};
+      static_cast<void>(reader_.words(words));
+      reader_.fail(words[1], lines.is_scalar_first ? "QC" : "Q1", fault);
+    }
     if (error <= lines.norm_error) return;
     lines.norm_error = error;
     lines.norm_line = reader_.line();
