@@ -85,7 +85,11 @@ class OrbitSegmentReader {
     const auto [time, size, x] = data.read();
     detail::OrbitLine line{time, {x[0], x[1], x[2]}, {x[3], x[4], x[5]}, {}};
     if (size == without_acceleration) return line;
-    if (is_oldest(version_)) reader_.fail("version 1.0 has no acceleration");
+    if (is_oldest(version_)) {
+      std::array<std::string_view, KvnReader::most_words> words{};
+      static_cast<void>(reader_.words(words));
+      reader_.fail(words[without_acceleration + 1], "X_DDOT", "version 1.0 has no acceleration");
+    }
     line.acceleration.emplace(x[6], x[7], x[8]);
     return line;
   }

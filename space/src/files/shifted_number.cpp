@@ -135,10 +135,10 @@ std::optional<ScannedNumber> scan_shifted(const char* at, const char* end, int s
     behind = after_exponent(behind + 1, end, written);
     if (!behind) return std::nullopt;
   }
-  const int exponent = written + shift - static_cast<int>(decimals);
+  const std::int64_t exponent = std::int64_t{shift} + written - decimals;
   if (digits == 0) return ScannedNumber{is_negative ? -0.0 : 0.0, behind};
   if (std::abs(exponent) > most_digits) return std::nullopt;
-  const auto value = rounded(digits, exponent);
+  const auto value = rounded(digits, static_cast<int>(exponent));
   if (!value) return std::nullopt;
   return ScannedNumber{is_negative ? -*value : *value, behind};
 }
