@@ -35,9 +35,11 @@ class Draw {
   std::normal_distribution<double> normal_;
 };
 
-inline PlainBody random_body(Draw& draw, int number, const std::string& parent, bool locks) {
+/// `slanted`: the axes of a gimbal make 55 degrees, else a right angle.
+inline PlainBody random_body(Draw& draw, int number, const std::string& parent, bool locks, bool slanted) {
   const auto joint = JointKind(draw.below(6));
-  const Vector3d first = draw.triple().normalized(), second = first.cross(draw.triple()).normalized();
+  const Vector3d first = draw.triple().normalized(), across = first.cross(draw.triple()).normalized();
+  const Vector3d second = slanted ? Vector3d((across + 0.7 * first).normalized()) : across;
   std::vector<Vector3d> axes;
   if (joint == JointKind::hinge || joint == JointKind::slider || joint == JointKind::gimbal)
     axes.push_back(first);
@@ -54,8 +56,9 @@ inline PlainBody random_body(Draw& draw, int number, const std::string& parent, 
           draw.inertia(mass)};
 }
 
-/// Two to `most` bodies with two rotors; a third of the bodies has a name that begins with "locked".
-inline PlainSpacecraft random_craft(Draw& draw, bool locks, int most) {
+/// Two to `most` bodies with two rotors; with `locks` a third of the bodies has a name that begins with
+/// "locked"; if it is `flexible` its gimbals are slanted, and it has three modes.
+inline PlainSpacecraft random_craft(Draw& draw, bool locks, int most, bool flexible = false) {
   const double mass = draw.between(3.0, 30.0);
   PlainSpacecraft craft{"inertial", "hub", HubMotion::free, mass, 0.3 * draw.triple(), draw.inertia(mass), {},
                         {},         {}};
@@ -63,8 +66,8 @@ inline PlainSpacecraft random_craft(Draw& draw, bool locks, int most) {
   const int count = 1 + draw.below(most - 1);
   for (int i = 1; i <= count; ++i) {
     const int parent = draw.below(i);
-    bodies.push_back(
-        random_body(draw, i, parent == 0 ? "hub" : bodies[static_cast<std::size_t>(parent) - 1].name, locks));
+    bodies.push_back(random_body(
+        draw, i, parent == 0 ? "hub" : bodies[static_cast<std::size_t>(parent) - 1].name, locks, flexible));
   }
   for (int i = 0; i < 2; ++i) {
     const int at = draw.below(count + 1);
@@ -72,6 +75,12 @@ inline PlainSpacecraft random_craft(Draw& draw, bool locks, int most) {
     craft.rotors.push_back({"rotor " + std::to_string(i),
                             at == 0 ? "hub" : bodies[static_cast<std::size_t>(at) - 1].name,
                             draw.triple().normalized(), 0.05 / J.inverse().trace()});
+  }
+  for (int i = 0; flexible && i < 3; ++i) {
+    const int at = draw.below(count + 1);
+    craft.modes.push_back(
+        {"mode " + std::to_string(i), at == 0 ? "hub" : bodies[static_cast<std::size_t>(at) - 1].name,
+         0.01 * draw.triple(), 0.05 * draw.triple(), draw.between(0.5, 3.0), draw.between(0.0, 0.1)});
   }
   return craft;
 }
