@@ -124,6 +124,7 @@ void compare(Draw& draw, bool locks, bool flexible, Reached& reached) {
   const NamedSpacecraft craft(made);
   std::vector<double> y(craft.state_size());
   for (double& number : y) number = draw.normal();
+  make_small(made, y);
   for (std::size_t i = 7; i < 13; ++i) y[i] = 0.0;
   const auto ours = craft.motion(craft.state(y), 0.0 * si::second, loads.ours(made), loads.held(made));
 

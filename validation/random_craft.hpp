@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
+#include <cmath>
 #include <random>
 #include <string>
 #include <vector>
@@ -56,6 +57,11 @@ inline PlainBody random_body(Draw& draw, int number, const std::string& parent, 
           draw.inertia(mass)};
 }
 
+/// Makes the coordinates and rates of the modes at the end of a state small, as deflections are.
+inline void make_small(const PlainSpacecraft& craft, std::vector<double>& state) {
+  for (std::size_t i = state.size() - 2 * craft.modes.size(); i < state.size(); ++i) state[i] *= 0.1;
+}
+
 /// Two to `most` bodies with two rotors; with `locks` a third of the bodies has a name that begins with
 /// "locked"; if it is `flexible` its gimbals are slanted, and it has three modes.
 inline PlainSpacecraft random_craft(Draw& draw, bool locks, int most, bool flexible = false) {
@@ -69,18 +75,25 @@ inline PlainSpacecraft random_craft(Draw& draw, bool locks, int most, bool flexi
     bodies.push_back(random_body(
         draw, i, parent == 0 ? "hub" : bodies[static_cast<std::size_t>(parent) - 1].name, locks, flexible));
   }
+  const auto inertia_at = [&](int at) -> const Matrix3d& {
+    return at == 0 ? craft.J_c_h : bodies[static_cast<std::size_t>(at) - 1].J_c_b;
+  };
+  const auto name_at = [&](int at) {
+    return at == 0 ? craft.hub : bodies[static_cast<std::size_t>(at) - 1].name;
+  };
   for (int i = 0; i < 2; ++i) {
     const int at = draw.below(count + 1);
-    const Matrix3d& J = at == 0 ? craft.J_c_h : bodies[static_cast<std::size_t>(at) - 1].J_c_b;
-    craft.rotors.push_back({"rotor " + std::to_string(i),
-                            at == 0 ? "hub" : bodies[static_cast<std::size_t>(at) - 1].name,
-                            draw.triple().normalized(), 0.05 / J.inverse().trace()});
+    craft.rotors.push_back({"rotor " + std::to_string(i), name_at(at), draw.triple().normalized(),
+                            0.05 / inertia_at(at).inverse().trace()});
   }
   for (int i = 0; flexible && i < 3; ++i) {
     const int at = draw.below(count + 1);
-    craft.modes.push_back(
-        {"mode " + std::to_string(i), at == 0 ? "hub" : bodies[static_cast<std::size_t>(at) - 1].name,
-         0.01 * draw.triple(), 0.05 * draw.triple(), draw.between(0.5, 3.0), draw.between(0.0, 0.1)});
+    const PlainBody* body = at == 0 ? nullptr : &bodies[static_cast<std::size_t>(at) - 1];
+    const Vector3d d_t = 0.2 * std::sqrt(body ? body->mass : craft.mass) * draw.triple().normalized();
+    const Vector3d turning = std::sqrt(0.05 / inertia_at(at).inverse().trace()) * draw.triple().normalized();
+    craft.modes.push_back({"mode " + std::to_string(i), name_at(at),
+                           (body ? body->r_bc_b : craft.r_hc_h).cross(d_t) + turning, d_t,
+                           draw.between(0.5, 3.0), draw.between(0.0, 0.1)});
   }
   return craft;
 }

@@ -54,14 +54,14 @@ std::vector<SimbodyScanSample> simbody_scan(const SimbodyScan& scan, double accu
     const SimTK::State& now = integrator.getState();
     system.realize(now, SimTK::Stage::Acceleration);
     SimTK::Vector of_motion;
-    matter.findMotionForces(now, of_motion);
+    matter.findMotionForces(now, of_motion);  // tau of M u' + tau = f: what the motion takes
     const Mat33 R = hub.getBodyRotation(now).asMat33();
     const Vec3 w = ~hub.getBodyRotation(now) * hub.getBodyAngularVelocity(now);
     samples.push_back({t,
                        {R(0, 0), R(0, 1), R(0, 2), R(1, 0), R(1, 1), R(1, 2), R(2, 0), R(2, 1), R(2, 2)},
                        {w[0], w[1], w[2]},
                        mirror.getOneQ(now, 0),
-                       of_motion[mirror.getFirstUIndex(now)]});
+                       -of_motion[mirror.getFirstUIndex(now)]});
   }
   steps = integrator.getNumStepsTaken();
   return samples;

@@ -29,6 +29,7 @@ struct SpringyCraft {
     craft = NamedSpacecraft(plain);
     start.resize(craft.state_size());
     for (double& number : start) number = draw.normal();
+    make_small(plain, start);
     const auto make_unit = [this](std::size_t at) { Eigen::Map<Eigen::Vector4d>(&start[at]).normalize(); };
     make_unit(0);
     std::size_t at = 13;

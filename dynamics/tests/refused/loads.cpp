@@ -314,30 +314,35 @@ auto flight(const Sat& sat, const Vector<Gcrf, si::magnetic_flux_density>& B_i, 
 
 namespace a_scan_in_degrees {
 // mistake: the speed of a hinge that is scanned in deg/s
-// expect: JointMotion<.*degree_per_second_unit
+// expect: JointMotion<(vectrix::)?si::angle, (vectrix::)?si::degree_per_second_unit
 // expect: of a hinge: JointMotion\{rad, rad/s, rad/s\^2\}
 auto scan(const Sat& sat) {
-  return prescribed(sat, of<Panel>, [](const Quantity<si::time>& t) {
 #ifdef REPAIRED
-    return JointMotion{rad * t.in(s), 1.0 * rad / s, 0.0 * rad / s / s};
+  const auto rate = 1.0 * rad / s;
 #else
-    return JointMotion{rad * t.in(s), 57.3 * si::degree_per_second, 0.0 * rad / s / s};
+  const auto rate = 57.3 * si::degree_per_second;
 #endif
-  });
+  const auto turning = [=](const Quantity<si::time>& t) {
+    return JointMotion{t.in(s)*rad, rate, 0.0 * rad / s / s};
+  };
+  return prescribed(sat, of<Panel>, turning);
 }
 }  // namespace a_scan_in_degrees
 
 namespace a_scan_in_metres {
 // mistake: the speed of a hinge that is scanned in m/s
+// expect: JointMotion<(vectrix::)?si::angle, (vectrix::)?si::velocity
 // expect: of a hinge: JointMotion\{rad, rad/s, rad/s\^2\}
 auto scan(const Sat& sat) {
-  return prescribed(sat, of<Panel>, [](const Quantity<si::time>& t) {
 #ifdef REPAIRED
-    return JointMotion{rad * t.in(s), 1.0 * rad / s, 0.0 * rad / s / s};
+  const auto rate = 1.0 * rad / s;
 #else
-    return JointMotion{rad * t.in(s), 1.0 * si::metre / s, 0.0 * rad / s / s};
+  const auto rate = 1.0 * si::metre / s;
 #endif
-  });
+  const auto turning = [=](const Quantity<si::time>& t) {
+    return JointMotion{t.in(s)*rad, rate, 0.0 * rad / s / s};
+  };
+  return prescribed(sat, of<Panel>, turning);
 }
 }  // namespace a_scan_in_metres
 
