@@ -7,6 +7,7 @@
 
 // A joint whose motion is given, compared with Simbody's own prescribed motion.
 namespace vectrix::validation {
+namespace scanned_mirror {
 namespace {
 
 using Hub = Body;  // of the differences
@@ -31,9 +32,7 @@ template <Frame B> MassProperties<B> mass(const SimbodyScanBody& b) {
       trust_inertia(in<B>, Eigen::Matrix3d(Eigen::Map<const RowMajor>(b.inertia_c_b.data()))));
 }
 
-}  // namespace
-
-Rows prescribed_rows(const std::string&) {
+Rows rows() {
   const Eigen::Matrix3d R_h_from_m =
       Eigen::AngleAxisd(0.7, Eigen::Vector3d(1.0, 2.0, -1.0).normalized()).matrix();
   const Eigen::Vector3d axis = Eigen::Vector3d(0.5, -1.0, 2.0).normalized();
@@ -97,6 +96,13 @@ Rows prescribed_rows(const std::string&) {
           row("rate of the hub", of_run, "rad/s", difference.rate_rad_s),
           row("angle of the mirror", of_run, "rad", angle),
           row("torque of the drive", 10.0 * of_run, "N m", torque)};
+}
+
+}  // namespace
+}  // namespace scanned_mirror
+
+Rows prescribed_rows(const std::string&) {
+  return scanned_mirror::rows();
 }
 
 }  // namespace vectrix::validation

@@ -23,7 +23,7 @@ struct Slope {
 
 /// Of a step and the next smaller one. No power of it is near a whole number: where a step is a period of the
 /// function, it looks constant, and the next must not look so too.
-constexpr double ratio = 1.7;
+constexpr double step_ratio = 1.7;
 
 /// The derivative of a function by differences of ever smaller steps h, extrapolated to h = 0, and its error
 /// (Ridders); of all steps that with the least error.
@@ -35,7 +35,7 @@ class FallingSteps {
     const std::size_t known = std::min(rows_, order - 1);
     double factor = 1.0;
     for (std::size_t k = 1; k <= known; ++k) {
-      factor *= ratio * ratio;
+      factor *= step_ratio * step_ratio;
       next[k] = next[k - 1] + (next[k - 1] - last_[k - 1]) / (factor - 1.0);
       const double error =
           larger(std::abs(next[k] - next[k - 1]), std::abs(next[k] - last_[k - 1])) + rounding / h;
@@ -69,8 +69,8 @@ JointNumbers finite_motion(const GivenAxis& axis, double t) {
 Slope slope(const GivenAxis& axis, std::size_t i, double t, double reach, const JointNumbers& largest) {
   const double time_scale = largest[i] / largest[i + 1];
   FallingSteps steps;
-  for (double h = (time_scale > 0.0 ? std::min(reach, time_scale) : reach) / ratio;
-       h > 64.0 * epsilon * std::abs(t) && h > epsilon * reach; h /= ratio) {
+  for (double h = (time_scale > 0.0 ? std::min(reach, time_scale) : reach) / step_ratio;
+       h > 64.0 * epsilon * std::abs(t) && h > epsilon * reach; h /= step_ratio) {
     const double later = t + h, earlier = t - h;
     const double after = finite_motion(axis, later)[i], before = finite_motion(axis, earlier)[i];
     steps.add(0.5 * (later - earlier), before, after, epsilon * (largest[i] + std::abs(t) * largest[i + 1]));

@@ -179,7 +179,7 @@ template <class S> void Tree<S>::inward(std::size_t i, Work<S>& k) const {
   Moving<S>& b = k.links[i];
   const std::size_t speed = layout_.speed_at[i] - layout_.speeds_begin();
   with_kind(link.joint.kind, [&](auto kind) {
-    if (k.held[i] == Hold::none)
+    if (k.held[i] == Hold::none) [[likely]]
       kind.eliminate(rotation(link.parent, k), k.efforts.data() + speed, b);
     else
       add_acceleration(b.I, kind.relative(rotation(link.parent, k), k.given.data() + speed, b));
