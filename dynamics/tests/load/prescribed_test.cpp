@@ -220,6 +220,10 @@ TEST(Prescribed, AGimbalHasTheMotionOfTheNamedCraft) {
     const auto drive = found.holding_effort(of<Mirror>);
     EXPECT_EQ(drive[0], wanted.holding_torque(Of(mirror), 1));
     EXPECT_EQ(drive[1], wanted.holding_torque(Of(mirror), 2));
+    EXPECT_TRUE(contains(message<BadInput>([&] { (void)wanted.holding_torque(Of(mirror), 3); }),
+                         "its joint has no axis 3"));
+    EXPECT_TRUE(contains(message<BadInput>([&] { (void)wanted.holding_force(Of(mirror)); }),
+                         "a force along an axis on \"" + mirror + "\", whose joint is a gimbal"));
     EXPECT_NEAR(found.holding_effort(of<Boom>).value(), 0.0, rounding_of_craft);
   }
 }
