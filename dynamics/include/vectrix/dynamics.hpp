@@ -27,6 +27,7 @@
 #include <vectrix/dynamics/load/magnetorquer.hpp>
 #include <vectrix/dynamics/load/of_time.hpp>
 #include <vectrix/dynamics/load/point_mass.hpp>
+#include <vectrix/dynamics/load/prescribed.hpp>
 #include <vectrix/dynamics/load/pulse.hpp>
 #include <vectrix/dynamics/load/springs.hpp>
 #include <vectrix/dynamics/load/stop_at.hpp>

@@ -58,12 +58,7 @@ template <class C, class On> double sticking_effort(const Now<C>& now) {
                multibody::dot(work.axes[rotor], tree.accelerations(body, work).alpha) -
            work.motors[rotor];
   } else {
-    constexpr std::size_t link = Shape::template link_of<On>();
-    const auto transmitted = tree.reaction(static_cast<int>(link), work);
-    constexpr bool turns = Shape::template has_joint_of<On, JointKind::hinge>;
-    const auto& along = turns ? transmitted.torque : transmitted.force;
-    return multibody::dot(work.links[link - 1].axis, along) -
-           work.efforts[Shape::template speed_at<On> - Shape::speeds_begin];
+    return tree.holding_effort(static_cast<int>(Shape::template link_of<On>()), work);
   }
 }
 
