@@ -23,16 +23,17 @@ void stop(const Tree<double>& tree, std::span<const InImpulse> links, std::span<
   for_each_speed([&](std::size_t i) { at_rest[i] = 0.0; });
 
   Work<double> k = tree.work();
+  tree.place(at_rest.data(), k);
   for (std::size_t i = 0; i < links.size(); ++i) {
-    k.held[i] = links[i] != InImpulse::is_free;
-    if (links[i] != InImpulse::stops) continue;
+    if (links[i] == InImpulse::is_free) continue;
+    k.held[i] = Hold::driven;
+    if (links[i] == InImpulse::keeps_speed) continue;
     with_kind(numbers.links[i].joint.kind, [&](auto kind) {
       const std::size_t first = layout.speed_at[i];
       for (std::size_t n = first; n < first + std::size_t{kind.speeds}; ++n)
         k.given[n - layout.speeds_begin()] = -y[n];
     });
   }
-  tree.place(at_rest.data(), k);
   for (std::size_t i = 0; i < rotors.size(); ++i) {
     const Rotor<double>& rotor = numbers.rotors[i];
     k.locked_rotors[i] = rotors[i] != InImpulse::is_free;

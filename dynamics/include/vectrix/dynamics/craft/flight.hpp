@@ -200,13 +200,13 @@ template <CraftType C, class... Parts> class Flight {
       const multibody::Work<double>& locked = loads(t, y.data());
       values_ = held;
       using multibody::InImpulse;
-      const auto kept = [](const std::vector<char>& locks) {
+      const auto kept = []<class Lock>(const std::vector<Lock>& locks) {
         std::vector<InImpulse> in(locks.size(), InImpulse::is_free);
         for (std::size_t i = 0; i < in.size(); ++i)
-          if (locks[i]) in[i] = InImpulse::keeps_speed;
+          if (locks[i] != Lock{}) in[i] = InImpulse::keeps_speed;
         return in;
       };
-      std::vector<InImpulse> links = kept(locked.locked_links), rotors = kept(locked.locked_rotors);
+      std::vector<InImpulse> links = kept(locked.held), rotors = kept(locked.locked_rotors);
       const auto mark = [&]<class B, class X>(const Stands<B, X>&) {
         using Shape = typename C::shape;
         if (!std::get<X>(values_).locked) return;
