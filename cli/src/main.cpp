@@ -12,7 +12,9 @@
 #include "plain_words.hpp"
 #include "pointing.hpp"
 #include "replay.hpp"
+#include "result_file/schema.hpp"
 #include "scenario/schema.hpp"
+#include "stored_report.hpp"
 #include "words.hpp"
 
 namespace {
@@ -239,7 +241,23 @@ void add_replay(CLI::App& app, ReplayOptions& options) {
   replay.add_option("file", options.file, "the scenario file, TOML")->required();
   replay.add_flag("--check", options.check,
                   "only reads the scenario and its attitude, and says what is wrong");
-  replay.add_flag("--force", options.force, "overwrites the files that the scenario names in [output]");
+  replay.add_option(
+      "--hdf5", options.hdf5,
+      "writes all results, with the scenario, to this file, .h5: docs/reference/result_file.md");
+  replay.add_flag("--force", options.force,
+                  "overwrites that file and those that the scenario names in [output]");
+}
+
+void add_report(CLI::App& app, StoredReportOptions& options) {
+  auto& report = *app.add_subcommand("report", "write the report of a stored result");
+  report.footer(
+      "The page is that of vectrix replay; the files of the flight are not needed.\n"
+      "Exit code: 0, or 2 if the input is wrong; then nothing is written.\n\n"
+      "  vectrix replay scenario.toml --hdf5 result.h5\n"
+      "  vectrix report result.h5");
+  report.add_option("file", options.file, "what vectrix replay --hdf5 has written")->required();
+  report.add_option("--output", options.output, "the page; by default the same name with .html");
+  report.add_flag("--force", options.force, "overwrites an existing file");
 }
 
 void add_frames(CLI::App& app, FramesOptions& options) {
@@ -257,9 +275,10 @@ void add_frames(CLI::App& app, FramesOptions& options) {
   frames.add_option("--at", options.at, "the instant; by default the first sample of the attitude");
 }
 
-// For docs/reference/scenario_file.md; of no use to others.
-void add_schema(CLI::App& app) {
-  app.add_subcommand("schema", "the page of the scenario file")->group("");
+// For docs/reference/scenario_file.md and result_file.md; of no use to others.
+void add_schema(CLI::App& app, bool& of_result) {
+  auto& schema = *app.add_subcommand("schema", "the page of the scenario file")->group("");
+  schema.add_flag("--result", of_result, "that of the result file");
 }
 
 void require_texts(const CLI::App& command) {
@@ -325,8 +344,13 @@ bool run_frames(const FramesOptions& options) {
   return true;
 }
 
-bool write_schema() {
-  std::cout << schema_page();
+bool run_report(const StoredReportOptions& options) {
+  stored_report(options, std::cout);
+  return true;
+}
+
+bool write_schema(bool of_result) {
+  std::cout << (of_result ? result_page() : schema_page());
   return true;
 }
 
@@ -341,20 +365,24 @@ int main(int count, char** arguments) {
   ConvertWords convert;
   ReplayOptions replay;
   FramesOptions frames;
+  StoredReportOptions report;
+  bool of_result = false;
   try {
     add_check(app, check);
     add_pointing(app, pointing);
     add_convert(app, convert);
     add_replay(app, replay);
     add_frames(app, frames);
-    add_schema(app);
+    add_report(app, report);
+    add_schema(app, of_result);
     app.parse(count, arguments);
     require_texts(*app.get_subcommands().front());
     const bool good = app.got_subcommand("check")      ? run_check(check)
                       : app.got_subcommand("pointing") ? run_pointing(pointing)
                       : app.got_subcommand("replay")   ? run_replay(replay)
                       : app.got_subcommand("frames")   ? run_frames(frames)
-                      : app.got_subcommand("schema")   ? write_schema()
+                      : app.got_subcommand("report")   ? run_report(report)
+                      : app.got_subcommand("schema")   ? write_schema(of_result)
                                                        : run_convert(convert);
     return good ? yes : no;
   } catch (const CLI::ParseError& error) {
