@@ -6,6 +6,14 @@
 namespace vectrix::cli {
 namespace {
 
+// Of instants and of samples, which may be one dataset.
+constexpr const char* meaning_of_tai = "the Julian date in TAI in two parts, which lose nothing";
+constexpr const char* meaning_of_seconds = "the same times, SI seconds since the first instant";
+constexpr const char* meaning_of_quaternion =
+    "R(q) takes coordinates from the body to the reference; scalar first, Hamilton's product, norm 1, the "
+    "sign without jumps";
+constexpr const char* meaning_of_gaps = "beginning and end of each step longer than longest_step";
+
 // With N for each part that is a number.
 std::string general(const std::string& path) {
   std::string all;
@@ -34,24 +42,14 @@ std::string form_of(const Hdf5Entry& entry) {
 const std::vector<Hdf5Entry>& result_entries() {
   using enum Hdf5Kind;
   static const std::vector<Hdf5Entry> all{
-      {"/attitude/tai", numbers, "instant", 2, "d",
-       "the instants that are looked at: the Julian date in TAI in two parts, which lose nothing", "scale"},
-      {"/attitude/seconds", numbers, "instant", 1, "s", "the same, SI seconds since the first of them",
-       "since_utc, since_tt"},
-      {"/attitude/quaternion", numbers, "instant", 4, "1",
-       "R(q) takes coordinates from the body to the reference; scalar first, Hamilton's product, norm 1, the "
-       "sign without jumps",
-       "from, to, scalar"},
-      {"/attitude/gaps", numbers, "gap", 2, "s", "beginning and end of each step longer than longest_step",
-       "since_utc, since_tt, longest_step"},
-      {"/samples/tai", numbers, "sample", 2, "d",
-       "the samples of the file, from the one before the first instant to the one after the last", "scale"},
-      {"/samples/seconds", numbers, "sample", 1, "s", "the same, SI seconds since the first instant",
-       "since_utc, since_tt"},
-      {"/samples/quaternion", numbers, "sample", 4, "1", "as that of the attitude, at the samples",
-       "from, to, scalar"},
-      {"/samples/gaps", numbers, "gap", 2, "s", "beginning and end of each step longer than longest_step",
-       "since_utc, since_tt, longest_step"},
+      {"/attitude/tai", numbers, "instant", 2, "d", meaning_of_tai, "scale"},
+      {"/attitude/seconds", numbers, "instant", 1, "s", meaning_of_seconds, "since_utc, since_tt"},
+      {"/attitude/quaternion", numbers, "instant", 4, "1", meaning_of_quaternion, "from, to, scalar"},
+      {"/attitude/gaps", numbers, "gap", 2, "s", meaning_of_gaps, "since_utc, since_tt, longest_step"},
+      {"/samples/tai", numbers, "sample", 2, "d", meaning_of_tai, "scale"},
+      {"/samples/seconds", numbers, "sample", 1, "s", meaning_of_seconds, "since_utc, since_tt"},
+      {"/samples/quaternion", numbers, "sample", 4, "1", meaning_of_quaternion, "from, to, scalar"},
+      {"/samples/gaps", numbers, "gap", 2, "s", meaning_of_gaps, "since_utc, since_tt, longest_step"},
       {"/samples/rate", numbers, "sample", 3, "rad/s",
        "the angular velocity that the file has, of the body relative to the reference, in the body; if it "
        "has one",
@@ -120,6 +118,9 @@ std::string result_page() {
       "- The file itself has the attributes `format`, `form` (" +
       std::to_string(result_form) +
       "), `version`, `title`, `body` and `reference`, the frames of the attitude.\n"
+      "- `/attitude` has the instants that are looked at. `/samples` has the samples of the attitude file, from "
+      "the one before the\n"
+      "  first instant to the one after the last; without `time.step` they are the instants.\n"
       "- Numbers are stored as they are in the program, in 8 bytes, compressed (shuffle and deflate) and "
       "with checksums. There is\n"
       "  no NaN: a gap is between two rows.\n"

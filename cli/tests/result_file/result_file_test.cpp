@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "figures.hpp"
 #include "result_file/schema.hpp"
 #include "stored.hpp"
 
@@ -95,7 +96,7 @@ TEST(ResultFile, HasGapsBetweenSamples) {
   const auto seconds = file.numbers("/samples/seconds"), gaps = file.numbers("/samples/gaps");
   std::vector<double> longer;
   for (std::size_t i = 1; i < seconds.size(); ++i)
-    if (seconds[i] - seconds[i - 1] > 30.0) longer.insert(longer.end(), {seconds[i - 1], seconds[i]});
+    if (seconds[i] - seconds[i - 1] > 15.0) longer.insert(longer.end(), {seconds[i - 1], seconds[i]});
   EXPECT_FALSE(gaps.empty());
   EXPECT_EQ(gaps, longer);
 }

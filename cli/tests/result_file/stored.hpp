@@ -10,10 +10,10 @@
 
 namespace vectrix::cli {
 
-/// Without the time step, the samples of the file with their gaps.
+/// Without a time: at all samples of the file, which has steps of 20 and 30 s.
 inline std::string at_samples(const std::string& text) {
-  return with(text, "start = 2023-04-20T05:20:10Z\nend = 2023-04-20T06:10:00Z\nstep = \"10 s\"",
-              "start = 2023-04-20T05:20:10Z\nend = 2023-04-20T07:10:00Z");
+  const std::string gaps = with(text, "gap = \"30 s\"", "gap = \"15 s\"");
+  return with(gaps, "start = 2023-04-20T05:20:10Z\nend = 2023-04-20T06:10:00Z\nstep = \"10 s\"", "");
 }
 
 /// The bytes of the file that holds a result.
@@ -75,7 +75,13 @@ class PlainHdf5 {
   }
 
   void remove(const std::string& path) const { H5Ldelete(file_, path.c_str(), H5P_DEFAULT); }
-  /// Instead of what is there, in chunks of as many rows.
+  /// The same dataset with other numbers.
+  void write(const std::string& path, const std::vector<double>& numbers) const {
+    const hid_t dataset = H5Dopen2(file_, path.c_str(), H5P_DEFAULT);
+    EXPECT_GE(H5Dwrite(dataset, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, numbers.data()), 0) << path;
+    H5Dclose(dataset);
+  }
+  /// Another dataset instead.
   void replace(const std::string& path, const std::vector<double>& numbers, hsize_t columns) const {
     remove(path);
     const hsize_t size[]{numbers.size() / columns, columns};
@@ -90,9 +96,11 @@ class PlainHdf5 {
     H5Sclose(space);
   }
   void set_number(const std::string& path, const char* name, double value) const {
-    const hid_t attribute = H5Aopen_by_name(file_, path.c_str(), name, H5P_DEFAULT, H5P_DEFAULT);
-    H5Awrite(attribute, H5T_NATIVE_DOUBLE, &value);
+    const hid_t object = H5Oopen(file_, path.c_str(), H5P_DEFAULT),
+                attribute = H5Aopen(object, name, H5P_DEFAULT);
+    EXPECT_GE(H5Awrite(attribute, H5T_NATIVE_DOUBLE, &value), 0) << path;
     H5Aclose(attribute);
+    H5Oclose(object);
   }
 
  private:
