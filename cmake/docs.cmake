@@ -19,7 +19,7 @@ if(TARGET draw_pictures)
   add_dependencies(docs draw_pictures)
 endif()
 
-# docs/reference/scenario_file.md.
+# docs/reference/scenario_file.md and result_file.md.
 if(TARGET scenario_page)
   add_dependencies(docs scenario_page)
 endif()

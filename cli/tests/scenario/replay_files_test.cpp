@@ -142,11 +142,11 @@ TEST_F(ReplayFiles, AreWrittenAsAWholeOrNotAtAll) {
   };
   EXPECT_EQ(complaint([&] { write_new(other, half, true); }, other), "FILE: the disk is full");
   EXPECT_EQ(content(other), "kept");
+  for (const auto& each : std::filesystem::directory_iterator(folder.file("")))
+    EXPECT_NE(each.path().extension(), ".part");
   write_new(other, "new", true);
   EXPECT_EQ(content(kept), "new");
   EXPECT_TRUE(std::filesystem::is_symlink(other));
-  for (const auto& each : std::filesystem::directory_iterator(folder.file("")))
-    EXPECT_NE(each.path().extension(), ".part");
 }
 
 }  // namespace
