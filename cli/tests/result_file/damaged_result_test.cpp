@@ -6,6 +6,13 @@
 #include "says.hpp"
 #include "stored.hpp"
 
+#ifdef VECTRIX_SANITIZED
+// HDF5 1.10.8 loses memory of its own where it finds damage.
+extern "C" const char* __lsan_default_suppressions() {
+  return "leak:libhdf5";
+}
+#endif
+
 namespace vectrix::cli::damaged_result_test {
 namespace {
 
@@ -126,7 +133,7 @@ TEST_F(DamagedResult, HoldsNoMoreThanItsBytesCan) {
             "FILE: /orbit/visible_sun has 1099511627776 rows, more than the file can hold");
 }
 
-// Checksums find each damage that changes what is read.
+// Checksums find each damage that changes what is read, and nothing is left open.
 TEST_F(DamagedResult, IsRefusedOrUnchanged) {
   std::size_t refused = 0, tried = 0;
   constexpr std::size_t step = 101;
@@ -141,6 +148,7 @@ TEST_F(DamagedResult, IsRefusedOrUnchanged) {
       ++refused;
       EXPECT_TRUE(says(error.what(), file.string() + ": "));
     }
+    EXPECT_EQ(H5Fget_obj_count(H5F_OBJ_ALL, H5F_OBJ_ALL), 0);
   }
   EXPECT_GT(2 * refused, tried);  // else most of the file is not looked at
   for (std::size_t size = bytes_.size() - 1; size > 0; size /= 2)
