@@ -119,7 +119,7 @@ TEST(ResultFile, HasAScenarioThatCanBeReadAgain) {
   from.folder.written("title.toml", "version = 1\ntitle = \"\u00c4 \u2192 B\"\n");
   const auto file = from.folder.written(
       "s.toml", "include = [\"more.toml\"]\n" + with(ScenarioFolder::plain, "title = \"T\"\n", ""));
-  const Result stored = read_result(from.folder.written("r.h5", stored_bytes(replayed(file).result())));
+  const Result stored = read_result(from.folder.written("r.h5", stored_bytes(replayed_file(file).result())));
   ASSERT_EQ(stored.scenario.size(), 3U);
   for (const auto& [path, text] : stored.scenario) {
     EXPECT_EQ(text, content(path));

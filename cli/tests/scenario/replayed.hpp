@@ -33,8 +33,8 @@ struct Replayed {
   [[nodiscard]] Result result() const { return replay_result(scenario, flight, measures, judged, "0"); }
   [[nodiscard]] Report report() const { return report_of(result()); }
 };
-inline Replayed replayed(const std::filesystem::path& file,
-                         const std::shared_ptr<const TemporaryFolder>& folder = nullptr) {
+inline Replayed replayed_file(const std::filesystem::path& file,
+                              const std::shared_ptr<const TemporaryFolder>& folder = nullptr) {
   const Scenario scenario = read_scenario(file);
   Progress silent(nullptr);
   Replayed made{folder, scenario, read_flight(scenario, silent), {}, {}};
@@ -45,7 +45,7 @@ inline Replayed replayed(const std::filesystem::path& file,
 }
 inline Replayed result(const std::string& text) {
   const auto folder = std::make_shared<const TemporaryFolder>();
-  return replayed(folder->written("s.toml", text), folder);
+  return replayed_file(folder->written("s.toml", text), folder);
 }
 
 }  // namespace vectrix::cli
