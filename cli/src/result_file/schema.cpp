@@ -42,11 +42,13 @@ std::string form_of(const Hdf5Entry& entry) {
 const std::vector<Hdf5Entry>& result_entries() {
   using enum Hdf5Kind;
   static const std::vector<Hdf5Entry> all{
-      {"/attitude/tai", numbers, "instant", 2, "d", meaning_of_tai, "scale"},
+      {"/attitude/tai", numbers, "instant", 2, "d", meaning_of_tai,
+       "scale, tai_minus_utc_first, tai_minus_utc_last"},
       {"/attitude/seconds", numbers, "instant", 1, "s", meaning_of_seconds, "since_utc, since_tt"},
       {"/attitude/quaternion", numbers, "instant", 4, "1", meaning_of_quaternion, "from, to, scalar"},
       {"/attitude/gaps", numbers, "gap", 2, "s", meaning_of_gaps, "since_utc, since_tt, longest_step"},
-      {"/samples/tai", numbers, "sample", 2, "d", meaning_of_tai, "scale"},
+      {"/samples/tai", numbers, "sample", 2, "d", meaning_of_tai,
+       "scale, tai_minus_utc_first, tai_minus_utc_last"},
       {"/samples/seconds", numbers, "sample", 1, "s", meaning_of_seconds, "since_utc, since_tt"},
       {"/samples/quaternion", numbers, "sample", 4, "1", meaning_of_quaternion, "from, to, scalar"},
       {"/samples/gaps", numbers, "gap", 2, "s", meaning_of_gaps, "since_utc, since_tt, longest_step"},
@@ -118,7 +120,8 @@ std::string result_page() {
       "- The file itself has the attributes `format`, `form` (" +
       std::to_string(result_form) +
       "), `version`, `title`, `body` and `reference`, the frames of the attitude.\n"
-      "- `/attitude` has the instants that are looked at. `/samples` has the samples of the attitude file, from "
+      "- `/attitude` has the instants that are looked at. `/samples` has the samples of the attitude file, "
+      "from "
       "the one before the\n"
       "  first instant to the one after the last; without `time.step` they are the instants.\n"
       "- Numbers are stored as they are in the program, in 8 bytes, compressed (shuffle and deflate) and "
