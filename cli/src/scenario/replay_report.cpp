@@ -31,10 +31,7 @@ std::vector<Report::Fact> facts(const Scenario& scenario, const Flight& flight) 
                         span_of(flight.attitude)}};
   if (const std::string missing = without_attitude(scenario, flight); !missing.empty())
     all.push_back({"without attitude, not judged", missing});
-  if (const auto& orbit = scenario.orbit)
-    all.push_back({"orbit", !orbit->elements.empty()  ? orbit->elements.string()
-                            : !orbit->message.empty() ? orbit->message.string()
-                                                      : orbit->table->file.string()});
+  if (scenario.orbit) all.push_back({"orbit", files_of(*scenario.orbit).front().string()});
   for (std::size_t i = 0; i < scenario.measures.size(); ++i)
     all.push_back({"measure", scenario.measures[i].name});
   return all;
@@ -132,7 +129,7 @@ Report::Input input(const std::filesystem::path& file) {
 void add_choices(Report& report, const Scenario& scenario, const Flight& flight) {
   const AttitudeRecord& record = flight.flown.record;
   report.choices = scenario.choices;
-  if (record.message && record.has_quaternions)
+  if (!scenario.attitude.columns && record.has_quaternions)
     report.choices.push_back(
         {"quaternions of the attitude",
          "R(q) takes coordinates to " +

@@ -4,7 +4,6 @@
 #include <filesystem>
 #include <optional>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "report/report.hpp"
@@ -27,16 +26,6 @@ struct FixedAxis {
   std::string text, frame;
   Eigen::Vector3d vector;
 };
-
-struct StarTarget {
-  std::string name;
-  RightAscensionDeclination at;
-};
-struct StationTarget {
-  std::string name;
-  Geodetic at;
-};
-using MeasureTarget = std::variant<Target, StarTarget, StationTarget>;
 
 struct Measure {
   Place place;

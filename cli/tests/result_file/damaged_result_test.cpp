@@ -18,7 +18,7 @@ namespace {
 
 class DamagedResult : public ::testing::Test {
  protected:
-  DamagedResult() : bytes_(stored_bytes(cli::result(example("sentinel1.toml")).result())) {}
+  DamagedResult() : bytes_(stored_bytes(cli::replayed(example("sentinel1.toml")).result())) {}
 
   [[nodiscard]] std::filesystem::path written(const std::string& bytes) const {
     return folder_.written("r.h5", bytes);

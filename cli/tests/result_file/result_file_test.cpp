@@ -12,7 +12,7 @@ namespace {
 struct Stored {
   explicit Stored(const Replayed& flown)
       : replayed(flown), file(replayed.folder->written("r.h5", stored_bytes(replayed.result()))) {}
-  explicit Stored(const std::string& text) : Stored(cli::result(text)) {}
+  explicit Stored(const std::string& text) : Stored(cli::replayed(text)) {}
 
   Replayed replayed;
   std::filesystem::path file;
@@ -131,7 +131,7 @@ TEST(ResultFile, HasAScenarioThatCanBeReadAgain) {
 }
 
 TEST(ResultFile, DependsOnTheResultAlone) {
-  const Replayed flown = cli::result(example("ctim.toml"));
+  const Replayed flown = cli::replayed(example("ctim.toml"));
   EXPECT_TRUE(stored_bytes(flown.result()) == stored_bytes(flown.result()));
 }
 

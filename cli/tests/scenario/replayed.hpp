@@ -43,7 +43,7 @@ inline Replayed replayed_file(const std::filesystem::path& file,
   made.judged = verdicts(scenario, made.flight, made.measures);
   return made;
 }
-inline Replayed result(const std::string& text) {
+inline Replayed replayed(const std::string& text) {
   const auto folder = std::make_shared<const TemporaryFolder>();
   return replayed_file(folder->written("s.toml", text), folder);
 }

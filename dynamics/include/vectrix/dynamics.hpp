@@ -46,4 +46,4 @@
 #include <vectrix/dynamics/rigid/euler.hpp>
 #include <vectrix/dynamics/rigid/state.hpp>
 #include <vectrix/dynamics/rigid/torque_free.hpp>
-#include <vectrix/space.hpp>
+#include <vectrix/kinematics.hpp>
