@@ -19,7 +19,7 @@ if(TARGET draw_pictures)
   add_dependencies(docs draw_pictures)
 endif()
 
-# docs/reference/scenario_file.md.
+# docs/reference/scenario_file.md, result_file.md and those of the commands.
 if(TARGET reference_pages)
   add_dependencies(docs reference_pages)
 endif()

@@ -10,6 +10,7 @@
 #include "command/pages.hpp"
 #include "new_file.hpp"
 #include "plain_words.hpp"
+#include "result_file/schema.hpp"
 #include "scenario/schema.hpp"
 
 namespace {
@@ -82,6 +83,11 @@ bool run_frames(const FramesOptions& options) {
   return true;
 }
 
+bool run_report(const StoredReportOptions& options) {
+  stored_report(options, std::cout);
+  return true;
+}
+
 bool write_pages(const std::filesystem::path& folder) {
   for (const CommandDescription& command : described_program(VECTRIX_VERSION).commands)
     write_new(folder / page_name(command), command_page(command), true);
@@ -93,6 +99,7 @@ bool run(const std::string& command, CommandWords& words) {
   if (command == "pointing") return run_pointing(words.pointing);
   if (command == "convert") return run_convert(words.convert);
   if (command == "replay") return run_replay(words.replay);
+  if (command == "report") return run_report(words.report);
   if (command == "frames") return run_frames(words.frames);
   if (command == "pages") return write_pages(words.folder);
   const auto program = described_program(VECTRIX_VERSION);
@@ -101,7 +108,7 @@ bool run(const std::string& command, CommandWords& words) {
   } else if (command == "man") {
     std::cout << (words.manual == "vectrix.1" ? program_manual(program) : scenario_manual(VECTRIX_VERSION));
   } else {
-    std::cout << schema_page();
+    std::cout << (words.of_result ? result_page() : schema_page());
   }
   return true;
 }

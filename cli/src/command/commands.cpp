@@ -199,7 +199,22 @@ void add_replay(CLI::App& app, ReplayOptions& options) {
   Options all(replay);
   all.add("file", options.file, a_file, "the scenario file, TOML").required();
   all.flag("--check", options.check, "only reads the scenario and its attitude, and says what is wrong");
-  all.flag("--force", options.force, "overwrites the files that the scenario names in [output]");
+  all.add("--hdf5", options.hdf5, a_file,
+          "writes all results, with the scenario, to this file, .h5: docs/reference/result_file.md");
+  all.flag("--force", options.force, "overwrites that file and those that the scenario names in [output]");
+}
+
+void add_report(CLI::App& app, StoredReportOptions& options) {
+  auto& report = *app.add_subcommand("report", "write the report of a stored result");
+  report.footer(
+      "The page is that of vectrix replay; the files of the flight are not needed.\n"
+      "Exit code: 0, or 2 if the input is wrong; then nothing is written.\n\n"
+      "  vectrix replay scenario.toml --hdf5 result.h5\n"
+      "  vectrix report result.h5");
+  Options all(report);
+  all.add("file", options.file, a_file, "what vectrix replay --hdf5 has written").required();
+  all.add("--output", options.output, a_file, "the page; by default the same name with .html");
+  all.flag("--force", options.force, "overwrites an existing file");
 }
 
 void add_frames(CLI::App& app, FramesOptions& options) {
@@ -236,8 +251,9 @@ void add_manual(CLI::App& app, std::string& manual) {
 }
 
 // For docs/reference; of no use to others.
-void add_pages(CLI::App& app, std::string& folder) {
-  app.add_subcommand("schema", "the page of the scenario file")->group("");
+void add_pages(CLI::App& app, bool& of_result, std::string& folder) {
+  auto& schema = *app.add_subcommand("schema", "the page of the scenario file")->group("");
+  Options(schema).flag("--result", of_result, "that of the result file");
   auto& pages = *app.add_subcommand("pages", "the pages of the commands")->group("");
   Options(pages).add("folder", folder, "FOLDER", "where they are written").required();
 }
@@ -252,10 +268,11 @@ void add_commands(CLI::App& app, CommandWords& words, const std::string& version
   add_pointing(app, words.pointing);
   add_convert(app, words.convert);
   add_replay(app, words.replay);
+  add_report(app, words.report);
   add_frames(app, words.frames);
   add_completion(app, words.shell);
   add_manual(app, words.manual);
-  add_pages(app, words.folder);
+  add_pages(app, words.of_result, words.folder);
 }
 
 ProgramDescription described_program(const std::string& version) {

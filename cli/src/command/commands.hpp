@@ -6,6 +6,7 @@
 #include "frames.hpp"
 #include "pointing.hpp"
 #include "replay.hpp"
+#include "stored_report.hpp"
 #include "target_words.hpp"
 #include "words.hpp"
 
@@ -42,6 +43,8 @@ struct CommandWords {
   ConvertWords convert;
   ReplayOptions replay;
   FramesOptions frames;
+  StoredReportOptions report;
+  bool of_result = false;             // of schema
   std::string shell, manual, folder;  // of completion, man and pages
 };
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "angle_figures.hpp"
 #include "evidence.hpp"
 #include "figures.hpp"
 #include "plain_words.hpp"
@@ -171,17 +170,19 @@ std::string better_readings(const Flight& flight, const Measured& measure) {
   return names;
 }
 
-std::vector<Report::Verdict> verdicts(const Scenario& scenario, const Flight& flight,
-                                      const std::vector<Measured>& measures) {
-  std::vector<Report::Verdict> all;
+std::vector<Judged> verdicts(const Scenario& scenario, const Flight& flight,
+                             const std::vector<Measured>& measures) {
+  std::vector<Judged> all;
   for (const Requirement& required : scenario.requirements) {
     const AngleFigures figures(errors_of(required, flight, measures[required.measure]));
     const Judgement judged = figures.judge(required.degrees, required.percent);
-    all.push_back({scenario.measures[required.measure].name + ": " + measures[required.measure].what,
-                   required.text,
-                   decimals(judged.found) + " deg (" + std::to_string(judged.within) + " of " +
-                       std::to_string(figures.size()) + " are within)",
-                   decimals(judged.margin) + " deg", judged.fulfilled});
+    all.push_back(
+        {{scenario.measures[required.measure].name + ": " + measures[required.measure].what, required.text,
+          decimals(judged.found) + " deg (" + std::to_string(judged.within) + " of " +
+              std::to_string(figures.size()) + " are within)",
+          decimals(judged.margin) + " deg", judged.fulfilled},
+         judged,
+         figures.size()});
   }
   return all;
 }

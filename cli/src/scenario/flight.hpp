@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "angle_figures.hpp"
 #include "progress.hpp"
 #include "scenario/fixed_frame.hpp"
 #include "scenario/scenario.hpp"
@@ -57,8 +58,13 @@ Measured measured(const Measure& measure, const Scenario& scenario, const Flight
 /// there is none. None is chosen.
 std::string better_readings(const Flight& flight, const Measured& measure);
 
+/// A verdict with its numbers.
+struct Judged : Report::Verdict {
+  Judgement figures;
+  std::size_t count;  // of the samples or windows that are judged
+};
 /// Which requirements are fulfilled. Throws BadInput if nothing is left to be judged.
-std::vector<Report::Verdict> verdicts(const Scenario& scenario, const Flight& flight,
-                                      const std::vector<Measured>& measures);
+std::vector<Judged> verdicts(const Scenario& scenario, const Flight& flight,
+                             const std::vector<Measured>& measures);
 
 }  // namespace vectrix::cli

@@ -37,7 +37,8 @@ class Reader {
   }
 
   Scenario read() {
-    collect_inputs(table_);
+    for (const auto& text : table_.files) add_input(text);
+    scenario_.texts = scenario_.inputs;
     read_time();
     if (const auto* const earth = table_.table("earth")) {
       const auto& value = earth->at("orientation");
@@ -70,12 +71,6 @@ class Reader {
     scenario_.choices.push_back({what, value, by.line_text()});
   }
 
-  void collect_inputs(const ScenarioTable& table) {
-    add_input(table.place.file);
-    for (const auto& [name, value] : table.values)
-      if (const auto* const parts = std::get_if<std::vector<ScenarioTable>>(&value.value))
-        for (const ScenarioTable& part : *parts) collect_inputs(part);
-  }
   void add_input(const std::filesystem::path& file) {
     auto& all = scenario_.inputs;
     if (std::find(all.begin(), all.end(), file) == all.end()) all.push_back(file);

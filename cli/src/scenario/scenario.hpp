@@ -79,7 +79,8 @@ struct Scenario {
   std::vector<Measure> measures{};
   std::vector<Requirement> requirements{};
   std::filesystem::path report{}, csv{};        // empty if not wanted
-  std::vector<std::filesystem::path> inputs{};  // every file that is read, this one first
+  std::vector<std::filesystem::path> texts{};   // this file, then those that it includes
+  std::vector<std::filesystem::path> inputs{};  // every file that is read, the texts first
   std::vector<NamedColumn> columns{};
   std::vector<Report::Choice> choices{};  // what it states
 };

@@ -71,13 +71,13 @@ class BashCompletion : public ::testing::Test {
 
 TEST_F(BashCompletion, OffersCommands) {
   EXPECT_EQ(offered({""}), (Words{"--help", "--version", "check", "completion", "convert", "frames", "man",
-                                  "pointing", "replay"}));
+                                  "pointing", "replay", "report"}));
   EXPECT_EQ(offered({"co"}), (Words{"completion", "convert"}));
   EXPECT_EQ(offered({"nothing", ""}), Words{});
 }
 
 TEST_F(BashCompletion, OffersOptions) {
-  EXPECT_EQ(offered({"replay", "--"}), (Words{"--check", "--force", "--help"}));
+  EXPECT_EQ(offered({"replay", "--"}), (Words{"--check", "--force", "--hdf5", "--help"}));
   EXPECT_EQ(offered({"pointing", "a.aem", "--ri"}), Words{"--right-ascension"});
   EXPECT_EQ(offered({"check", "--require"}), Words{});
 }
