@@ -19,9 +19,9 @@ if(TARGET draw_pictures)
   add_dependencies(docs draw_pictures)
 endif()
 
-# docs/reference/scenario_file.md.
-if(TARGET scenario_page)
-  add_dependencies(docs scenario_page)
+# docs/reference/scenario_file.md, result_file.md and those of the commands.
+if(TARGET reference_pages)
+  add_dependencies(docs reference_pages)
 endif()
 
 # The compiler's message in README.md.

@@ -1,4 +1,5 @@
 #include <vectrix/dynamics.hpp>
+#include <vectrix/space/files/csv_table.hpp>
 
 #include "comparison.hpp"
 #include "difference.hpp"

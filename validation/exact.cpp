@@ -1,6 +1,7 @@
 #include <memory>
 #include <utility>
 #include <vectrix/dynamics.hpp>
+#include <vectrix/space/files/csv_table.hpp>
 
 #include "comparison.hpp"
 #include "difference.hpp"

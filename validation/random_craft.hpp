@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
+#include <cmath>
 #include <random>
 #include <string>
 #include <vector>
@@ -35,9 +36,11 @@ class Draw {
   std::normal_distribution<double> normal_;
 };
 
-inline PlainBody random_body(Draw& draw, int number, const std::string& parent, bool locks) {
+/// `slanted`: the axes of a gimbal make 55 degrees, else a right angle.
+inline PlainBody random_body(Draw& draw, int number, const std::string& parent, bool locks, bool slanted) {
   const auto joint = JointKind(draw.below(6));
-  const Vector3d first = draw.triple().normalized(), second = first.cross(draw.triple()).normalized();
+  const Vector3d first = draw.triple().normalized(), across = first.cross(draw.triple()).normalized();
+  const Vector3d second = slanted ? Vector3d((across + 0.7 * first).normalized()) : across;
   std::vector<Vector3d> axes;
   if (joint == JointKind::hinge || joint == JointKind::slider || joint == JointKind::gimbal)
     axes.push_back(first);
@@ -54,8 +57,14 @@ inline PlainBody random_body(Draw& draw, int number, const std::string& parent, 
           draw.inertia(mass)};
 }
 
-/// Two to `most` bodies with two rotors; a third of the bodies has a name that begins with "locked".
-inline PlainSpacecraft random_craft(Draw& draw, bool locks, int most) {
+/// Makes the coordinates and rates of the modes at the end of a state small, as deflections are.
+inline void make_small(const PlainSpacecraft& craft, std::vector<double>& state) {
+  for (std::size_t i = state.size() - 2 * craft.modes.size(); i < state.size(); ++i) state[i] *= 0.1;
+}
+
+/// Two to `most` bodies with two rotors; with `locks` a third of the bodies has a name that begins with
+/// "locked"; if it is `flexible` its gimbals are slanted, and it has three modes.
+inline PlainSpacecraft random_craft(Draw& draw, bool locks, int most, bool flexible = false) {
   const double mass = draw.between(3.0, 30.0);
   PlainSpacecraft craft{"inertial", "hub", HubMotion::free, mass, 0.3 * draw.triple(), draw.inertia(mass), {},
                         {},         {}};
@@ -63,15 +72,28 @@ inline PlainSpacecraft random_craft(Draw& draw, bool locks, int most) {
   const int count = 1 + draw.below(most - 1);
   for (int i = 1; i <= count; ++i) {
     const int parent = draw.below(i);
-    bodies.push_back(
-        random_body(draw, i, parent == 0 ? "hub" : bodies[static_cast<std::size_t>(parent) - 1].name, locks));
+    bodies.push_back(random_body(
+        draw, i, parent == 0 ? "hub" : bodies[static_cast<std::size_t>(parent) - 1].name, locks, flexible));
   }
+  const auto inertia_at = [&](int at) -> const Matrix3d& {
+    return at == 0 ? craft.J_c_h : bodies[static_cast<std::size_t>(at) - 1].J_c_b;
+  };
+  const auto name_at = [&](int at) {
+    return at == 0 ? craft.hub : bodies[static_cast<std::size_t>(at) - 1].name;
+  };
   for (int i = 0; i < 2; ++i) {
     const int at = draw.below(count + 1);
-    const Matrix3d& J = at == 0 ? craft.J_c_h : bodies[static_cast<std::size_t>(at) - 1].J_c_b;
-    craft.rotors.push_back({"rotor " + std::to_string(i),
-                            at == 0 ? "hub" : bodies[static_cast<std::size_t>(at) - 1].name,
-                            draw.triple().normalized(), 0.05 / J.inverse().trace()});
+    craft.rotors.push_back({"rotor " + std::to_string(i), name_at(at), draw.triple().normalized(),
+                            0.05 / inertia_at(at).inverse().trace()});
+  }
+  for (int i = 0; flexible && i < 3; ++i) {
+    const int at = draw.below(count + 1);
+    const PlainBody* body = at == 0 ? nullptr : &bodies[static_cast<std::size_t>(at) - 1];
+    const Vector3d d_t = 0.2 * std::sqrt(body ? body->mass : craft.mass) * draw.triple().normalized();
+    const Vector3d turning = std::sqrt(0.05 / inertia_at(at).inverse().trace()) * draw.triple().normalized();
+    craft.modes.push_back({"mode " + std::to_string(i), name_at(at),
+                           (body ? body->r_bc_b : craft.r_hc_h).cross(d_t) + turning, d_t,
+                           draw.between(0.5, 3.0), draw.between(0.0, 0.1)});
   }
   return craft;
 }

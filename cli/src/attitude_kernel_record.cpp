@@ -11,7 +11,8 @@ struct Reference : inertial_frame {};
 struct Body : moving_frame {};
 
 // The number of the frame whose attitude is read.
-std::int32_t frame_of(const DafFile& file, const std::string& named, const FrameKernel& frames) {
+std::int32_t frame_of(const DafFile& file, const KernelWords& words, const FrameKernel& frames) {
+  const std::string &named = words.frame, key = words.frame_word.substr(0, words.frame_word.find(' '));
   std::set<std::int32_t> there;
   for (const DafFile::Array& array : file.arrays())
     if (!array.integers.empty()) there.insert(array.integers.front());
@@ -20,15 +21,17 @@ std::int32_t frame_of(const DafFile& file, const std::string& named, const Frame
     try {
       return frames.attitude_id_of(detail::claim_of<Body>(called<Body>(named)));
     } catch (const BadInput&) {
-      throw BadInput("--ck-frame " + named + ": this is no number, and --fk has no frame of this name");
+      throw BadInput(
+          words.frame_place + key + ' ' + named + ": this is no number, and " +
+          (words.frames.empty() ? "no frame kernel is given" : words.frames + " has no frame of this name"));
     }
   };
   const std::int32_t wanted = named.empty() ? *there.begin() : id_of_name();
   if (named.empty() ? there.size() != 1 : !there.contains(wanted)) {
     std::string list;
     for (const std::int32_t id : there) list += (list.empty() ? "" : ", ") + detail::text(id);
-    throw BadInput(file.place() + ": it has the frames " + list + "; " +
-                   (named.empty() ? "missing: --ck-frame NAME" : "--ck-frame is " + named));
+    throw BadInput(words.frame_place + file.place() + ": it has the frames " + list + "; " +
+                   (named.empty() ? "missing: " + words.frame_word : key + " is " + named));
   }
   return wanted;
 }
@@ -43,13 +46,22 @@ bool is_kernel(const std::filesystem::path& file) {
   return word.starts_with("DAF/") || word.starts_with("DAFETF") || word == "NAIF/DAF";
 }
 
+void use_leap_seconds_of(const KernelWords& words) {
+  if (words.leap_seconds.empty()) return;
+  const auto table = read_leap_second_kernel(words.leap_seconds);
+  try {
+    use_leap_seconds(table);
+  } catch (const BadInput& error) {
+    throw BadInput(words.leap_seconds + ": " + error.what());
+  }
+}
+
 AttitudeRecord read_kernel(const std::filesystem::path& file, const KernelWords& words,
                            const Selection& selection) {
   if (words.clock.empty())
     throw BadInput(file.string() + ": a kernel has times of a clock; missing: --sclk FILE");
-  if (!words.leap_seconds.empty()) use_leap_seconds(read_leap_second_kernel(words.leap_seconds));
   const auto frames = words.frames.empty() ? FrameKernel() : FrameKernel::read(words.frames);
-  const std::int32_t frame = frame_of(DafFile::open(file), words.frame, frames);
+  const std::int32_t frame = frame_of(DafFile::open(file), words, frames);
   constexpr std::int32_t frames_of_a_spacecraft = 1000;
   const auto clock =
       SpacecraftClock::read(words.clock, frames.clock_of(frame).value_or(frame / frames_of_a_spacecraft));

@@ -128,7 +128,8 @@ AttitudeRecord read_message(const std::filesystem::path& file, const Selection& 
   record.times = lines.times;
   record.time_scale = part.metadata().time_system;
   record.message = MessageText{message.header(), part.metadata(), part.comments()};
-  if (part.type() == AttitudeType::euler_angle) {
+  if (part.type() != AttitudeType::quaternion && part.type() != AttitudeType::quaternion_derivative &&
+      part.type() != AttitudeType::quaternion_rate) {
     struct Reference : inertial_frame {};
     struct Body : moving_frame {};
     record.has_quaternions = false;
@@ -137,6 +138,8 @@ AttitudeRecord read_message(const std::filesystem::path& file, const Selection& 
     for (const auto& sample :
          part.samples<Reference, Body>(called<Reference>(reference_name), called<Body>(record.body)))
       record.numbers.push_back(sample.q_a_from_b.scalar_last());
+    if (part.type() != AttitudeType::euler_angle)
+      record.no_rates = "The rates of the angles or of the spin are not used.";
   } else {
     // A2B: v^a = R(q) v^b.
     const bool to_a = !lines.is_b_to_a;

@@ -8,6 +8,7 @@
 #include "sample_faults.hpp"
 #include "table_text.hpp"
 #include "viewer_text.hpp"
+#include "word.hpp"
 
 namespace vectrix::cli {
 namespace {

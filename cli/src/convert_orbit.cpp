@@ -6,6 +6,7 @@
 #include "new_file.hpp"
 #include "table_text.hpp"
 #include "viewer_text.hpp"
+#include "word.hpp"
 
 namespace vectrix::cli {
 namespace {

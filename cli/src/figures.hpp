@@ -23,6 +23,14 @@ inline std::string decimals(double value) {
   std::snprintf(text, sizeof text, "%.6f", value);
   return text;
 }
+/// So many decimals, without the sign of a number that is rounded to zero.
+inline std::string with_decimals(double value, int count) {
+  char digits[352];
+  std::snprintf(digits, sizeof digits, "%.*f", count, value);
+  const std::string text = digits;
+  const bool is_minus_zero = text.front() == '-' && text.find_first_of("123456789") == std::string::npos;
+  return is_minus_zero ? text.substr(1) : text;
+}
 inline std::string padded(std::string text, std::size_t width) {
   text.insert(0, width - std::min(width, text.size()), ' ');
   return text;

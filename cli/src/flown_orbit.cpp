@@ -110,7 +110,7 @@ std::int32_t spacecraft_of(const std::string& file, const EphemerisKernel& kerne
   std::string list;
   for (const std::int32_t id : there) list += (list.empty() ? "" : ", ") + detail::text(id);
   if (there.size() != 1)
-    throw BadInput(file + ": --spk takes a kernel of one spacecraft; it has " +
+    throw BadInput(file + ": an orbit is taken from a kernel of one spacecraft; this one has " +
                    (list.empty() ? "none" : list));
   return *there.begin();
 }

@@ -132,19 +132,11 @@ class Frames {
   std::map<std::string, Hanging> tree_;
 };
 
-// Without the sign of a number that is rounded to zero.
-std::string rounded(double number, int decimals) {
-  char text[64];
-  std::snprintf(text, sizeof text, "%.*f", decimals, number);
-  const std::string all = text;
-  return all.find_first_of("123456789") == std::string::npos && all.front() == '-' ? all.substr(1) : all;
-}
-
 void write(const Eigen::Matrix3d& R, std::ostream& out) {
   constexpr int digits = 15;
   for (int i = 0; i < 3; ++i) {
     out << "   ";
-    for (int j = 0; j < 3; ++j) out << padded(rounded(R(i, j), digits), digits + 4);
+    for (int j = 0; j < 3; ++j) out << padded(with_decimals(R(i, j), digits), digits + 4);
     out << '\n';
   }
 }
@@ -153,8 +145,8 @@ void write_rate(const std::string& of, const std::string& relative_to, const Eig
                 std::ostream& out) {
   constexpr int digits = 6;
   out << "    w of " << of << " relative to " << relative_to << ", in " << of << ", deg/s: (";
-  for (int i = 0; i < 3; ++i) out << (i == 0 ? "" : ", ") << rounded(degrees * w[i], digits);
-  out << "), " << rounded(degrees * w.norm(), digits) << '\n';
+  for (int i = 0; i < 3; ++i) out << (i == 0 ? "" : ", ") << with_decimals(degrees * w[i], digits);
+  out << "), " << with_decimals(degrees * w.norm(), digits) << '\n';
 }
 
 void write_chain(const Frames& frames, const std::string& from, const std::string& to, std::ostream& out) {

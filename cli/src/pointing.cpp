@@ -10,6 +10,7 @@
 #include "new_file.hpp"
 #include "pointing_error.hpp"
 #include "sample_faults.hpp"
+#include "word.hpp"
 
 namespace vectrix::cli {
 namespace {
@@ -17,7 +18,7 @@ namespace {
 // "the Sun, apparent, seen from the satellite"
 std::string seen(const PointingOptions& options, bool from_orbit) {
   const std::string target = name_of(options.target);
-  if (!is_in_sky(options.target)) return target;
+  if (!options.correction) return target;
   return target + ", " + words_of(*options.correction) + ", seen from " +
          (from_orbit ? "the satellite" : "the centre of the Earth");
 }
@@ -66,11 +67,21 @@ void require_angle(const char* option, const std::optional<double>& angle) {
 
 void check_options(const PointingOptions& options) {
   require_axis(options.axis);
-  if (is_in_sky(options.target) && !options.correction)
+  const auto possible = corrections_of(options.target);
+  const std::string names = joined(possible, "|");
+  if (!possible.empty() && !options.correction)
+    throw BadInput(name_of(options.target) + " is not where it is seen; missing: --correction " + names);
+  if (possible.empty() && options.correction)
+    throw BadInput("--correction is of the Sun, the Moon and stars, not of " + name_of(options.target));
+  if (std::holds_alternative<StarTarget>(options.target) &&
+      std::holds_alternative<Geometric>(*options.correction))
+    throw BadInput("a catalogue says where a star is seen, not where it is; needed: --correction " + names);
+  const bool is_station = std::holds_alternative<StationTarget>(options.target);
+  if (is_station && options.orientation.empty())
     throw BadInput(name_of(options.target) +
-                   " is not where it is seen; missing: --correction geometric|light_time|apparent");
-  if (!is_in_sky(options.target) && options.correction)
-    throw BadInput("--correction is of the Sun and the Moon, not of " + name_of(options.target));
+                   " turns with the Earth; missing: --orientation FILE, finals2000A of the IERS");
+  if (!is_station && !options.orientation.empty())
+    throw BadInput("--orientation is of a station, not of " + name_of(options.target));
   if (options.force && options.csv.empty())
     throw BadInput("--force overwrites the file of --csv, which is not given");
   require_angle("--require", options.required);
@@ -120,16 +131,33 @@ bool write_relative(const PointingOptions& options, const AttitudeRecord& record
          fulfils(figures, *options.required_relative, *options.percent, "windows", out);
 }
 
+// The orientation of the Earth, which must be known from the first sample to the last.
+std::optional<EarthOrientation> read_orientation(const PointingOptions& options,
+                                                 const AttitudeRecord& record) {
+  if (options.orientation.empty()) return std::nullopt;
+  auto orientation = EarthOrientation::read(options.orientation);
+  try {
+    for (const Epoch& t : {record.times.front(), record.times.back()}) (void)orientation.at(t);
+  } catch (const BadInput& error) {
+    throw BadInput(options.orientation.string() + ": " + error.what());
+  }
+  return orientation;
+}
+
 }  // namespace
 
 bool pointing(const PointingOptions& options, std::ostream& out) {
   check_options(options);
   for (const auto& inputs : {files_of(options.attitude), files_of(options.orbit)})
     refuse_input(options.csv, inputs);
+  refuse_input(options.csv, {options.orientation});
   const AttitudeRecord record = read_attitude(options.attitude);
   require_utc(record);
-  const FlownOrbit orbit = read_orbit(options.orbit, from_until(record.times.front(), record.times.back()));
-  const auto to_target = directions(record, options.target, options.correction.value_or(geometric), orbit);
+  OrbitSource source = options.orbit;
+  source.orientation = read_orientation(options, record);
+  const FlownOrbit orbit = read_orbit(source, from_until(record.times.front(), record.times.back()));
+  const auto to_target =
+      directions(record, options.target, options.correction.value_or(geometric), orbit, source.orientation);
   const auto in_body = seen_in_body(record, to_target);
   const auto angles = absolute_errors(in_body, options.axis);
   std::optional<RelativeErrors> relative;

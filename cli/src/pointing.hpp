@@ -13,8 +13,9 @@ struct PointingOptions {
   AttitudeSource attitude;
   OrbitSource orbit{};
   Eigen::Vector3d axis = Eigen::Vector3d::Zero();  // in the axes of the body, any length
-  Target target = Target::sun;
-  std::optional<SkyCorrection> correction{};            // of the Sun and the Moon, which need one
+  MeasureTarget target = Target::sun;
+  std::filesystem::path orientation{};                  // of the Earth, for a station
+  std::optional<SkyCorrection> correction{};            // of the Sun, the Moon and stars, which need one
   std::optional<double> window{};                       // s
   std::optional<double> required, required_relative{};  // deg, of the absolute and the relative error
   std::optional<double> percent{};  // of the samples, or the windows, that have to fulfil it

@@ -8,6 +8,7 @@
 #include "figures.hpp"
 #include "new_file.hpp"
 #include "plain_words.hpp"
+#include "result_file/result_file.hpp"
 #include "scenario/budget.hpp"
 #include "scenario/flight.hpp"
 #include "scenario/replay_report.hpp"
@@ -33,8 +34,7 @@ void write_measures(const Scenario& scenario, const std::vector<Measured>& measu
   if (!measures.empty()) out << '\n';
 }
 
-bool write_verdicts(const Scenario& scenario, const std::vector<Report::Verdict>& verdicts,
-                    std::ostream& out) {
+bool write_verdicts(const Scenario& scenario, const std::vector<Judged>& verdicts, std::ostream& out) {
   if (verdicts.empty()) {
     out << "Nothing is required.\n";
     return true;
@@ -83,12 +83,20 @@ std::string table(const Scenario& scenario, const Flight& flight, const std::vec
   return text;
 }
 
-void require_writable(const Scenario& scenario, bool force) {
-  for (const auto& file : {scenario.report, scenario.csv}) {
+void require_writable(const Scenario& scenario, const ReplayOptions& options) {
+  if (const auto kind = options.hdf5.extension(); !options.hdf5.empty() && kind != ".h5" && kind != ".hdf5")
+    throw BadInput("--hdf5 " + options.hdf5.string() + ": the name ends neither in .h5 nor in .hdf5");
+  for (const auto& file : {scenario.report, scenario.csv, options.hdf5}) {
     if (file.empty()) continue;
     refuse_input(file, scenario.inputs);
-    require_new(file, force);
+    require_new(file, options.force);
   }
+}
+
+template <class Content>
+void write_file(const std::filesystem::path& file, const Content& content, bool force, std::ostream& out) {
+  write_new(file, content, force);
+  out << "Written: " << file.string() << '\n';
 }
 
 }  // namespace
@@ -104,7 +112,7 @@ bool replay(const ReplayOptions& options, Progress& progress, std::ostream& out)
         << range(flown.record) << ". Nothing is wrong.\n";
     return true;
   }
-  require_writable(scenario, options.force);
+  require_writable(scenario, options);
   const Flight flight = read_flight(scenario, progress);
   std::vector<Measured> measures;
   for (const Measure& each : scenario.measures)
@@ -127,16 +135,14 @@ bool replay(const ReplayOptions& options, Progress& progress, std::ostream& out)
       out << scenario.measures[i].name
           << " is on its target if the quaternions are read otherwise: " << better
           << ". vectrix check compares the readings.\n";
-  if (!scenario.csv.empty()) {
-    write_new(scenario.csv, table(scenario, flight, measures), options.force);
-    out << "Written: " << scenario.csv.string() << '\n';
-  }
-  if (!scenario.report.empty()) {
-    write_new(scenario.report,
-              html(replay_report(scenario, flight, measures, judged, budgets, options.version)),
-              options.force);
-    out << "Written: " << scenario.report.string() << '\n';
-  }
+  if (!scenario.csv.empty()) write_file(scenario.csv, table(scenario, flight, measures), options.force, out);
+  if (scenario.report.empty() && options.hdf5.empty()) return fulfilled;
+  const Result result = replay_result(scenario, flight, measures, judged, budgets, options.version);
+  if (!options.hdf5.empty())
+    write_file(
+        options.hdf5, [&](const std::filesystem::path& part) { write_result(result, part); }, options.force,
+        out);
+  if (!scenario.report.empty()) write_file(scenario.report, html(report_of(result)), options.force, out);
   return fulfilled;
 }
 

@@ -17,12 +17,6 @@ inline std::string small(std::string text) {
   return text;
 }
 
-inline std::string joined(const std::vector<std::string>& words) {
-  std::string all;
-  for (const std::string& word : words) all += (all.empty() ? "" : ",") + word;
-  return all;
-}
-
 /// A comma and a number that reads back as the same, for each.
 template <class Numbers> void add_fields(std::string& line, const Numbers& numbers) {
   for (const double number : numbers) line += "," + detail::text(number);

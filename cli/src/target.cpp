@@ -12,6 +12,21 @@ using earth::Gcrf;
 using Eigen::Vector3d;
 using Motion = SatelliteMotion;
 
+std::string name_of(Target target) {
+  switch (target) {
+    case Target::sun:
+      return "the Sun";
+    case Target::moon:
+      return "the Moon";
+    case Target::earth:
+      return "the centre of the Earth";
+    case Target::velocity:
+      return "the velocity relative to GCRF";
+    default:
+      return "the velocity relative to ITRF";
+  }
+}
+
 Motion centre_of_the_earth() {
   return point_motion(of<Satellite>, relative_to<Gcrf>, observed_from<Gcrf>,
                       vector<si::length>(in<Gcrf>, Vector3d::Zero()),
@@ -46,10 +61,35 @@ std::vector<Vector3d> velocities_in_itrf(const std::vector<Epoch>& times,
   return velocities;
 }
 
-}  // namespace
+std::vector<Vector3d> lines_to_star(const StarTarget& target, const std::vector<Epoch>& times,
+                                    const std::vector<Motion>& motions, const SkyCorrection& correction) {
+  const auto still =
+      proper_motion_with_cos_declination(0.0 * (si::radian / si::second), 0.0 * (si::radian / si::second));
+  const Star star(in<Gcrf>, target.at, still, 0.0 * si::radian, 0.0 * (si::metre / si::second),
+                  times.front());
+  const Stars stars(from_until(times.front(), times.back()));
+  std::vector<Vector3d> lines;
+  for (std::size_t i = 0; i < times.size(); ++i)
+    lines.emplace_back(std::holds_alternative<Apparent>(correction)
+                           ? stars.direction(star, times[i], motions[i], apparent).coordinates()
+                           : stars.direction(star, times[i], motions[i], light_time).coordinates());
+  return lines;
+}
 
-std::vector<Vector3d> lines_to(Target target, const std::vector<Epoch>& times,
-                               const std::vector<Motion>& motions, const SkyCorrection& correction) {
+std::vector<Vector3d> lines_to_station(const StationTarget& target, const std::vector<Epoch>& times,
+                                       const std::vector<Motion>& motions,
+                                       const EarthOrientation& orientation) {
+  const EarthMotion earth(orientation, from_until(times.front(), times.back()));
+  const auto station = wgs84::position(target.at);
+  std::vector<Vector3d> lines;
+  for (std::size_t i = 0; i < times.size(); ++i)
+    lines.emplace_back((earth.rotation(times[i]) * station).coordinates() -
+                       motions[i].position.coordinates());
+  return lines;
+}
+
+std::vector<Vector3d> lines_to_plain(Target target, const std::vector<Epoch>& times,
+                                     const std::vector<Motion>& motions, const SkyCorrection& correction) {
   if (target == Target::sun) return lines_of_sight<sky::Sun>(times, motions, correction, name_of(target));
   if (target == Target::moon) return lines_of_sight<sky::Moon>(times, motions, correction, name_of(target));
   if (target == Target::velocity_in_itrf) return velocities_in_itrf(times, motions);
@@ -60,19 +100,38 @@ std::vector<Vector3d> lines_to(Target target, const std::vector<Epoch>& times,
   return lines;
 }
 
-std::string name_of(Target target) {
-  switch (target) {
-    case Target::sun:
-      return "the Sun";
-    case Target::moon:
-      return "the Moon";
-    case Target::earth:
-      return "the centre of the Earth";
-    case Target::velocity:
-      return "the velocity relative to GCRF";
-    default:
-      return "the velocity relative to ITRF";
+}  // namespace
+
+std::vector<Vector3d> lines_to(const MeasureTarget& target, const std::vector<Epoch>& times,
+                               const std::vector<Motion>& motions, const SkyCorrection& correction,
+                               const std::optional<EarthOrientation>& orientation) {
+  if (const auto* const star = std::get_if<StarTarget>(&target))
+    return lines_to_star(*star, times, motions, correction);
+  if (const auto* const station = std::get_if<StationTarget>(&target)) {
+    if (!orientation) throw BadInput(station->name + " needs the orientation of the Earth");
+    return lines_to_station(*station, times, motions, *orientation);
   }
+  return lines_to_plain(std::get<Target>(target), times, motions, correction);
+}
+
+std::string name_of(const MeasureTarget& target) {
+  if (const auto* const star = std::get_if<StarTarget>(&target)) return star->name;
+  if (const auto* const station = std::get_if<StationTarget>(&target)) return station->name;
+  return name_of(std::get<Target>(target));
+}
+
+const std::map<std::string, SkyCorrection>& corrections() {
+  static const std::map<std::string, SkyCorrection> all{
+      {"geometric", geometric}, {"light_time", light_time}, {"apparent", apparent}};
+  return all;
+}
+
+std::vector<std::string> corrections_of(const MeasureTarget& target) {
+  if (std::holds_alternative<StarTarget>(target)) return {"light_time", "apparent"};
+  const auto* const plain = std::get_if<Target>(&target);
+  if (plain && (*plain == Target::sun || *plain == Target::moon))
+    return {"geometric", "light_time", "apparent"};
+  return {};
 }
 
 std::string words_of(const SkyCorrection& correction) {
@@ -80,12 +139,13 @@ std::string words_of(const SkyCorrection& correction) {
   return std::holds_alternative<LightTime>(correction) ? "with light time" : "apparent";
 }
 
-bool is_in_sky(Target target) {
-  return target == Target::sun || target == Target::moon;
+bool needs_orbit(const MeasureTarget& target) {
+  const auto* const plain = std::get_if<Target>(&target);
+  return !plain || *plain != Target::sun;
 }
 
-void require_orbit_for(Target target, const FlownOrbit& orbit) {
-  if (target != Target::sun && !orbit)
+void require_orbit_for(const MeasureTarget& target, const FlownOrbit& orbit) {
+  if (needs_orbit(target) && !orbit)
     throw BadInput("the direction of " + name_of(target) + " needs an orbit: --tle, --oem or --spk");
 }
 
@@ -111,11 +171,13 @@ std::vector<Vector3d> directions_of(std::vector<Vector3d> lines, const AttitudeR
   return lines;
 }
 
-std::vector<Vector3d> directions(const AttitudeRecord& record, Target target, SkyCorrection correction,
-                                 const FlownOrbit& orbit) {
+std::vector<Vector3d> directions(const AttitudeRecord& record, const MeasureTarget& target,
+                                 const SkyCorrection& correction, const FlownOrbit& orbit,
+                                 const std::optional<EarthOrientation>& orientation) {
   require_orbit_for(target, orbit);
-  return directions_of(lines_to(target, record.times, motions_at(record.times, orbit), correction), record,
-                       name_of(target));
+  return directions_of(
+      lines_to(target, record.times, motions_at(record.times, orbit), correction, orientation), record,
+      name_of(target));
 }
 
 void require_axis(const Vector3d& axis) {

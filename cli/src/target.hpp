@@ -1,6 +1,8 @@
 #pragma once
 
 #include <functional>
+#include <map>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -13,23 +15,41 @@ namespace vectrix::cli {
 /// What an axis of the body may look at: the centre of a body, or along the velocity relative to GCRF or to
 /// ITRF.
 enum class Target { sun, moon, earth, velocity, velocity_in_itrf };
-std::string name_of(Target target);
-/// Whether it is a body of the sky, which may be seen with a correction.
-bool is_in_sky(Target target);
+/// A star that does not move.
+struct StarTarget {
+  std::string name;
+  RightAscensionDeclination at;
+};
+struct StationTarget {
+  std::string name;
+  Geodetic at;
+};
+using MeasureTarget = std::variant<Target, StarTarget, StationTarget>;
+std::string name_of(const MeasureTarget& target);
+
+/// The largest latitude or declination, and longitude or right ascension, of either sign; degrees.
+inline constexpr double most_of_a_latitude = 90.0, most_of_a_longitude = 360.0;
 
 using SkyCorrection = std::variant<Geometric, LightTime, Apparent>;
+/// By their names: "geometric", "light_time", "apparent".
+const std::map<std::string, SkyCorrection>& corrections();
 /// "geometric", "with light time", "apparent"
 std::string words_of(const SkyCorrection& correction);
+/// The names of those by which a target may be seen, of which it needs one: the Sun and the Moon by all, a
+/// star, which a catalogue gives as it is seen, by all but "geometric", other targets by none.
+std::vector<std::string> corrections_of(const MeasureTarget& target);
 
 using SatelliteMotion = PointMotion<earth::Gcrf, Satellite, earth::Gcrf>;
 /// At every time; without an orbit at rest in the centre of the Earth. `counted` is called after each.
 std::vector<SatelliteMotion> motions_at(
     const std::vector<Epoch>& times, const FlownOrbit& orbit, const std::function<void()>& counted = [] {});
 
-/// The lines to the target in GCRF, of any length. The correction is that of the Sun and the Moon.
-std::vector<Eigen::Vector3d> lines_to(Target target, const std::vector<Epoch>& times,
+/// The lines to the target in GCRF, of any length. The correction is that of the Sun, the Moon and stars; a
+/// station needs the orientation of the Earth.
+std::vector<Eigen::Vector3d> lines_to(const MeasureTarget& target, const std::vector<Epoch>& times,
                                       const std::vector<SatelliteMotion>& motions,
-                                      const SkyCorrection& correction);
+                                      const SkyCorrection& correction,
+                                      const std::optional<EarthOrientation>& orientation = std::nullopt);
 /// The unit vectors of lines in GCRF along the axes of the reference. Throws BadInput, with the name of the
 /// target, for a line of no length.
 std::vector<Eigen::Vector3d> directions_of(std::vector<Eigen::Vector3d> lines, const AttitudeRecord& record,
@@ -38,10 +58,13 @@ std::vector<Eigen::Vector3d> directions_of(std::vector<Eigen::Vector3d> lines, c
 /// The unit vector to the target at every sample, along the axes of the reference. The Sun is seen from the
 /// centre of the Earth, at rest there, if there is no orbit; the other targets need one. Throws BadInput as
 /// the orbit does, and for a line of no length.
-std::vector<Eigen::Vector3d> directions(const AttitudeRecord& record, Target target, SkyCorrection correction,
-                                        const FlownOrbit& orbit);
+std::vector<Eigen::Vector3d> directions(const AttitudeRecord& record, const MeasureTarget& target,
+                                        const SkyCorrection& correction, const FlownOrbit& orbit,
+                                        const std::optional<EarthOrientation>& orientation = std::nullopt);
+/// Whether the target has no direction without an orbit: all but the Sun.
+bool needs_orbit(const MeasureTarget& target);
 /// Throws BadInput if the target needs the orbit that is not there.
-void require_orbit_for(Target target, const FlownOrbit& orbit);
+void require_orbit_for(const MeasureTarget& target, const FlownOrbit& orbit);
 
 /// Throws BadInput unless --axis is finite and not zero.
 void require_axis(const Eigen::Vector3d& axis);

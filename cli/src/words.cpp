@@ -1,22 +1,14 @@
 #include "words.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <initializer_list>
-#include <sstream>
-#include <system_error>
 
 #include "scales.hpp"
 #include "viewer_text.hpp"
+#include "word.hpp"
 
 namespace vectrix::cli {
 namespace {
-
-// The first that is given must not be.
-void refuse(const Words& words, const std::string& before, const std::string& why) {
-  for (const Word& word : words)
-    if (!word.text.empty()) throw BadInput(before + word.option + why);
-}
 
 Words only_of_attitudes(const AttitudeWords& words) {
   return {
@@ -39,25 +31,6 @@ void refuse_columns_of_message(const AttitudeWords& words) {
   refuse({{"--time", words.time}, {"--scale", words.scale}, {"--reference", words.reference}}, is,
          " is of a table");
   refuse(only_of_attitudes(words), is, " is of a table");
-}
-
-// What stands between commas.
-std::vector<std::string> fields(const char* option, const std::string& text, std::size_t count) {
-  std::vector<std::string> all;
-  std::istringstream in(text + ",");
-  for (std::string field; std::getline(in, field, ',');) all.push_back(field);
-  if (all.size() != count)
-    throw BadInput(std::string(option) + ' ' + text + " has " + detail::text(all.size()) +
-                   " fields between commas, not " + detail::text(count));
-  return all;
-}
-
-// The number that all of the text is.
-template <class Number> std::optional<Number> number_of(const std::string& text) {
-  Number number{};
-  const char* const end = text.data() + text.size();
-  const auto read = std::from_chars(text.data(), end, number);
-  return read.ec == std::errc() && read.ptr == end ? std::optional(number) : std::nullopt;
 }
 
 template <class Number> Number whole_number(const char* option, const std::string& text) {
@@ -133,21 +106,12 @@ OrbitColumns columns_of(const AttitudeWords& words, const OrbitWords& orbit) {
 
 }  // namespace
 
-Eigen::Vector3d axis_of(const std::string& text) {
-  Eigen::Vector3d axis;
-  const auto numbers = fields("--axis", text, 3);
-  for (std::size_t i = 0; i < 3; ++i) {
-    const auto number = number_of<double>(numbers[i]);
-    if (!number) throw BadInput("--axis " + text + ": '" + numbers[i] + "' is no number");
-    axis[static_cast<Eigen::Index>(i)] = *number;
-  }
-  return axis;
-}
-
 AttitudeSource attitude_source(const AttitudeWords& words) {
   AttitudeSource source{words.file};
+  const bool of_kernel = is_kernel(words.file);
+  if (of_kernel) use_leap_seconds_of(words.kernel);  // before the times of the selection are read
   source.selection = selection_of(words);
-  if (is_kernel(words.file)) {
+  if (of_kernel) {
     const std::string is = words.file.string() + ": is a kernel and says itself what its data are; ";
     refuse({{"--segment", words.segment}}, is, " is of a message");
     refuse({{"--time", words.time}, {"--scale", words.scale}, {"--reference", words.reference}}, is,

@@ -32,9 +32,6 @@ struct MessageWords {
   InterpolationWords interpolation{};
 };
 
-/// The components of --axis. Throws BadInput unless they are three numbers.
-Eigen::Vector3d axis_of(const std::string& text);
-
 /// No convention is taken that nobody has stated, and no option is given in vain. Throws BadInput that names
 /// the options which a table misses, or one that does not apply to this file.
 AttitudeSource attitude_source(const AttitudeWords& words);

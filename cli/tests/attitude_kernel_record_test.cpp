@@ -12,6 +12,7 @@ namespace {
 
 const std::filesystem::path data = std::filesystem::path(VECTRIX_SOURCE_DIR) / "examples/data";
 const std::filesystem::path kernel = data / "CTIM_20230420_attitude.bc";
+const std::string clock_file = (data / "CTIM_clock.tsc").string();
 
 std::string refusal(const std::string& frame, const Selection& selection) {
   const KernelWords words{(data / "CTIM_clock.tsc").string(), (data / "CTIM_frames.tf").string(), "", frame};
@@ -31,11 +32,13 @@ TEST(AttitudeKernelRecord, IsOfTheTimesThatAreAskedFor) {
 }
 
 TEST(AttitudeKernelRecord, NamesAFrameThatIsNotThere) {
-  EXPECT_EQ(refusal("NOPE", {}), "--ck-frame NOPE: this is no number, and --fk has no frame of this name");
+  EXPECT_EQ(refusal("NOPE", {}), "--ck-frame NOPE: this is no number, and " +
+                                     (data / "CTIM_frames.tf").string() + " has no frame of this name");
+  EXPECT_EQ(complaint([&] { (void)read_kernel(kernel, {.clock = clock_file, .frame = "NOPE"}, {}); }),
+            "--ck-frame NOPE: this is no number, and no frame kernel is given");
   EXPECT_EQ(refusal("CTIM_COORD", {}), "nothing was thrown");
 }
 
-const std::string clock_file = std::string{VECTRIX_SOURCE_DIR} + "/examples/data/CTIM_clock.tsc";
 constexpr double first = 1366002078186.0, last = first + 10000.0;  // ms
 
 // Two records of type 3 at rest, with rates or without.

@@ -311,7 +311,24 @@ TEST(Pointing, RefusesWhatIsNotStated) {
   EXPECT_EQ(refusal([](auto& o) { o.correction.reset(); }),
             "the Sun is not where it is seen; missing: --correction geometric|light_time|apparent");
   EXPECT_EQ(refusal([](auto& o) { o.target = Target::earth; }),
-            "--correction is of the Sun and the Moon, not of the centre of the Earth");
+            "--correction is of the Sun, the Moon and stars, not of the centre of the Earth");
+  const StarTarget star{"Vega", {}};
+  EXPECT_EQ(refusal([&](auto& o) { o.target = star, o.correction.reset(); }),
+            "Vega is not where it is seen; missing: --correction light_time|apparent");
+  EXPECT_EQ(refusal([&](auto& o) { o.target = star; }),
+            "a catalogue says where a star is seen, not where it is; needed: --correction "
+            "light_time|apparent");
+  EXPECT_EQ(refusal([&](auto& o) { o.target = star, o.correction = apparent, o.orbit = {}; }),
+            "the direction of Vega needs an orbit: --tle, --oem or --spk");
+  const StationTarget station{"Boulder", {GeodeticLatitude(0.0 * si::radian), 0.0 * si::radian, {}}};
+  EXPECT_EQ(refusal([&](auto& o) { o.target = station, o.correction.reset(); }),
+            "Boulder turns with the Earth; missing: --orientation FILE, finals2000A of the IERS");
+  EXPECT_EQ(refusal([](auto& o) { o.orientation = "finals.txt"; }),
+            "--orientation is of a station, not of the Sun");
+  const auto year_before = data / "finals2000A_april_2022.txt";
+  EXPECT_TRUE(
+      says(refusal([&](auto& o) { o.target = station, o.correction.reset(), o.orientation = year_before; }),
+           year_before.string() + ": EarthOrientation: the epoch 2023-04-20T05:20:09"));
   EXPECT_EQ(refusal([](auto& o) { o.target = Target::velocity, o.correction.reset(), o.orbit = {}; }),
             "the direction of the velocity relative to GCRF needs an orbit: --tle, --oem or --spk");
   EXPECT_EQ(

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "newer_leap_seconds.hpp"
 #include "space/tests/temporary_file.hpp"
 #include "temporary_folder.hpp"
 
@@ -115,6 +116,17 @@ TEST(Words, ThatDoNotApplyAreRefused) {
               std::string("--segment ") + segment + " is no whole number from 1 on");
 }
 
+// The times that are asked for have them too.
+TEST(Words, OfAKernelMayBringLeapSeconds) {
+  const KeptLeapSeconds kept;
+  const TemporaryFolder folder;
+  AttitudeWords words;
+  words.file = folder.written("a.bc", "DAF/CK  ");
+  words.until = "2036-01-01T00:00:00 UTC";
+  words.kernel.leap_seconds = folder.written("newer.tls", leap_second_kernel(with_an_invented_one));
+  EXPECT_EQ(attitude_source(words).selection.until, Epoch::from(scale::tai, "2036-01-01T00:00:38"));
+}
+
 TEST(Words, OfAnOrbitAreNotThoseOfAnAttitude) {
   TemporaryFolder folder;
   const auto csv = folder.written("t.csv", table), message = folder.written("a.aem", aem),
@@ -182,15 +194,6 @@ TEST(Words, OfAMessageAreForOne) {
   ASSERT_TRUE(options.interpolation);
   EXPECT_EQ(options.interpolation->name(), "HERMITE interpolation of degree 7");
   EXPECT_EQ(options.aem_version, "2.0");
-}
-
-TEST(Words, OfAnAxisAreThreeNumbers) {
-  EXPECT_EQ(axis_of("1,-2.5,1e3"), Eigen::Vector3d(1.0, -2.5, 1000.0));
-  const auto refused = [](const char* text) { return complaint([&] { (void)axis_of(text); }); };
-  EXPECT_EQ(refused("0,0"), "--axis 0,0 has 2 fields between commas, not 3");
-  EXPECT_EQ(refused("0,0,"), "--axis 0,0,: '' is no number");
-  EXPECT_EQ(refused("0,1e999,0"), "--axis 0,1e999,0: '1e999' is no number");
-  EXPECT_EQ(refused("0,1x,0"), "--axis 0,1x,0: '1x' is no number");
 }
 
 TEST(Words, OfAnInterpolationSayMethodAndDegree) {

@@ -39,6 +39,16 @@ if(TARGET vectrix_program)
   add_test(NAME package.program COMMAND ${work}/prefix/bin/vectrix --version)
   set_tests_properties(package.program PROPERTIES FIXTURES_REQUIRED installed
                                                   PASS_REGULAR_EXPRESSION "^${PROJECT_VERSION}\n$")
+  # What it writes about itself is where man, bash and zsh look for it.
+  set(share ${work}/prefix/${CMAKE_INSTALL_DATADIR})
+  function(installed_file name file first_words)
+    add_test(NAME package.${name} COMMAND ${CMAKE_COMMAND} -E cat ${file})
+    set_tests_properties(package.${name} PROPERTIES FIXTURES_REQUIRED installed PASS_REGULAR_EXPRESSION "^${first_words}")
+  endfunction()
+  installed_file(manual ${work}/prefix/${CMAKE_INSTALL_MANDIR}/man1/vectrix.1 "[.]TH VECTRIX 1 ")
+  installed_file(scenario_manual ${work}/prefix/${CMAKE_INSTALL_MANDIR}/man5/vectrix-scenario.5 "[.]TH VECTRIX.*-SCENARIO 5 ")
+  installed_file(bash_completion ${share}/bash-completion/completions/vectrix "# The completion of vectrix for bash")
+  installed_file(zsh_completion ${share}/zsh/vendor-completions/_vectrix "#compdef vectrix\n")
 endif()
 
 consumer(installed package "frames;kinematics;${libraries}" ${hidden})

@@ -1,17 +1,10 @@
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <string>
-#include <vectrix/dynamics/craft/joint_counts.hpp>
-#include <vectrix/frames/errors.hpp>
-#include <vectrix/kinematics/named/frame.hpp>
+#include <unordered_map>
 #include <vectrix/simbody/propagate.hpp>
 
 namespace vectrix::detail {
 namespace {
-
-/// Simbody builds a gimbal from two axes and makes the second orthogonal without a word.
-constexpr double orthogonal = 1e-12;
 
 std::array<double, 3> three(const Eigen::Vector3d& v) {
   return {v.x(), v.y(), v.z()};
@@ -29,12 +22,11 @@ SimbodyJoint joint_of(JointKind kind) {
       return SimbodyJoint::hinge;
     case JointKind::slider:
       return SimbodyJoint::slider;
-    case JointKind::gimbal:
-      return SimbodyJoint::gimbal;
     case JointKind::ball:
       return SimbodyJoint::ball;
     case JointKind::free:
       return SimbodyJoint::free;
+    case JointKind::gimbal:
     case JointKind::fixed:
       break;
   }
@@ -43,57 +35,65 @@ SimbodyJoint joint_of(JointKind kind) {
 
 }  // namespace
 
-SimbodyCraft simbody_craft(const char* action, const PlainSpacecraft& craft) {
-  const auto refuse = [&](const std::string& why) {
-    throw BadInput(std::string(action) + " " + craft.hub + ": " + why);
-  };
-  if (!craft.modes.empty())
-    refuse("Simbody has no modes, and the craft has " + text(craft.modes.size()) + ", the first " +
-           in_quotes(craft.modes.front().name));
-  const auto number = [&](const std::string& name) {
-    const auto found = std::find_if(craft.bodies.begin(), craft.bodies.end(),
-                                    [&](const PlainBody& body) { return body.name == name; });
-    return name == craft.hub ? 0 : static_cast<int>(found - craft.bodies.begin()) + 1;
-  };
-  SimbodyCraft made{
-      craft.hub, craft.motion == HubMotion::free, craft.mass, three(craft.r_hc_h), by_rows(craft.J_c_h), {},
-      {}};
+SimbodyCraft simbody_craft(const PlainSpacecraft& craft) {
+  SimbodyCraft made{craft.hub,
+                    craft.motion == HubMotion::free,
+                    craft.mass,
+                    three(craft.r_hc_h),
+                    by_rows(craft.J_c_h),
+                    {},
+                    {},
+                    {}};
+  const auto last = [&] { return static_cast<int>(made.links.size()); };
+  std::unordered_map<std::string, int> links{{craft.hub, 0}};
   for (const PlainBody& body : craft.bodies) {
+    const auto hang = [&](const std::string& name, SimbodyJoint joint, int parent,
+                          const Eigen::Vector3d& axis) {
+      made.links.push_back({name, joint, parent, by_rows(body.R_p_from_b), three(body.r_pb_p), three(axis),
+                            body.mass, three(body.r_bc_b), by_rows(body.J_c_b)});
+    };
+    const int parent = links.at(body.parent);
     const Eigen::Vector3d none = Eigen::Vector3d::Zero();
     if (body.joint == JointKind::gimbal) {
-      const double cosine = body.axes_b[0].dot(body.axes_b[1]);
-      if (std::abs(cosine) > orthogonal)
-        refuse("Simbody's gimbal has orthogonal axes; between those of " + in_quotes(body.name) +
-               " the cosine is " + text(cosine));
+      hang("the ring of " + body.name, SimbodyJoint::hinge, parent, body.axes_b[0]);
+      made.links.back().mass = 0.0;
+      made.links.back().inertia_c_b = {};
+      hang(body.name, SimbodyJoint::hinge, last(), body.axes_b[1]);
+      made.links.back().R_p_from_b = by_rows(Eigen::Matrix3d::Identity());
+      made.links.back().r_pb_p = three(none);
+    } else {
+      hang(body.name, joint_of(body.joint), parent, body.axes_b.empty() ? none : body.axes_b.front());
     }
-    made.bodies.push_back({body.name, joint_of(body.joint), number(body.parent), by_rows(body.R_p_from_b),
-                           three(body.r_pb_p), three(body.axes_b.empty() ? none : body.axes_b.front()),
-                           three(body.axes_b.empty() ? none : body.axes_b.back()), body.mass,
-                           three(body.r_bc_b), by_rows(body.J_c_b)});
+    links.emplace(body.name, last());
   }
   for (const PlainRotor& rotor : craft.rotors)
-    made.rotors.push_back({number(rotor.body), three(rotor.axis_b), rotor.inertia});
+    made.rotors.push_back({links.at(rotor.body), three(rotor.axis_b), rotor.inertia});
+  for (const PlainMode& mode : craft.modes)
+    made.modes.push_back({links.at(mode.body), three(mode.rotation_b), three(mode.translation_b),
+                          mode.frequency, mode.damping_ratio});
   return made;
 }
 
-void copy_loads(const PlainSpacecraft& craft, const multibody::Work<double>& found, SimbodyLoads& loads) {
-  const std::size_t bodies = craft.bodies.size();
-  loads.forces.resize(bodies + 1);
-  loads.torques.resize(bodies + 1);
-  loads.locked_joints.resize(bodies);
+void copy_loads(const multibody::Work<double>& found, SimbodyLoads& loads) {
+  const std::size_t links = found.links.size();
+  loads.forces.resize(links + 1);
+  loads.torques.resize(links + 1);
+  loads.locked_links.resize(links);
+  loads.driven_links.resize(links);
   const auto wrench = [&](std::size_t body, const multibody::Articulated<double>& I) {
     loads.forces[body] = three(-I.f);
     loads.torques[body] = three(-I.n);
   };
   wrench(0, found.hub);
-  std::size_t link = 0;
-  for (std::size_t b = 0; b < bodies; ++b) {
-    link += counts_of(craft.bodies[b].joint).links;
-    wrench(b + 1, found.links[link - 1].I);
-    loads.locked_joints[b] = found.locked_links[link - 1];
+  for (std::size_t i = 0; i < links; ++i) {
+    wrench(i + 1, found.links[i].I);
+    loads.locked_links[i] = found.held[i] == multibody::Hold::locked;
+    loads.driven_links[i] = found.held[i] == multibody::Hold::driven;
   }
+  loads.given = found.given;
   loads.efforts = found.efforts;
   loads.motors = found.motors;
+  loads.modal = found.modal;
   loads.field_i = three(found.field);
   loads.locked_rotors = found.locked_rotors;
 }

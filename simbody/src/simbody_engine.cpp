@@ -30,9 +30,8 @@ class SimbodyEngine::Acting : public SimTK::Force::Custom::Implementation {
     try {
       s_.read(state, s_.y.data());
       s_.loads(s_.origin + s_.T * state.getTime(), s_.y.data(), s_.acting);
-      if (s_.found_locks() != s_.locks)
-        throw std::runtime_error("a load locks or frees a joint within a smooth segment");
       apply(state, body_forces, mobility_forces);
+      s_.give(state, body_forces, mobility_forces);
     } catch (...) {
       s_.trouble = std::current_exception();
     }
@@ -45,7 +44,7 @@ class SimbodyEngine::Acting : public SimTK::Force::Custom::Implementation {
     const double scale = s_.T * s_.T;
     const SimbodyLoads& acting = s_.acting;
     const Rotation& R_i_from_h = s_.hub.getBodyRotation(state);
-    for (std::size_t b = 0; b <= s_.bodies.size(); ++b)
+    for (std::size_t b = 0; b <= s_.links.size(); ++b)
       s_.mobilized(static_cast<int>(b))
           .applyBodyForce(state,
                           SpatialVec(R_i_from_h * (scale * simbody(acting.torques[b])),
@@ -56,11 +55,11 @@ class SimbodyEngine::Acting : public SimTK::Force::Custom::Implementation {
         const Vec3 weight = scale * body.getBodyMass(state) * simbody(acting.field_i);
         body.applyForceToBodyPoint(state, body.getBodyMassCenterStation(state), weight, body_forces);
       };
-      for (std::size_t b = 0; b <= s_.bodies.size(); ++b) attract(s_.mobilized(static_cast<int>(b)));
+      for (std::size_t b = 0; b <= s_.links.size(); ++b) attract(s_.mobilized(static_cast<int>(b)));
       for (const MobilizedBody& wheel : s_.wheels) attract(wheel);
     }
     const double* effort = acting.efforts.data();
-    for (const Hung& hung : s_.bodies) {
+    for (const Hung& hung : s_.links) {
       const auto push = [&](int first, const Vec3& efforts) {
         for (int k = 0; k < 3; ++k)
           hung.body.applyOneMobilityForce(state, first + k, scale * efforts[k], mobility_forces);
@@ -97,7 +96,7 @@ SimbodyEngine::SimbodyEngine(const SimbodyCraft& craft, SimbodyPair pair, double
   s.matter.setUseEulerAngles(s.fresh, false);
   s.system.realizeModel(s.fresh);
   s.asked = s.fresh;
-  s.asked_locks = {std::vector<char>(s.bodies.size(), 0), std::vector<char>(s.wheels.size(), 0)};
+  s.asked_locks = s.no_locks();
 }
 
 SimbodyEngine::~SimbodyEngine() = default;
@@ -109,8 +108,8 @@ void SimbodyEngine::System::lock(SimTK::State& s) const {
     else
       body.unlock(s);
   };
-  for (std::size_t i = 0; i < bodies.size(); ++i)
-    if (bodies[i].joint != SimbodyJoint::fixed) set(bodies[i].body, locks.joints[i] != 0);
+  for (std::size_t i = 0; i < links.size(); ++i)
+    if (links[i].joint != SimbodyJoint::fixed) set(links[i].body, locks.links[i] != 0);
   for (std::size_t i = 0; i < wheels.size(); ++i) set(wheels[i], locks.rotors[i] != 0);
 }
 
@@ -130,14 +129,26 @@ void SimbodyEngine::System::require_no_trouble() {
 
 void SimbodyEngine::rates(double t, const double* y, double* ydot) {
   System& s = *system_;
+  struct Restored {
+    System::Locks& locks;
+    System::Locks of_integrator;
+    ~Restored() { locks = std::move(of_integrator); }
+  } restored{s.locks, s.locks};
+  const auto realize = [&](System::Locks with) {
+    s.locks = std::move(with);
+    if (s.locks != s.asked_locks) s.lock(s.asked);
+    s.asked_locks = s.locks;
+    s.write(s.asked, y);
+    s.asked.setTime((t - s.origin) / s.T);
+    s.system.realize(s.asked, SimTK::Stage::Acceleration);
+    s.require_no_trouble();
+  };
   s.loads(t, y, s.acting);
-  s.locks = s.found_locks();
-  if (s.locks != s.asked_locks) s.lock(s.asked);
-  s.asked_locks = s.locks;
-  s.write(s.asked, y);
-  s.asked.setTime((t - s.origin) / s.T);
-  s.system.realize(s.asked, SimTK::Stage::Acceleration);
-  s.require_no_trouble();
+  try {
+    realize(s.found_locks());
+  } catch (const Freed&) {
+    realize(s.no_locks());
+  }
   s.read_rates(s.asked, ydot);
 }
 
@@ -146,7 +157,7 @@ std::vector<SimbodyEngine::Transmitted> SimbodyEngine::reactions() const {
   SimTK::Vector_<SpatialVec> all;
   s.matter.calcMobilizerReactionForces(s.asked, all);
   std::vector<Transmitted> list;
-  for (const Hung& hung : s.bodies) {
+  for (const Hung& hung : s.links) {
     const SpatialVec of = all[hung.body.getMobilizedBodyIndex()] / (s.T * s.T);
     list.push_back({plain(of[1]), plain(of[0])});
   }
@@ -167,35 +178,53 @@ void SimbodyEngine::System::make_integrator(const SimTK::State& s) {
   integrator->initialize(s);
 }
 
+/// From the time origin + T elapsed on, with the locks that are set; without any if one is freed there.
+void SimbodyEngine::System::integrate_from(double elapsed, const double* numbers) try {
+  SimTK::State first = fresh;
+  lock(first);
+  write(first, numbers);
+  // Where a turning hub is, nothing depends on; so its error is none.
+  const double far = hub_has_place ? std::max(1.0, three(numbers + 7).norm()) : 1e12;
+  for (int k = 3; k < 6; ++k) first.updUWeights()[hub.getFirstUIndex(first) + k] = 1.0 / far;
+  first.setTime(elapsed);
+  make_integrator(first);
+  system.realize(integrator->getState(), SimTK::Stage::Acceleration);
+  require_no_trouble();
+} catch (const Freed&) {
+  locks = no_locks();
+  integrate_from(elapsed, numbers);
+}
+
 void SimbodyEngine::start(double t, const double* y, double stop, double longest) {
   System& s = *system_;
-  SimTK::State first = s.fresh;
   s.loads(t, y, s.acting);
   s.locks = s.found_locks();
-  s.lock(first);
-  s.write(first, y);
-  // Where a turning hub is, nothing depends on; so its error is none.
-  const double far = s.hub_has_place ? std::max(1.0, three(y + 7).norm()) : 1e12;
-  for (int k = 3; k < 6; ++k) first.updUWeights()[s.hub.getFirstUIndex(first) + k] = 1.0 / far;
-  first.setTime(0.0);
   s.origin = t;
   s.stop = stop;
   s.longest = longest;
-  s.make_integrator(first);
-  s.system.realize(s.integrator->getState(), SimTK::Stage::Acceleration);
-  s.require_no_trouble();
+  s.integrate_from(0.0, y);
 }
 
 double SimbodyEngine::step() {
   System& s = *system_;
   const double end = (s.stop - s.origin) / s.T, before = s.integrator->getTime();
-  while (!(s.integrator->getTime() > before)) {
-    s.integrator->stepTo(end, end);
+  s.read(s.integrator->getState(), s.last.data());
+  const auto advance = [&] {
+    while (!(s.integrator->getTime() > before)) {
+      s.integrator->stepTo(end, end);
+      s.require_no_trouble();
+    }
+    s.turn_wheels_back();
+    s.system.realize(s.integrator->getState(), SimTK::Stage::Acceleration);
     s.require_no_trouble();
+  };
+  try {
+    advance();
+  } catch (const Freed&) {
+    s.locks = s.no_locks();
+    s.integrate_from(before, s.last.data());
+    advance();
   }
-  s.turn_wheels_back();
-  s.system.realize(s.integrator->getState(), SimTK::Stage::Acceleration);
-  s.require_no_trouble();
   const double now = s.integrator->getTime();
   if (now >= end) return s.stop;
   return std::min(s.origin + s.T * now, std::nextafter(s.stop, -std::numeric_limits<double>::infinity()));

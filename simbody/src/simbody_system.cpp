@@ -1,5 +1,6 @@
 #include "simbody_system.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 #include <string>
 
@@ -24,6 +25,7 @@ struct Carrier {
     return disc;
   }
   SimTK::Body::Rigid rigid() const {
+    if (mass == 0.0) return SimTK::Body::Rigid(SimTK::MassProperties(0.0, Vec3(0), Inertia(0.0)));
     const Mat33 J = inertia + mass * (centre.normSqr() * Mat33(1.0) - centre * ~centre);
     try {
       return SimTK::Body::Rigid(SimTK::MassProperties(
@@ -39,7 +41,7 @@ struct Carrier {
 void SimbodyEngine::System::hang(const SimbodyCraft& craft) {
   std::vector<Carrier> carriers{
       {craft.name_of_hub, craft.mass, simbody(craft.centre_b), simbody(craft.inertia_c_b)}};
-  for (const auto& b : craft.bodies)
+  for (const auto& b : craft.links)
     carriers.push_back({b.name, b.mass, simbody(b.centre_b), simbody(b.inertia_c_b)});
   std::vector<Carrier> discs;
   for (const auto& rotor : craft.rotors) {
@@ -52,15 +54,15 @@ void SimbodyEngine::System::hang(const SimbodyCraft& craft) {
 
   hub = MobilizedBody::Free(matter.Ground(), Transform(), carriers[0].rigid(), Transform());
   int at = hub_has_place ? 13 : 7;
-  for (std::size_t i = 0; i < craft.bodies.size(); ++i) {
-    const SimbodyBody& b = craft.bodies[i];
+  for (std::size_t i = 0; i < craft.links.size(); ++i) {
+    const SimbodyLink& b = craft.links[i];
     MobilizedBody parent = mobilized(b.parent);
     const SimTK::Body::Rigid rigid = carriers[i + 1].rigid();
     const Rotation R0(simbody(b.R_p_from_b), true);
     const Vec3 p = simbody(b.r_pb_p);
     // A joint's own frame has an axis along the given one, in the body and, turned by R0, in the parent.
     const auto along = [&](const SimTK::CoordinateAxis& axis) {
-      return Rotation(UnitVec3(simbody(b.axis_1_b)), axis);
+      return Rotation(UnitVec3(simbody(b.axis_b)), axis);
     };
     MobilizedBody body;
     switch (b.joint) {
@@ -74,11 +76,6 @@ void SimbodyEngine::System::hang(const SimbodyCraft& craft) {
         body = MobilizedBody::Slider(parent, Transform(R0 * X, p), rigid, Transform(X));
         break;
       }
-      case SimbodyJoint::gimbal: {
-        const Rotation F(UnitVec3(simbody(b.axis_1_b)), SimTK::XAxis, simbody(b.axis_2_b), SimTK::YAxis);
-        body = MobilizedBody::Universal(parent, Transform(R0 * F, p), rigid, Transform(F));
-        break;
-      }
       case SimbodyJoint::ball:
         body = MobilizedBody::Ball(parent, Transform(R0, p), rigid, Transform());
         break;
@@ -89,10 +86,10 @@ void SimbodyEngine::System::hang(const SimbodyCraft& craft) {
         body = MobilizedBody::Weld(parent, Transform(R0, p), rigid, Transform());
         break;
     }
-    bodies.push_back({b.joint, body, R0, at, 0});
+    links.push_back({b.joint, body, R0, at, 0});
     at += positions_of[static_cast<int>(b.joint)];
   }
-  for (Hung& hung : bodies) {
+  for (Hung& hung : links) {
     hung.speeds_at = at;
     at += hung.speeds();
   }
@@ -103,7 +100,17 @@ void SimbodyEngine::System::hang(const SimbodyCraft& craft) {
     const Vec3 centre = carriers[static_cast<std::size_t>(craft.rotors[i].body)].centre;
     wheels.push_back(MobilizedBody::Pin(carrier, Transform(Z, centre), discs[i].rigid(), Transform(Z)));
   }
-  y.resize(static_cast<std::size_t>(at) + wheels.size());
+  modes_at = at + static_cast<int>(wheels.size());
+  const SimTK::Body::Rigid unit(SimTK::MassProperties(1.0, Vec3(0), Inertia(1.0)));
+  for (const SimbodyMode& mode : craft.modes) {
+    modes.push_back({MobilizedBody::Slider(matter.Ground(), Transform(), unit, Transform()), mode.body,
+                     simbody(mode.rotation_b), simbody(mode.translation_b), mode.frequency,
+                     mode.damping_ratio});
+    if (std::find(flexible.begin(), flexible.end(), mode.body) == flexible.end())
+      flexible.push_back(mode.body);
+  }
+  y.resize(static_cast<std::size_t>(modes_at) + 2 * modes.size());
+  last = y;
 }
 
 // Simbody has the speeds of Ball and Free in the parent's axes at zero; ours are in the body's, and of the
@@ -115,7 +122,7 @@ void SimbodyEngine::System::write(SimTK::State& s, const double* numbers) const 
   const Vec3 v = hub_has_place ? three(numbers + 10) * T : Vec3(0);
   hub.setQ(s, SimTK::Vec7(q_h[0], q_h[1], q_h[2], q_h[3], r[0], r[1], r[2]));
   hub.setU(s, SimTK::Vec6(w_i[0], w_i[1], w_i[2], v[0], v[1], v[2]));
-  for (const Hung& hung : bodies) {
+  for (const Hung& hung : links) {
     const double* q = numbers + hung.positions_at;
     const double* u = numbers + hung.speeds_at;
     const auto set_speeds = [&](int first, const Vec3& speed) {
@@ -139,6 +146,11 @@ void SimbodyEngine::System::write(SimTK::State& s, const double* numbers) const 
   }
   for (std::size_t i = 0; i < wheels.size(); ++i)
     wheels[i].setOneU(s, 0, numbers[static_cast<std::size_t>(wheels_at) + i] * T);
+  const double* eta = numbers + modes_at;
+  for (std::size_t i = 0; i < modes.size(); ++i) {
+    modes[i].slider.setOneQ(s, 0, eta[i]);
+    modes[i].slider.setOneU(s, 0, eta[modes.size() + i] * T);
+  }
 }
 
 // Numbers of a body, q(body, k) and u(body, k), as those of a state of ours. Of rates too: our axes turn with
@@ -159,7 +171,7 @@ void SimbodyEngine::System::put_numbers(const SimTK::State& s, const Q& q, const
   };
   put_turn(hub, to, to + 4);
   if (hub_has_place) put_place(hub, Rotation(), to + 7, to + 10);
-  for (const Hung& hung : bodies) {
+  for (const Hung& hung : links) {
     double* positions = to + hung.positions_at;
     double* speeds = to + hung.speeds_at;
     if (hung.turns_freely()) {
@@ -174,6 +186,11 @@ void SimbodyEngine::System::put_numbers(const SimTK::State& s, const Q& q, const
   }
   for (std::size_t i = 0; i < wheels.size(); ++i)
     to[static_cast<std::size_t>(wheels_at) + i] = u(wheels[i], 0);
+  double* eta = to + modes_at;
+  for (std::size_t i = 0; i < modes.size(); ++i) {
+    eta[i] = q(modes[i].slider, 0);
+    eta[modes.size() + i] = u(modes[i].slider, 0);
+  }
 }
 
 void SimbodyEngine::System::read(const SimTK::State& s, double* numbers) const {

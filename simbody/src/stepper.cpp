@@ -19,9 +19,9 @@ class SimbodyStepper final : public ode::Stepper {
   SimbodyStepper(const PlainSpacecraft& craft, const ode::Problem& problem, const SimbodyPropagation& how,
                  const LoadsFound& loads)
       : craft_(craft),
+        tree_(simbody_craft(craft)),
         found_(loads),
-        engine_(simbody_craft("propagate_with_simbody", craft), how.pair, how.accuracy,
-                how.time_scale.value(),
+        engine_(tree_, how.pair, how.accuracy, how.time_scale.value(),
                 [this](double elapsed, const double* y, SimbodyLoads& at) { load(elapsed, y, at); }),
         state_(problem.initial_state.size()) {}
 
@@ -56,7 +56,7 @@ class SimbodyStepper final : public ode::Stepper {
   void load(double elapsed, const double* y, SimbodyLoads& at) {
     const double t = time(elapsed);
     try {
-      copy_loads(craft_, found_(t, y), at);
+      copy_loads(found_(t, y), at);
     } catch (...) {
       throw ode::Trouble{ode::flag::rhs_failed, t, "a load threw", std::current_exception()};
     }
@@ -70,18 +70,22 @@ class SimbodyStepper final : public ode::Stepper {
                              what + of + " is " + text(number) + " at t = " + text(t), nullptr};
     };
     for (std::size_t b = 0; b < at.forces.size(); ++b) {
-      const std::string& name = b == 0 ? craft_.hub : craft_.bodies[b - 1].name;
+      const std::string& name = b == 0 ? craft_.hub : tree_.links[b - 1].name;
       require(at.forces[b], "the force on ", name);
       require(at.torques[b], "the torque on ", name);
     }
-    std::span<const double> efforts = at.efforts;
+    std::span<const double> efforts = at.efforts, given = at.given;
     for (const PlainBody& body : craft_.bodies) {
       const std::size_t count = counts_of(body.joint).speeds;
       require(efforts.first(count), "the effort of ", body.name);
+      require(given.first(count), "the given acceleration of ", body.name);
       efforts = efforts.subspan(count);
+      given = given.subspan(count);
     }
     for (std::size_t i = 0; i < at.motors.size(); ++i)
       require(std::span(at.motors).subspan(i, 1), "the motor torque of ", craft_.rotors[i].name);
+    for (std::size_t i = 0; i < at.modal.size(); ++i)
+      require(std::span(at.modal).subspan(i, 1), "the force on ", craft_.modes[i].name);
     require(at.field_i, "the field on ", craft_.hub);
   }
   /// An exception of Simbody itself: no step is short enough.
@@ -96,6 +100,7 @@ class SimbodyStepper final : public ode::Stepper {
   }
 
   const PlainSpacecraft& craft_;
+  SimbodyCraft tree_;
   const LoadsFound& found_;
   SimbodyEngine engine_;
   mutable std::vector<double> state_;

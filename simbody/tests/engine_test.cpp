@@ -8,8 +8,8 @@
 
 #include "every_joint.hpp"
 
-// Accelerations of both engines at one state, under efforts of every joint, wrenches on every body, motors
-// and a field.
+// Accelerations of both engines at one state, under efforts of every joint, wrenches on every body, motors,
+// forces on modes and a field, with joints that are locked and driven.
 namespace vectrix_test::every_joint::engine_test {
 namespace {
 
@@ -19,8 +19,8 @@ constexpr double rounding = 1e-11;
 struct Both {
   std::vector<double> ours, theirs;
 };
-/// `locked`: the links and rotors that keep their speed, as a function of their number.
-Both accelerations(unsigned long seed, double time_scale, bool (*locked)(std::size_t)) {
+/// `held`: the links and rotors that are held, and how, as a function of their number.
+Both accelerations(unsigned long seed, double time_scale, multibody::Hold (*held)(std::size_t)) {
   RandomCraft random(seed);
   const Craft craft(random);
   const auto start = start_of(craft, random);
@@ -35,16 +35,26 @@ Both accelerations(unsigned long seed, double time_scale, bool (*locked)(std::si
   const auto apply = [](const multibody::Work<double>& from, multibody::Work<double>& to) {
     to.efforts = from.efforts;
     to.motors = from.motors;
+    to.modal = from.modal;
     to.field = from.field;
-    to.locked_links = from.locked_links;
+    to.held = from.held;
+    to.given = from.given;
     to.locked_rotors = from.locked_rotors;
   };
   draw(applied.efforts);
   draw(applied.motors);
+  draw(applied.modal);
+  draw(applied.given);
   applied.field = column();
-  for (std::size_t i = 0; i < applied.locked_links.size(); ++i) applied.locked_links[i] = locked(i);
-  applied.locked_links[2] = applied.locked_links[1];  // both links of the gimbal
-  for (std::size_t i = 0; i < applied.locked_rotors.size(); ++i) applied.locked_rotors[i] = locked(i);
+  const auto& layout = tree.layout();
+  for (std::size_t i = 0; i < applied.held.size(); ++i) {
+    applied.held[i] = held(i);
+    if (applied.held[i] != multibody::Hold::locked) continue;
+    const std::size_t next = i + 1 < applied.held.size() ? layout.speed_at[i + 1] : layout.rotors_begin();
+    for (std::size_t k = layout.speed_at[i]; k < next; ++k) applied.given[k - layout.speeds_begin()] = 0.0;
+  }
+  for (std::size_t i = 0; i < applied.locked_rotors.size(); ++i)
+    applied.locked_rotors[i] = held(i) == multibody::Hold::locked;
   applied.hub.f = column();
   applied.hub.n = column();
   for (auto& link : applied.links) link.I.f = column(), link.I.n = column();
@@ -60,10 +70,9 @@ Both accelerations(unsigned long seed, double time_scale, bool (*locked)(std::si
     tree.add_wrench(static_cast<int>(i) + 1, -applied.links[i].I.f, -applied.links[i].I.n, work);
   tree.solve(start.data(), found.ours.data(), work);
 
-  detail::SimbodyEngine engine(detail::simbody_craft("test", plain(craft)), SimbodyPair::merson, 1e-3,
-                               time_scale, [&](double, const double*, detail::SimbodyLoads& loads) {
-                                 detail::copy_loads(plain(craft), applied, loads);
-                               });
+  detail::SimbodyEngine engine(
+      detail::simbody_craft(plain(craft)), SimbodyPair::merson, 1e-3, time_scale,
+      [&](double, const double*, detail::SimbodyLoads& loads) { detail::copy_loads(applied, loads); });
   engine.rates(start_time.value(), start.data(), found.theirs.data());
   return found;
 }
@@ -75,19 +84,29 @@ void expect_same(const Both& found) {
 }
 
 TEST(SimbodyEngine, has_the_accelerations_of_ours_in_any_unit_of_time) {
-  const auto none = [](std::size_t) { return false; };
+  const auto none = [](std::size_t) { return multibody::Hold::none; };
   for (const unsigned long seed : {21UL, 22UL, 23UL, 24UL}) {
     expect_same(accelerations(seed, 1.0, none));
     expect_same(accelerations(seed, 0.3, none));
   }
 }
 
-TEST(SimbodyEngine, locks_what_ours_locks) {
-  for (const unsigned long seed : {25UL, 26UL}) {
-    expect_same(accelerations(seed, 1.0, [](std::size_t i) { return i % 2 == 0; }));
-    expect_same(accelerations(seed, 1.0, [](std::size_t i) { return i % 2 == 1; }));
-    expect_same(accelerations(seed, 1.0, [](std::size_t i) { return i % 3 == 0; }));
-  }
+TEST(SimbodyEngine, locks_and_drives_what_ours_does) {
+  using multibody::Hold;
+  for (const unsigned long seed : {25UL, 26UL})
+    for (const double unit : {1.0, 0.3}) {
+      expect_same(
+          accelerations(seed, unit, [](std::size_t i) { return i % 2 == 0 ? Hold::locked : Hold::none; }));
+      expect_same(
+          accelerations(seed, unit, [](std::size_t i) { return i % 2 == 1 ? Hold::locked : Hold::none; }));
+      expect_same(
+          accelerations(seed, unit, [](std::size_t i) { return i % 3 == 0 ? Hold::locked : Hold::none; }));
+      expect_same(
+          accelerations(seed, unit, [](std::size_t i) { return i % 2 == 0 ? Hold::driven : Hold::none; }));
+      expect_same(
+          accelerations(seed, unit, [](std::size_t i) { return i % 2 == 1 ? Hold::driven : Hold::none; }));
+      expect_same(accelerations(seed, unit, [](std::size_t i) { return Hold(i % 3); }));
+    }
 }
 
 // What a load throws within Simbody's realization is kept there; it is thrown once.
@@ -95,14 +114,13 @@ TEST(SimbodyEngine, forgets_what_a_load_has_thrown) {
   RandomCraft random(27);
   const Craft craft(random);
   const auto start = start_of(craft, random);
-  const PlainSpacecraft& parts = plain(craft);
   multibody::Work<double> applied = craft.core()->tree.work();
   bool in_simbody = false, breaks = true;
-  detail::SimbodyEngine engine(detail::simbody_craft("test", parts), SimbodyPair::merson, 1e-3, 1.0,
+  detail::SimbodyEngine engine(detail::simbody_craft(plain(craft)), SimbodyPair::merson, 1e-3, 1.0,
                                [&](double, const double*, detail::SimbodyLoads& loads) {
                                  if (breaks && std::exchange(in_simbody, true))
                                    throw std::domain_error("beyond the table");
-                                 detail::copy_loads(parts, applied, loads);
+                                 detail::copy_loads(applied, loads);
                                });
   std::vector<double> before(Craft::state_size), after(Craft::state_size);
   EXPECT_THROW(engine.rates(start_time.value(), start.data(), before.data()), std::domain_error);

@@ -4,8 +4,8 @@
 
 #include "craft/random_spacecraft.hpp"
 
-/// A craft with every kind of joint that Simbody has, of random numbers, in random motion, with loads of
-/// every kind and a sampled controller.
+/// A craft with every kind of joint, of random numbers, in random motion, with loads of every kind and a
+/// sampled controller.
 namespace vectrix_test::every_joint {
 
 using namespace vectrix_test::spacecraft_test;
@@ -18,18 +18,19 @@ inline auto make_craft(RandomCraft& random, bool transposed = false) {
   if (transposed)
     X_h_from_boom.rotation =
         dcm(to<Hub>, from<Boom>, Eigen::Matrix3d(X_h_from_boom.rotation.matrix().transpose()));
-  const Eigen::Vector3d first = random.triple(), second = first.cross(random.triple());
-  const auto along = [](const Eigen::Vector3d& v) { return direction(vector<si::length>(in<Antenna>, v)); };
-  return spacecraft(
-      body(mass<Hub>(random, 10.0), free_in<Gcrf>),
-      body(mass<Boom>(random, 3.0), hinge(X_h_from_boom, axis<Boom>(random))),
-      rotor(of<WheelOfBoom>, axis<Boom>(random), 0.01 * kg_m2),
-      body(mass<Antenna>(random, 10.0), gimbal(place<Boom, Antenna>(random), along(first), along(second))),
-      body(mass<Mass>(random, 3.0), slider(place<Hub, Mass>(random), axis<Mass>(random))),
-      body(mass<Gyro>(random, 3.0), ball(place<Boom, Gyro>(random))), mount(place<Antenna, Camera>(random)),
-      body(mass<Box>(random, 3.0), fixed_joint(place<Mass, Box>(random))),
-      body(mass<Probe>(random, 3.0), free_joint(place<Box, Probe>(random))),
-      rotor(of<WheelOfHub>, axis<Hub>(random), 0.01 * kg_m2));
+  return spacecraft(body(mass<Hub>(random, 10.0), free_in<Gcrf>),
+                    body(mass<Boom>(random, 3.0), hinge(X_h_from_boom, axis<Boom>(random))),
+                    rotor(of<WheelOfBoom>, axis<Boom>(random), 0.01 * kg_m2),
+                    body(mass<Antenna>(random, 10.0),
+                         gimbal(place<Boom, Antenna>(random), axis<Antenna>(random), axis<Antenna>(random))),
+                    modes(of<Blanket>, on<Antenna>, mode<Antenna>(random), mode<Antenna>(random)),
+                    body(mass<Mass>(random, 3.0), slider(place<Hub, Mass>(random), axis<Mass>(random))),
+                    body(mass<Gyro>(random, 3.0), ball(place<Boom, Gyro>(random))),
+                    mount(place<Antenna, Camera>(random)),
+                    body(mass<Box>(random, 3.0), fixed_joint(place<Mass, Box>(random))),
+                    modes(of<Tank>, on<Hub>, mode<Hub>(random)),
+                    body(mass<Probe>(random, 3.0), free_joint(place<Box, Probe>(random))),
+                    rotor(of<WheelOfHub>, axis<Hub>(random), 0.01 * kg_m2));
 }
 struct Craft : decltype(make_craft(std::declval<RandomCraft&>())) {
   explicit Craft(RandomCraft random, bool transposed = false)
@@ -45,7 +46,8 @@ inline CraftState<Craft> start_of(const Craft& craft, RandomCraft& random) {
                       random.normal() * rad_s),
                starts(of<Mass>, random.normal() * m, random.normal() * m_s),
                starts(moving<Boom, Gyro>(random).turning), starts(moving<Box, Probe>(random)),
-               spins(of<WheelOfBoom>, random.normal() * rad_s));
+               deflects(of<Blanket>, std::array{0.1, -0.2}, std::array{0.3, 0.05}),
+               deflects(of<Tank>, 0.02, 0.04), spins(of<WheelOfBoom>, random.normal() * rad_s));
 }
 
 struct Command {
@@ -62,6 +64,7 @@ inline const auto loads = [](const Now<Craft>& now, Forces<Craft>& forces, const
   forces.force(of<Camera>, vector(in<Probe>, 0.5 * N, 0.2 * N, 0.3 * N));
   forces.force(of<Gyro>, vector(in<Gcrf>, 0.1 * N, -0.7 * N, 0.3 * N));
   forces.field(vector(in<Gcrf>, 0.1 * (m_s / s), 0.2 * (m_s / s), -0.3 * (m_s / s)));
+  forces.modal(of<Blanket>, {0.05, -0.1});
   forces.motor(of<WheelOfHub>, command.torque);
   forces.motor(of<WheelOfBoom>, 0.02 * std::cos(now.time().value()) * N_m);
 };

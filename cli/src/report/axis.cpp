@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "report/text.hpp"
+#include "figures.hpp"
 
 namespace vectrix::cli {
 

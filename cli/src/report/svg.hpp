@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "figures.hpp"
 #include "report/text.hpp"
 
 namespace vectrix::cli {

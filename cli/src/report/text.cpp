@@ -1,9 +1,6 @@
 #include "report/text.hpp"
 
-#include <array>
 #include <bit>
-#include <cmath>
-#include <cstdio>
 
 #include <vectrix/frames/errors.hpp>
 
@@ -94,13 +91,6 @@ std::string base64(std::span<const float> numbers) {
 }
 std::string base64(std::span<const double> numbers) {
   return base64_of_bytes(bytes_of(numbers));
-}
-
-std::string with_decimals(double x, int decimals) {
-  const double half = 0.5 * std::pow(10.0, -decimals);
-  std::array<char, 352> digits{};
-  std::snprintf(digits.data(), digits.size(), "%.*f", decimals, std::abs(x) < half ? 0.0 : x);
-  return digits.data();
 }
 
 }  // namespace vectrix::cli

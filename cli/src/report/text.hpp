@@ -27,7 +27,4 @@ std::string json_list(std::span<const double> numbers);
 std::string base64(std::span<const float> numbers);
 std::string base64(std::span<const double> numbers);
 
-/// x with so many decimals, without a minus sign before zero.
-std::string with_decimals(double x, int decimals);
-
 }  // namespace vectrix::cli

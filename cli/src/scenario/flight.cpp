@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "angle_figures.hpp"
 #include "evidence.hpp"
 #include "figures.hpp"
 #include "plain_words.hpp"
@@ -36,50 +35,6 @@ std::vector<Epoch> instants(const Scenario& scenario, const AttitudeRecord& reco
   std::vector<Epoch> all;
   for (const Epoch& t : steps) all.push_back(t);
   return all;
-}
-
-std::string name_of(const MeasureTarget& target) {
-  if (const auto* const star = std::get_if<StarTarget>(&target)) return star->name;
-  if (const auto* const station = std::get_if<StationTarget>(&target)) return station->name;
-  return cli::name_of(std::get<Target>(target));
-}
-
-// A star of a catalogue that does not move.
-std::vector<Vector3d> lines_to(const StarTarget& target, const Flight& flight,
-                               const SkyCorrection& correction) {
-  const auto& times = flight.attitude.times;
-  const auto still =
-      proper_motion_with_cos_declination(0.0 * (si::radian / si::second), 0.0 * (si::radian / si::second));
-  const Star star(in<earth::Gcrf>, target.at, still, 0.0 * si::radian, 0.0 * (si::metre / si::second),
-                  times.front());
-  const Stars stars(from_until(times.front(), times.back()));
-  std::vector<Vector3d> lines;
-  for (std::size_t i = 0; i < times.size(); ++i)
-    lines.emplace_back(std::holds_alternative<Apparent>(correction)
-                           ? stars.direction(star, times[i], flight.motions[i], apparent).coordinates()
-                           : stars.direction(star, times[i], flight.motions[i], light_time).coordinates());
-  return lines;
-}
-
-std::vector<Vector3d> lines_to(const StationTarget& target, const Flight& flight,
-                               const EarthOrientation& orientation) {
-  const auto& times = flight.attitude.times;
-  const EarthMotion earth(orientation, from_until(times.front(), times.back()));
-  const auto station = wgs84::position(target.at);
-  std::vector<Vector3d> lines;
-  for (std::size_t i = 0; i < times.size(); ++i)
-    lines.emplace_back((earth.rotation(times[i]) * station).coordinates() -
-                       flight.motions[i].position.coordinates());
-  return lines;
-}
-
-std::vector<Vector3d> lines_of(const Measure& measure, const Scenario& scenario, const Flight& flight) {
-  const SkyCorrection correction = measure.correction.value_or(geometric);
-  if (const auto* const star = std::get_if<StarTarget>(&measure.target))
-    return lines_to(*star, flight, correction);
-  if (const auto* const station = std::get_if<StationTarget>(&measure.target))
-    return lines_to(*station, flight, *scenario.orientation);
-  return cli::lines_to(std::get<Target>(measure.target), flight.attitude.times, flight.motions, correction);
 }
 
 // Which instants count; empty if all do.
@@ -189,7 +144,9 @@ Measured measured(const Measure& measure, const Scenario& scenario, const Flight
   if (measure.correction)
     made.what += ", " + words_of(*measure.correction) + ", seen from " +
                  (flight.orbit ? "the satellite" : "the centre of the Earth");
-  made.directions = directions_of(lines_of(measure, scenario, flight), flight.attitude, made.target);
+  const auto lines = lines_to(measure.target, flight.attitude.times, flight.motions,
+                              measure.correction.value_or(geometric), scenario.orientation);
+  made.directions = directions_of(lines, flight.attitude, made.target);
   made.in_body = seen_in_body(flight.attitude, made.directions);
   const Vector3d axis = flight.flown.frames.in_body(measure.axis);
   made.angles = absolute_errors(made.in_body, axis);
@@ -232,19 +189,22 @@ WindowErrors errors_in_windows(const Requirement& required, const Scenario& scen
   });
 }
 
-std::vector<Report::Verdict> verdicts(const Scenario& scenario, const Flight& flight,
-                                      const std::vector<Measured>& measures) {
-  std::vector<Report::Verdict> all;
+std::vector<Judged> verdicts(const Scenario& scenario, const Flight& flight,
+                             const std::vector<Measured>& measures) {
+  std::vector<Judged> all;
   for (const Requirement& required : scenario.requirements) {
     const Measured& measure = measures[required.measure];
     const AngleFigures figures(errors_of(required, scenario, flight, measure));
     const double limit =
         required.by_budget ? limit_by_budget(required, scenario, flight.flown.frames) : required.degrees;
     const Judgement judged = figures.judge(limit, required.percent);
-    all.push_back({scenario.measures[required.measure].name + ": " + measure.what, required.text,
-                   decimals(judged.found) + " deg (" + std::to_string(judged.within) + " of " +
-                       std::to_string(figures.size()) + " are within)",
-                   decimals(judged.margin) + " deg", judged.fulfilled});
+    all.push_back({{scenario.measures[required.measure].name + ": " + measure.what, required.text,
+                    decimals(judged.found) + " deg (" + std::to_string(judged.within) + " of " +
+                        std::to_string(figures.size()) + " are within)",
+                    decimals(judged.margin) + " deg", judged.fulfilled},
+                   judged,
+                   limit,
+                   figures.size()});
   }
   return all;
 }

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "angle_figures.hpp"
 #include "pointing_error.hpp"
 #include "progress.hpp"
 #include "scenario/fixed_frame.hpp"
@@ -65,8 +66,14 @@ std::vector<double> errors_of(const Requirement& required, const Scenario& scena
 WindowErrors errors_in_windows(const Requirement& required, const Scenario& scenario, const Flight& flight,
                                const Measured& measure);
 
+/// A verdict with its numbers.
+struct Judged : Report::Verdict {
+  Judgement figures;
+  double limit;       // deg
+  std::size_t count;  // of the samples or windows that are judged
+};
 /// Which requirements are fulfilled. Throws BadInput if nothing is left to be judged.
-std::vector<Report::Verdict> verdicts(const Scenario& scenario, const Flight& flight,
-                                      const std::vector<Measured>& measures);
+std::vector<Judged> verdicts(const Scenario& scenario, const Flight& flight,
+                             const std::vector<Measured>& measures);
 
 }  // namespace vectrix::cli

@@ -7,12 +7,11 @@
 #include "scenario/fixed_frame.hpp"
 #include "scenario/given.hpp"
 #include "table_text.hpp"
+#include "word.hpp"
 
 namespace vectrix::cli {
 namespace {
 
-const std::map<std::string, SkyCorrection> corrections{
-    {"geometric", geometric}, {"light_time", light_time}, {"apparent", apparent}};
 const std::map<std::string, Target> targets{{"sun", Target::sun},
                                             {"moon", Target::moon},
                                             {"earth", Target::earth},
@@ -61,11 +60,11 @@ class MeasureReader {
              from.at("height").as<Amount>().in("m") * si::metre}};
   }
   static void require_at_most_a_turn(const ScenarioValue& value) {
-    if (!(std::abs(value.as<Amount>().in("deg")) <= 360.0))
+    if (!(std::abs(value.as<Amount>().in("deg")) <= most_of_a_longitude))
       refuse(value.place, "'" + value.path + "' is " + value.as<Amount>().text() + ", more than a turn");
   }
   static void require_latitude(const ScenarioValue& value) {
-    if (!(std::abs(value.as<Amount>().in("deg")) <= 90.0))
+    if (!(std::abs(value.as<Amount>().in("deg")) <= most_of_a_latitude))
       refuse(value.place, "'" + value.path + "' is " + value.as<Amount>().text() + "; it is at most 90 deg");
   }
 
@@ -78,23 +77,21 @@ class MeasureReader {
       refuse(target.place, "there is no target '" + target.text() + "'" + instead_of(target.text(), names));
     }
     Measure made{from.place, from.at("name").text(), fixed_axis(axis), target.place, found->second};
-    const auto* const plain = std::get_if<Target>(&made.target);
-    const bool is_star = std::holds_alternative<StarTarget>(made.target);
+    const auto names = corrections_of(made.target);
+    const std::string possible = '"' + joined(names, "\", \"") + '"';
     const auto* const correction = from.find("correction");
     if (correction) {
-      if (!is_star && !(plain && is_in_sky(*plain)))
+      if (names.empty())
         refuse(correction->place, "'" + correction->path + "' is of the Sun, the Moon and stars");
-      if (is_star && correction->text() == "geometric")
-        refuse(
-            correction->place,
-            "a catalogue says where a star is seen, not where it is; needed: \"light_time\" or \"apparent\"");
-      made.correction = corrections.at(correction->text());
-    } else if (is_star || (plain && is_in_sky(*plain))) {
+      if (possible.find(correction->text()) == std::string::npos)
+        refuse(correction->place,
+               "a catalogue says where a star is seen, not where it is; needed one of: " + possible);
+      made.correction = corrections().at(correction->text());
+    } else if (!names.empty()) {
       refuse(from.place, "'measure.correction' is missing: " + target.text() +
-                             " is not where it is seen; one of: " + (is_star ? "" : "\"geometric\", ") +
-                             "\"light_time\", \"apparent\"");
+                             " is not where it is seen; one of: " + possible);
     }
-    if (!scenario_.orbit && !(plain && *plain == Target::sun))
+    if (!scenario_.orbit && needs_orbit(made.target))
       refuse(target.place, "the direction of " + target.text() + " needs an orbit; missing: [orbit]");
     if (made.correction)
       scenario_.choices.push_back(

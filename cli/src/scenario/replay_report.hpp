@@ -5,12 +5,13 @@
 
 #include "scenario/budget.hpp"
 #include "scenario/flight.hpp"
+#include "scenario/result.hpp"
 
 namespace vectrix::cli {
 
-/// What a replay shows.
-Report replay_report(const Scenario& scenario, const Flight& flight, const std::vector<Measured>& measures,
-                     const std::vector<Report::Verdict>& verdicts, const std::vector<BudgetFigure>& budgets,
+/// What a replay found. It reads the inputs again, for their checksums.
+Result replay_result(const Scenario& scenario, const Flight& flight, const std::vector<Measured>& measures,
+                     const std::vector<Judged>& verdicts, const std::vector<BudgetFigure>& budgets,
                      const std::string& version);
 
 }  // namespace vectrix::cli

@@ -25,12 +25,21 @@ using Maps = Convention::Maps;
 class Reader {
  public:
   explicit Reader(const std::filesystem::path& file) : table_(read_scenario_table(file)) {
+    if (const auto* const leap_seconds = table_.table("attitude")->find("leap_seconds")) {
+      try {
+        use_leap_seconds_of({.leap_seconds = leap_seconds->text()});
+      } catch (const BadInput& error) {
+        refuse(leap_seconds->place, error.what());
+      }
+      table_ = read_scenario_table(file);  // again: its times may be in UTC
+    }
     scenario_.file = file.string();
     scenario_.title = table_.at("title").text();
   }
 
   Scenario read() {
-    collect_inputs(table_);
+    for (const auto& text : table_.files) add_input(text);
+    scenario_.texts = scenario_.inputs;
     read_time();
     if (const auto* const earth = table_.table("earth")) {
       const auto& value = earth->at("orientation");
@@ -40,7 +49,11 @@ class Reader {
       choose("orientation of the Earth", value.text(), value.place);
     }
     read_attitude();
-    if (const auto* const orbit = table_.table("orbit")) read_orbit(*orbit);
+    for (const auto& input : files_of(scenario_.attitude)) add_input(input);
+    if (const auto* const orbit = table_.table("orbit")) {
+      read_orbit(*orbit);
+      for (const auto& input : files_of(*scenario_.orbit)) add_input(input);
+    }
     for (const ScenarioTable& each : table_.tables("frame")) {
       scenario_.frames.push_back(fixed_frame(each));
       const FixedFrame& frame = scenario_.frames.back();
@@ -60,12 +73,6 @@ class Reader {
     scenario_.choices.push_back({what, value, by.line_text()});
   }
 
-  void collect_inputs(const ScenarioTable& table) {
-    add_input(table.place.file);
-    for (const auto& [name, value] : table.values)
-      if (const auto* const parts = std::get_if<std::vector<ScenarioTable>>(&value.value))
-        for (const ScenarioTable& part : *parts) collect_inputs(part);
-  }
   void add_input(const std::filesystem::path& file) {
     auto& all = scenario_.inputs;
     if (std::find(all.begin(), all.end(), file) == all.end()) all.push_back(file);
@@ -100,7 +107,6 @@ class Reader {
   void read_attitude() {
     const ScenarioTable& from = *table_.table("attitude");
     const auto& file = from.at("file");
-    add_input(file.text());
     scenario_.attitude.file = file.text();
     Selection& selection = scenario_.attitude.selection;
     selection.segment_word = "segment = NUMBER in [attitude]";
@@ -112,19 +118,42 @@ class Reader {
       scenario_.gap = positive(*gap, "s");
       choose("gaps", "steps longer than " + gap->as<Amount>().text(), gap->place);
     }
+    if (is_kernel(file.text())) {
+      read_kernel_words(from);
+      return;
+    }
+    refuse_keys(from, {"clock", "frames", "kernel_frame", "leap_seconds"},
+                "is of a kernel of SPICE; " + file.text() + " is none");
     if (is_message(file.text())) {
       refuse_keys(from, {"time", "quaternion", "rates"},
                   "is of a table; " + file.text() + " is a message and says it itself");
       if (const auto* const segment = from.find("segment")) selection.segment = segment->as<std::size_t>();
       return;
     }
-    if (is_kernel(file.text()))
-      refuse(file.place, file.text() +
-                             " is a kernel of SPICE; needed: a message of CCSDS or a table, which "
-                             "vectrix convert makes of it");
     refuse_keys(from, {"segment"}, "is of a message; " + file.text() + " is a table");
     want_keys(from, {"time", "quaternion"}, "a table");
     read_columns(from);
+  }
+
+  void read_kernel_words(const ScenarioTable& from) {
+    const std::string is = scenario_.attitude.file.string() + " is a kernel of SPICE and says it itself";
+    refuse_keys(from, {"segment"}, "is of a message; " + is);
+    refuse_keys(from, {"time", "quaternion", "rates"}, "is of a table; " + is);
+    want_keys(from, {"clock"}, "a kernel of SPICE");
+    KernelWords words;
+    words.frame_word = "kernel_frame = \"NAME\" in [attitude]";
+    const auto take = [&](const char* key, const char* what, std::string& word) {
+      const auto* const given = from.find(key);
+      if (!given) return;
+      word = given->text();
+      choose(what, word, given->place);
+    };
+    take("clock", "clock of the attitude", words.clock);
+    take("frames", "names of the frames of the attitude", words.frames);
+    take("kernel_frame", "frame of the attitude", words.frame);
+    if (const auto* const stated = from.find("kernel_frame")) words.frame_place = stated->place.text() + ": ";
+    take("leap_seconds", "leap seconds", words.leap_seconds);
+    scenario_.attitude.kernel = words;
   }
 
   void read_columns(const ScenarioTable& from) {
@@ -207,8 +236,7 @@ class Reader {
   }
 
   void read_orbit(const ScenarioTable& from) {
-    const auto& file = one_of(from, {"tle", "oem", "table"});
-    add_input(file.text());
+    const auto& file = one_of(from, {"tle", "oem", "spk", "table"});
     OrbitSource source;
     source.orientation = scenario_.orientation;
     source.interpolation.word = "interpolation = { method = \"hermite\", degree = 7 } in [orbit]";
@@ -224,9 +252,9 @@ class Reader {
     if (!is_table)
       refuse_keys(from, {"time", "position", "velocity", "unit", "frame"},
                   "is of a table, '" + file.path + "' is given");
-    if (file.path == "orbit.tle") {
-      refuse_keys(from, {"interpolation"}, "is of a table or an OEM, 'orbit.tle' is given");
-      source.elements = file.text();
+    if (file.path == "orbit.tle" || file.path == "orbit.spk") {
+      refuse_keys(from, {"interpolation"}, "is of a table or an OEM, '" + file.path + "' is given");
+      (file.path == "orbit.tle" ? source.elements : source.kernel) = file.text();
     } else if (!is_table) {
       source.message = file.text();
     } else {

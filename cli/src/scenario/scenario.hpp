@@ -4,7 +4,6 @@
 #include <filesystem>
 #include <optional>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "report/report.hpp"
@@ -27,16 +26,6 @@ struct FixedAxis {
   std::string text, frame;
   Eigen::Vector3d vector;
 };
-
-struct StarTarget {
-  std::string name;
-  RightAscensionDeclination at;
-};
-struct StationTarget {
-  std::string name;
-  Geodetic at;
-};
-using MeasureTarget = std::variant<Target, StarTarget, StationTarget>;
 
 struct Measure {
   Place place;
@@ -105,7 +94,8 @@ struct Scenario {
   std::vector<Requirement> requirements{};
   std::vector<Contribution> contributions{};
   std::filesystem::path report{}, csv{};        // empty if not wanted
-  std::vector<std::filesystem::path> inputs{};  // every file that is read, this one first
+  std::vector<std::filesystem::path> texts{};   // this file, then those that it includes
+  std::vector<std::filesystem::path> inputs{};  // every file that is read, the texts first
   std::vector<NamedColumn> columns{};
   std::vector<Report::Choice> choices{};  // what it states
 };

@@ -49,7 +49,7 @@ Key time() {
        {"end", Kind::epoch, optional, "its end"},
        amount("step", optional, Dimension::duration,
               "look at start, start + step and so on, the attitude turning at a constant rate between its "
-              "samples; by default at the samples")});
+              "samples; a gap between two instants is not seen; by default at the samples")});
 }
 
 Key earth() {
@@ -64,6 +64,7 @@ Key orbit() {
         "file of two-line elements; the set nearest to the middle of the time that is looked at is taken"},
        {"oem", Kind::input, optional,
         "orbit message of CCSDS (OEM, KVN or XML) in EME2000, GCRF, TEME or ITRF"},
+       {"spk", Kind::input, optional, "kernel of SPICE (SPK) with one spacecraft"},
        {"table", Kind::input, optional,
         "table (CSV); it needs time, position, velocity, unit, frame and interpolation"},
        table("interpolation", optional, "of a table, or of an OEM that does not say it",
@@ -81,7 +82,14 @@ Key attitude() {
   return table(
       "attitude", needed, "the attitude that was flown",
       {{"file", Kind::input, needed,
-        "attitude message of CCSDS (AEM, KVN or XML), which says the rest itself, or table (CSV)"},
+        "attitude message of CCSDS (AEM, KVN or XML), which says the rest itself, kernel of SPICE (CK), or "
+        "table (CSV)"},
+       {"clock", Kind::input, optional, "of a kernel of SPICE, which needs it: its clock kernel (SCLK)"},
+       {"frames", Kind::input, optional, "of a kernel of SPICE: its frame kernel (FK), for names"},
+       {"kernel_frame", Kind::text, optional,
+        "of a kernel of SPICE with several frames: which one, by name or number"},
+       {"leap_seconds", Kind::input, optional,
+        "of a kernel of SPICE: a kernel (LSK) with newer leap seconds, for every time in UTC"},
        {"segment", Kind::whole_number, optional, "of a message with several, counted from 1"},
        time_column(),
        table("quaternion", optional, "the quaternions of a table",

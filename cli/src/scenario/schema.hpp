@@ -49,6 +49,14 @@ inline constexpr int scenario_version = 1;
 const Key& schema();
 /// How a key is to be written: "a text with a unit (deg, rad, ...)".
 std::string form_of(const Key& key);
+/// Whether it is a table, or one of several.
+bool is_section(const Key& key);
+/// "[time]", "[[frame]]"
+std::string name_of_section(const Key& key);
+/// "Needed: the attitude that was flown."
+std::string meaning_of_section(const Key& key);
+/// What holds for all keys; names stand in `these`.
+const std::vector<std::string>& schema_rules();
 /// The page docs/reference/scenario_file.md.
 std::string schema_page();
 

@@ -56,6 +56,7 @@ ScenarioTable read_all(const fs::path& file, std::vector<fs::path> within) {
   within.push_back(file);
   ScenarioTable table = read_one_file(file);
   require_version(table);
+  table.files = {file};
   const auto included = table.values.extract("include");
   if (included.empty()) return table;
   for (const std::string& each : included.mapped().as<std::vector<std::string>>()) {
@@ -64,6 +65,7 @@ ScenarioTable read_all(const fs::path& file, std::vector<fs::path> within) {
     ScenarioTable part = read_all(each, within);
     part.values.erase("version");
     merge(table, part, schema());
+    table.files.insert(table.files.end(), part.files.begin(), part.files.end());
   }
   return table;
 }

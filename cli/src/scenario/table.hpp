@@ -35,6 +35,7 @@ class ScenarioTable {
   Place place;
   std::string path{};  // empty for the whole file
   std::map<std::string, ScenarioValue, std::less<>> values{};
+  std::vector<std::filesystem::path> files{};  // of the whole file: itself and those that it includes
 
   [[nodiscard]] const ScenarioValue* find(std::string_view key) const {
     const auto found = values.find(key);

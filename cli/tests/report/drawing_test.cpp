@@ -79,7 +79,7 @@ RC_GTEST_PROP(TextPlaces, DoNotCoverEachOtherAndKeepTheOrderOfTheirLines, ()) {
   const auto places = text_places(lines, 10.0);
   RC_ASSERT(places.size() == lines.size());
   for (std::size_t i = 0; i < places.size(); ++i) {
-    RC_ASSERT(places[i] >= 21.0);  // the text is 11 pixels high
+    RC_ASSERT(places[i] >= 21.0);                             // the text is 11 pixels high
     if (i > 0) RC_ASSERT(places[i] <= places[i - 1] - 14.0);  // RC_ASSERT evaluates both sides of ||
     const double from_top = 21.0 + 14.0 * static_cast<double>(lines.size() - 1 - i);
     RC_ASSERT(places[i] <= std::max(lines[i] - 4.0, from_top));  // above its line, if there is room

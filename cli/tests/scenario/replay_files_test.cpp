@@ -2,10 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <sstream>
 
+#include "new_file.hpp"
 #include "says.hpp"
 #include "scenario_folder.hpp"
+#include "stored_report.hpp"
 
 namespace vectrix::cli::replay_files_test {
 namespace {
@@ -17,6 +20,12 @@ class ReplayFiles : public ::testing::Test, protected ScenarioFolder {
     out.str("");
     Progress silent(nullptr);
     return replay({file(), check, force, "0"}, silent, out);
+  }
+  /// With --hdf5.
+  bool store(const std::string& text, const std::filesystem::path& stored, bool force = false) {
+    folder.written("s.toml", text);
+    Progress silent(nullptr);
+    return replay({file(), false, force, "0", stored}, silent, out);
   }
   std::ostringstream out;
 };
@@ -86,6 +95,58 @@ TEST_F(ReplayFiles, HaveSamplesAtTheTimes) {
           " are from 2026-11-29T00:00:00.000000 UTC to 2026-11-29T00:00:20.000000 UTC, none from "
           "'time.start' to "
           "'time.end'");
+}
+
+TEST_F(ReplayFiles, AreStoredAndReportedAgain) {
+  const auto page = folder.file("o.html"), stored = folder.file("o.h5");
+  const std::string text = plain + std::string("[output]\nreport = \"") + page.string() + "\"\n";
+  EXPECT_FALSE(store(text, stored));
+  EXPECT_TRUE(says(out.str(), "Written: " + stored.string()));
+  const std::string shown = content(page);
+  for (const char* input : {"s.toml", "a.csv"}) std::filesystem::remove(folder.file(input));
+  EXPECT_EQ(complaint([&] { stored_report({stored}, out); }, page), "FILE: exists; --force overwrites it");
+  stored_report({stored, folder.file("again.html")}, out);
+  EXPECT_TRUE(content(folder.file("again.html")) == shown);
+  stored_report({.file = stored, .force = true}, out);
+  EXPECT_TRUE(content(page) == shown);
+  EXPECT_EQ(complaint(
+                [&] {
+                  stored_report({stored, stored, true}, out);
+                },
+                stored),
+            "FILE: is the same file as " + stored.string() + ", which is read");
+}
+
+TEST_F(ReplayFiles, AreStoredWhereNothingIsLost) {
+  const auto stored = folder.file("o.h5");
+  folder.written("o.h5", "kept");
+  EXPECT_EQ(complaint([&] { store(plain, stored); }, stored), "FILE: exists; --force overwrites it");
+  EXPECT_EQ(content(stored), "kept");
+  EXPECT_EQ(complaint([&] { store(plain, "o.csv"); }),
+            "--hdf5 o.csv: the name ends neither in .h5 nor in .hdf5");
+  std::filesystem::create_symlink(folder.file("a.csv"), folder.file("a.h5"));
+  EXPECT_EQ(complaint([&] { store(plain, folder.file("a.h5"), true); }, folder.file("a.h5")),
+            "FILE: is the same file as " + folder.file("a.csv").string() + ", which is read");
+  (void)store(plain, stored, true);
+  EXPECT_NE(content(stored), "kept");
+  EXPECT_FALSE(std::filesystem::exists(folder.file("o.h5.part")));
+}
+
+// Also if it is another name of a file: that gets the content.
+TEST_F(ReplayFiles, AreWrittenAsAWholeOrNotAtAll) {
+  const auto kept = folder.written("kept.h5", "kept"), other = folder.file("other.h5");
+  std::filesystem::create_symlink(kept, other);
+  const auto half = [](const std::filesystem::path& part) {
+    std::ofstream(part) << "half";
+    throw BadInput("the disk is full");
+  };
+  EXPECT_EQ(complaint([&] { write_new(other, half, true); }, other), "FILE: the disk is full");
+  EXPECT_EQ(content(other), "kept");
+  for (const auto& each : std::filesystem::directory_iterator(folder.file("")))
+    EXPECT_NE(each.path().extension(), ".part");
+  write_new(other, "new", true);
+  EXPECT_EQ(content(kept), "new");
+  EXPECT_TRUE(std::filesystem::is_symlink(other));
 }
 
 }  // namespace

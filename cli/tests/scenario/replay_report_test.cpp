@@ -14,7 +14,7 @@ namespace {
 using Eigen::Vector3d;
 
 TEST(Replay, SeesTheGyrosOfSentinel1AgreeWithItsTurns) {
-  const auto report = result(example("sentinel1.toml")).report();
+  const auto report = replayed(example("sentinel1.toml")).report();
   ASSERT_EQ(report.plots.size(), 4U);
   const Report::Plot& differences = report.plots[3];
   EXPECT_EQ(differences.unit, "deg/s");
@@ -30,7 +30,7 @@ TEST(Replay, SeesTheGyrosOfSentinel1AgreeWithItsTurns) {
 }
 
 TEST(Replay, FillsAReport) {
-  const auto found = result(example("ctim.toml"));
+  const auto found = replayed(example("ctim.toml"));
   const Report report = found.report();
   EXPECT_EQ(report.title, "CTIM, 20 April 2023: is the radiometer on the Sun?");
   EXPECT_EQ(report.start, Epoch::from_utc("2023-04-20T05:20:10"));
@@ -69,7 +69,7 @@ TEST(Replay, FillsAReport) {
     is_said = is_said || (choice.value == "v_body = R(q) v_ICRF, the scalar is first" &&
                           choice.by.find("s.toml:") != std::string::npos);
   EXPECT_TRUE(is_said);
-  EXPECT_TRUE(result(example("ctim.toml")).report().tables.at(0).rows.at(0).size() ==
+  EXPECT_TRUE(replayed(example("ctim.toml")).report().tables.at(0).rows.at(0).size() ==
               report.tables[0].headings.size());
 }
 
@@ -77,7 +77,7 @@ TEST(Replay, InterruptsCurvesInGaps) {
   const std::string whole = with(
       example("ctim.toml"), "start = 2023-04-20T05:20:10Z\nend = 2023-04-20T06:10:00Z\nstep = \"10 s\"", "");
   const auto gaps = [&](const std::string& text) {
-    const auto plot = result(text).report().plots[0];
+    const auto plot = replayed(text).report().plots[0];
     std::size_t count = 0;
     for (const double value : plot.curves[0].values) count += std::isnan(value) ? 1U : 0U;
     return count;
@@ -90,7 +90,7 @@ TEST(Replay, InterruptsCurvesInGaps) {
 TEST(Replay, InterruptsTheSceneInGaps) {
   const std::string whole = with(
       example("ctim.toml"), "start = 2023-04-20T05:20:10Z\nend = 2023-04-20T06:10:00Z\nstep = \"10 s\"", "");
-  const auto found = result(with(whole, "gap = \"30 s\"", "gap = \"15 s\""));
+  const auto found = replayed(with(whole, "gap = \"30 s\"", "gap = \"15 s\""));
   const Report report = found.report();
   const auto& scene = report.scene.value();
   ASSERT_EQ(scene.seconds.size(), found.flight.attitude.size() + 27U);

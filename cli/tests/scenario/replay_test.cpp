@@ -26,7 +26,7 @@ constexpr double arcsecond = std::numbers::pi / 648000.0;
 TEST(Replay, FindsTheAnglesThatACubesatsGroundProcessingHasPublished) {
   const auto published = CsvTable::read(examples / "data/CTIM_20230420_pointing.csv", {});
   const auto found =
-      result(with(with(example("ctim.toml"), "05:20:10Z", "05:00:10Z"), "06:10:00Z", "06:59:50Z"));
+      replayed(with(with(example("ctim.toml"), "05:20:10Z", "05:00:10Z"), "06:10:00Z", "06:59:50Z"));
   const auto& times = found.flight.attitude.times;
   ASSERT_EQ(times.size(), published.rows());
   double sum = 0.0;
@@ -43,7 +43,7 @@ TEST(Replay, FindsTheAnglesThatACubesatsGroundProcessingHasPublished) {
 
 // The published angles of these samples are 0.339 to 0.358 deg.
 TEST(Replay, JudgesTheCubesat) {
-  const auto found = result(example("ctim.toml"));
+  const auto found = replayed(example("ctim.toml"));
   ASSERT_EQ(found.judged.size(), 2U);
   EXPECT_TRUE(found.fulfilled(0));
   EXPECT_TRUE(found.fulfilled(1));
@@ -53,7 +53,7 @@ TEST(Replay, JudgesTheCubesat) {
 
 TEST(Replay, IsChangedByEachMistake) {
   const std::string right = example("ctim.toml");
-  const auto fulfilled = [](const std::string& text) { return result(text).fulfilled(0); };
+  const auto fulfilled = [](const std::string& text) { return replayed(text).fulfilled(0); };
   ASSERT_TRUE(fulfilled(right));
   EXPECT_FALSE(fulfilled(with(right, "from = \"ICRF\", to = \"body\"", "from = \"body\", to = \"ICRF\"")))
       << "transposed";
@@ -72,7 +72,7 @@ TEST(Replay, SaysWhichReadingWouldBeOnTheTarget) {
                         with(right, "from = \"ICRF\", to = \"body\"", "from = \"body\", to = \"ICRF\""),
                     last = with(right, "scalar = \"first\"", "scalar = \"last\"");
   const auto better = [](const std::string& text) {
-    const auto found = result(text);
+    const auto found = replayed(text);
     return better_readings(found.flight, found.measures[0]);
   };
   EXPECT_EQ(better(right), "");
@@ -81,7 +81,7 @@ TEST(Replay, SaysWhichReadingWouldBeOnTheTarget) {
   EXPECT_EQ(better(with(transposed, "scalar = \"first\"", "scalar = \"last\"")),
             "other order and transposed (median 0.350123 deg)");
   EXPECT_EQ(better(with(right, "-z of radiometer", "x of radiometer")), "");  // none
-  const auto table = result(transposed).report().tables.at(1);
+  const auto table = replayed(transposed).report().tables.at(1);
   EXPECT_EQ(table.headings,
             (std::vector<std::string>{"measure", "as stated", "transposed", "other order of numbers",
                                       "other order and transposed"}));
@@ -102,7 +102,7 @@ TEST(Replay, ReadsAMessage) {
   text.replace(begin, end - begin, "gap = \"30 s\"\n");
   text = with(with(text, (examples / "data/CTIM_20230420_attitude.csv").string(), aem.string()),
               "to = \"body\" }\n\n[[measure]]", "to = \"SC_BODY_1\" }\n\n[[measure]]");
-  const auto of_table = result(table), of_message = result(text);
+  const auto of_table = replayed(table), of_message = replayed(text);
   const Report report = of_message.report();
   std::filesystem::remove(aem);
   constexpr double rounding = 1e-13;  // rad: of quaternions that were divided by their norm
@@ -119,7 +119,7 @@ TEST(Replay, ReadsAMessage) {
 // Zero-Doppler steering: 0.0003 to 0.0011 deg, with the observed orientation of the Earth.
 TEST(Replay, FindsTheZeroDopplerSteeringOfSentinel1) {
   const std::string text = example("sentinel1.toml");
-  const auto found = result(text);
+  const auto found = replayed(text);
   for (const double angle : found.measures[0].angles) {
     EXPECT_GE(degrees * angle, 0.0003);
     EXPECT_LE(degrees * angle, 0.0011);
@@ -128,22 +128,22 @@ TEST(Replay, FindsTheZeroDopplerSteeringOfSentinel1) {
   const AngleFigures off_nadir(found.measures[1].angles);
   EXPECT_NEAR(off_nadir.quantile(50.0), 29.9, 0.01);  // it looks 30 deg to the right
   // The yaw steering is the difference: some degrees.
-  const auto inertial = result(with(text, "velocity relative to ITRF", "velocity relative to GCRF"));
+  const auto inertial = replayed(with(text, "velocity relative to ITRF", "velocity relative to GCRF"));
   EXPECT_FALSE(inertial.fulfilled(0));
   EXPECT_GT(AngleFigures(inertial.measures[0].angles).quantile(50.0), 1.0);
-  EXPECT_FALSE(result(with(text, "from = \"quaternion axes\", to = \"J2000\"",
-                           "from = \"J2000\", to = \"quaternion axes\""))
+  EXPECT_FALSE(replayed(with(text, "from = \"quaternion axes\", to = \"J2000\"",
+                             "from = \"J2000\", to = \"quaternion axes\""))
                    .fulfilled(0));
-  EXPECT_FALSE(result(with(text, "scalar = \"last\"", "scalar = \"first\"")).fulfilled(0));
+  EXPECT_FALSE(replayed(with(text, "scalar = \"last\"", "scalar = \"first\"")).fulfilled(0));
   EXPECT_FALSE(
-      result(with(text, "[[0, -1, 0], [-1, 0, 0], [0, 0, -1]]", "[[0, 1, 0], [1, 0, 0], [0, 0, -1]]"))
+      replayed(with(text, "[[0, -1, 0], [-1, 0, 0], [0, 0, -1]]", "[[0, 1, 0], [1, 0, 0], [0, 0, -1]]"))
           .fulfilled(0));
 }
 
 // The Earth hides the Sun if the line to it passes nearer than its radius.
 TEST(Replay, CountsOnlySunlightOrShadow) {
   std::string text = with(with(example("ctim.toml"), "05:20:10Z", "05:00:10Z"), "06:10:00Z", "06:59:50Z");
-  const auto found = result(text);
+  const auto found = replayed(text);
   constexpr double penumbra = 40e3;  // m: of the Sun's disc, and of the ellipsoid, on the line
   std::size_t dark = 0;
   for (std::size_t i = 0; i < found.flight.motions.size(); ++i) {
@@ -163,16 +163,16 @@ TEST(Replay, CountsOnlySunlightOrShadow) {
   const auto counts = [](const Report::Verdict& verdict) {
     return verdict.reached.substr(verdict.reached.find(" of "));
   };
-  const auto in_shadow = result(with(text, "when = \"sunlight\"", "when = \"shadow\""));
+  const auto in_shadow = replayed(with(text, "when = \"sunlight\"", "when = \"shadow\""));
   EXPECT_EQ(counts(in_shadow.judged[0]), " of " + std::to_string(dark) + " are within)");
   const auto refused = complaint(
-      [&] { (void)result(with(example("ctim.toml"), "when = \"sunlight\"", "when = \"shadow\"")); });
+      [&] { (void)replayed(with(example("ctim.toml"), "when = \"sunlight\"", "when = \"shadow\"")); });
   EXPECT_TRUE(says(refused, "s.toml:38:1: no instant is in shadow"));
 }
 
 // A window counts if all its samples do.
 TEST(Replay, LeavesOutWindowsOverWhatDoesNotCount) {
-  const auto found = result(example("ctim.toml"));
+  const auto found = replayed(example("ctim.toml"));
   const auto& record = found.flight.attitude;
   const auto& in_body = found.measures[0].in_body;
   std::vector<bool> among(record.size(), true);
@@ -195,7 +195,7 @@ TEST(Replay, LeavesOutWindowsOverWhatDoesNotCount) {
 
 TEST(Replay, NamesTheOrientationOfAnotherTime) {
   const auto refused = complaint([&] {
-    (void)result(with(example("sentinel1.toml"), "finals2000A_april_2022", "finals2000A_april_2023"));
+    (void)replayed(with(example("sentinel1.toml"), "finals2000A_april_2022", "finals2000A_april_2023"));
   });
   EXPECT_TRUE(
       says(refused, "s.toml:7:15: EarthOrientation: the epoch 2022-04-14T10:22:11.874999 UTC is outside"))
@@ -207,7 +207,7 @@ TEST(Replay, SaysWhatHasNoAttitude) {
   const std::string stepped = example("ctim.toml");
   const std::string times = "start = 2023-04-20T05:20:10Z\nend = 2023-04-20T06:10:00Z\nstep = \"10 s\"";
   const auto said = [&](const std::string& text) {
-    const auto found = result(text);
+    const auto found = replayed(text);
     const std::string missing = without_attitude(found.scenario, found.flight);
     const auto facts = found.report().facts;
     EXPECT_EQ(

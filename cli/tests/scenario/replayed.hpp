@@ -27,25 +27,30 @@ struct Replayed {
   Scenario scenario;
   Flight flight;
   std::vector<Measured> measures;
-  std::vector<Report::Verdict> judged;
+  std::vector<Judged> judged;
 
   [[nodiscard]] bool fulfilled(std::size_t i) const { return judged.at(i).fulfilled; }
   [[nodiscard]] std::vector<BudgetFigure> budgets() const {
     return budget_figures(scenario, flight, measures);
   }
-  [[nodiscard]] Report report() const {
-    return replay_report(scenario, flight, measures, judged, budgets(), "0");
+  [[nodiscard]] Result result() const {
+    return replay_result(scenario, flight, measures, judged, budgets(), "0");
   }
+  [[nodiscard]] Report report() const { return report_of(result()); }
 };
-inline Replayed result(const std::string& text) {
-  const auto folder = std::make_shared<const TemporaryFolder>();
-  const Scenario scenario = read_scenario(folder->written("s.toml", text));
+inline Replayed replayed_file(const std::filesystem::path& file,
+                              const std::shared_ptr<const TemporaryFolder>& folder = nullptr) {
+  const Scenario scenario = read_scenario(file);
   Progress silent(nullptr);
   Replayed made{folder, scenario, read_flight(scenario, silent), {}, {}};
   for (const Measure& each : scenario.measures)
     made.measures.push_back(measured(each, scenario, made.flight));
   made.judged = verdicts(scenario, made.flight, made.measures);
   return made;
+}
+inline Replayed replayed(const std::string& text) {
+  const auto folder = std::make_shared<const TemporaryFolder>();
+  return replayed_file(folder->written("s.toml", text), folder);
 }
 
 }  // namespace vectrix::cli

@@ -23,9 +23,11 @@
 #include <vectrix/dynamics/force/moment.hpp>
 #include <vectrix/dynamics/force/wrench.hpp>
 #include <vectrix/dynamics/load/friction.hpp>
+#include <vectrix/dynamics/load/lockable.hpp>
 #include <vectrix/dynamics/load/magnetorquer.hpp>
 #include <vectrix/dynamics/load/of_time.hpp>
 #include <vectrix/dynamics/load/point_mass.hpp>
+#include <vectrix/dynamics/load/prescribed.hpp>
 #include <vectrix/dynamics/load/pulse.hpp>
 #include <vectrix/dynamics/load/springs.hpp>
 #include <vectrix/dynamics/load/stop_at.hpp>
@@ -34,6 +36,7 @@
 #include <vectrix/dynamics/mass/join.hpp>
 #include <vectrix/dynamics/mass/mass_properties.hpp>
 #include <vectrix/dynamics/mass/parallel_axes.hpp>
+#include <vectrix/dynamics/multibody/impulse.hpp>
 #include <vectrix/dynamics/multibody/tree.hpp>
 #include <vectrix/dynamics/ode/inlined.hpp>
 #include <vectrix/dynamics/ode/radau_iia_7.hpp>
@@ -46,4 +49,4 @@
 #include <vectrix/dynamics/rigid/euler.hpp>
 #include <vectrix/dynamics/rigid/state.hpp>
 #include <vectrix/dynamics/rigid/torque_free.hpp>
-#include <vectrix/space.hpp>
+#include <vectrix/kinematics.hpp>

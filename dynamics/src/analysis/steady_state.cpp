@@ -83,7 +83,7 @@ class Steady {
       const std::size_t next =
           i + 1 < layout.speed_at.size() ? layout.speed_at[i + 1] : layout.rotors_begin();
       if (coordinate.speed >= layout.speed_at[i] && coordinate.speed < next)
-        return problem_.work.locked_links[i] != 0;
+        return problem_.work.held[i] != multibody::Hold::none;
     }
     return false;
   }

@@ -45,6 +45,9 @@ std::vector<double> from_mount(const PlainBody& body, std::vector<double> positi
   return positions;
 }
 
+void refuse_to_hold_twice(const std::string& body) {
+  throw BadInput("the joint of " + body + " is driven, and locked or driven again");
+}
 void require_finite_time(const CraftCore& core, const char* action, double time) {
   if (!std::isfinite(time))
     throw BadInput(action + of_the_craft(core) + ": the time is " + text(time) + " s");

@@ -55,13 +55,22 @@ Eigen::Vector3d moving(const NamedCraftCore& core, const Work<double>& work, con
 }
 
 /// The joint, if it is of one of the kinds.
-NamedCraftCore::Joint joint_of_kind(const NamedCraftCore& core, std::string_view body, const char* effort,
-                                    std::initializer_list<JointKind> kinds) {
+NamedCraftCore::Joint joint_of_kind(const NamedCraftCore& core, const char* action, std::string_view body,
+                                    const char* effort, std::initializer_list<JointKind> kinds) {
   const auto joint = core.joint(body);
   for (const JointKind kind : kinds)
     if (joint.body->joint == kind) return joint;
-  throw BadInput("effort: " + std::string{effort} + " on " + in_quotes(body) + ", whose joint is a " +
+  throw BadInput(std::string{action} + ": " + effort + " on " + in_quotes(body) + ", whose joint is a " +
                  detail::name_of(joint.body->joint));
+}
+NamedCraftCore::Joint joint_that_turns(const NamedCraftCore& core, const char* action, std::string_view body,
+                                       int axis) {
+  const auto joint =
+      joint_of_kind(core, action, body, "a torque about an axis", {JointKind::hinge, JointKind::gimbal});
+  if (axis < 1 || static_cast<std::size_t>(axis) > detail::counts_of(joint.body->joint).axes)
+    throw BadInput(std::string{action} + " on " + in_quotes(body) + ": its joint has no axis " +
+                   detail::text(axis));
+  return joint;
 }
 
 }  // namespace
@@ -121,18 +130,16 @@ void NamedForces::torque(NamedFrame body, const NamedVector<si::torque>& M_c) {
   core_->tree().add_wrench(core_->link(body, "torque"), multibody::zero_column<double>(), numbers(M), *work_);
 }
 void NamedForces::effort(std::string_view body, const Quantity<si::torque>& about, int axis) {
-  const auto joint =
-      joint_of_kind(*core_, body, "a torque about an axis", {JointKind::hinge, JointKind::gimbal});
-  if (axis < 1 || static_cast<std::size_t>(axis) > detail::counts_of(joint.body->joint).axes)
-    throw BadInput("effort on " + in_quotes(body) + ": its joint has no axis " + detail::text(axis));
+  const auto joint = joint_that_turns(*core_, "effort", body, axis);
   work_->efforts[core_->speed_at(joint, axis)] += about.value();
 }
 void NamedForces::effort(std::string_view body, const Quantity<si::force>& along) {
-  const auto joint = joint_of_kind(*core_, body, "a force along an axis", {JointKind::slider});
+  const auto joint = joint_of_kind(*core_, "effort", body, "a force along an axis", {JointKind::slider});
   work_->efforts[core_->speed_at(joint, 1)] += along.value();
 }
 void NamedForces::effort(std::string_view body, const NamedVector<si::torque>& M_c) {
-  const auto joint = joint_of_kind(*core_, body, "a torque vector", {JointKind::ball, JointKind::free});
+  const auto joint =
+      joint_of_kind(*core_, "effort", body, "a torque vector", {JointKind::ball, JointKind::free});
   const Eigen::Vector3d M_b = in_axes_of(*core_, *work_, core_->frame(body),
                                          in_hub_axes(*core_, *work_, M_c.in(), M_c.coordinates()));
   for (std::size_t i = 0; i < 3; ++i)
@@ -174,6 +181,18 @@ NamedVector<si::torque> NamedMotion::joint_torque(Of<std::string_view> body, In<
   core_->joint(body.frame);
   const auto passed = core_->tree().reaction(core_->link(core_->frame(body.frame), "joint_torque"), work_);
   return {detail::trusted, in, in_axes_of(*core_, work_, in, eigen(passed.torque))};
+}
+
+Quantity<si::torque> NamedMotion::holding_torque(Of<std::string_view> body, int axis) const {
+  const auto joint = joint_that_turns(*core_, "holding_torque", body.frame, axis);
+  return Quantity<si::torque>::from_value(
+      core_->tree().holding_effort(static_cast<int>(joint.link) + axis, work_));
+}
+Quantity<si::force> NamedMotion::holding_force(Of<std::string_view> body) const {
+  const auto joint =
+      joint_of_kind(*core_, "holding_force", body.frame, "a force along an axis", {JointKind::slider});
+  return Quantity<si::force>::from_value(
+      core_->tree().holding_effort(static_cast<int>(joint.link) + 1, work_));
 }
 
 }  // namespace vectrix

@@ -60,16 +60,18 @@ struct Evaluation {
       : core(std::move(of)),
         loads(std::move(given)),
         held(resolved(*core, joints)),
-        work(core->tree().work()) {
-    for (const HeldLink& joint : held)
-      std::fill_n(work.held.begin() + static_cast<std::ptrdiff_t>(joint.first_link), joint.links, char{1});
-  }
+        work(core->tree().work()) {}
 
   void operator()(double segment_start, double t, const double* y, double* ydot) {
-    for (const HeldLink& joint : held)
-      std::fill_n(work.given.begin() + static_cast<std::ptrdiff_t>(joint.first_speed), joint.speeds,
-                  joint.how.acceleration(t));
     core->tree().place(y, work);
+    for (const HeldLink& joint : held) {
+      const auto& accelerations = joint.how.accelerations();
+      std::fill_n(work.held.begin() + static_cast<std::ptrdiff_t>(joint.first_link), joint.links,
+                  accelerations ? multibody::Hold::driven : multibody::Hold::locked);
+      if (!accelerations) continue;
+      const auto given = accelerations(t);
+      std::copy_n(given.begin(), joint.speeds, &work.given[joint.first_speed]);
+    }
     if (loads) {
       NamedForces forces{detail::trusted, *core, work};
       loads(NamedNow{detail::trusted, *core, segment_start, t, y, work}, forces);

@@ -311,7 +311,7 @@ TEST(Linearise, AStopHasTheSideOnWhichARunStarts) {
     const MatrixXd upper = matrix(stop_at(craft, of<Mass>, at - far, at, k, c)),
                    lower = matrix(stop_at(craft, of<Mass>, at, at + far, k, c));
     const double rounding = 1e-12 * springy.cwiseAbs().maxCoeff();
-    EXPECT_LE((upper - (rises ? free : springy)).cwiseAbs().maxCoeff(), rounding);
+    EXPECT_LE((upper - (rises ? springy : free)).cwiseAbs().maxCoeff(), rounding);
     EXPECT_LE((lower - (rises ? free : springy)).cwiseAbs().maxCoeff(), rounding);
     EXPECT_GT((springy - free).cwiseAbs().maxCoeff(), 1e6 * rounding);
   }

@@ -171,6 +171,18 @@ void lock(Forces<Sat>& forces) {
 }
 }  // namespace a_lock_of_the_hub
 
+namespace a_latch_of_the_hub {
+// mistake: the hub can be locked, which hangs on nothing
+// expect: of a body of the craft C on a joint that moves, or a rotor; at the start a Locked<B>
+auto latch(const Sat& sat) {
+#ifdef REPAIRED
+  return lockable(sat, of<Panel>);
+#else
+  return lockable(sat, of<Hub>);
+#endif
+}
+}  // namespace a_latch_of_the_hub
+
 namespace friction_of_a_wheel_in_newtons {
 // mistake: the friction of a wheel in newtons
 // expect: on a hinge or rotor
@@ -311,3 +323,65 @@ auto flight(const Sat& sat, const Vector<Gcrf, si::magnetic_flux_density>& B_i, 
 #endif
 }
 }  // namespace coils_without_a_dipole
+
+namespace a_scan_in_degrees {
+// mistake: the speed of a hinge that is scanned in deg/s
+// expect: JointMotion<(vectrix::)?si::angle, (vectrix::)?si::degree_per_second_unit
+// expect: of a hinge: JointMotion\{rad, rad/s, rad/s\^2\}
+auto scan(const Sat& sat) {
+#ifdef REPAIRED
+  const auto rate = 1.0 * rad / s;
+#else
+  const auto rate = 57.3 * si::degree_per_second;
+#endif
+  const auto turning = [=](const Quantity<si::time>& t) {
+    return JointMotion{t.in(s)*rad, rate, 0.0 * rad / s / s};
+  };
+  return prescribed(sat, of<Panel>, turning);
+}
+}  // namespace a_scan_in_degrees
+
+namespace a_scan_in_metres {
+// mistake: the speed of a hinge that is scanned in m/s
+// expect: JointMotion<(vectrix::)?si::angle, (vectrix::)?si::velocity
+// expect: of a hinge: JointMotion\{rad, rad/s, rad/s\^2\}
+auto scan(const Sat& sat) {
+#ifdef REPAIRED
+  const auto rate = 1.0 * rad / s;
+#else
+  const auto rate = 1.0 * si::metre / s;
+#endif
+  const auto turning = [=](const Quantity<si::time>& t) {
+    return JointMotion{t.in(s)*rad, rate, 0.0 * rad / s / s};
+  };
+  return prescribed(sat, of<Panel>, turning);
+}
+}  // namespace a_scan_in_metres
+
+namespace a_scan_of_what_hangs_nowhere {
+// mistake: the motion of a joint of the hub, which hangs on nothing
+// expect: B = (.*::)?Hub
+// expect: of a hinge: JointMotion
+auto scan(const Sat& sat) {
+  const auto still = [](const Quantity<si::time>&) {
+    return JointMotion{0.1 * rad, 0.0 * rad / s, 0.0 * rad / s / s};
+  };
+#ifdef REPAIRED
+  return prescribed(sat, of<Panel>, still);
+#else
+  return prescribed(sat, of<Hub>, still);
+#endif
+}
+}  // namespace a_scan_of_what_hangs_nowhere
+
+namespace a_drive_by_a_torque {
+// mistake: a torque where the acceleration of a hinge is due
+// expect: rad/s\^2 of a hinge
+void drive(Forces<Sat>& forces) {
+#ifdef REPAIRED
+  forces.drive(of<Panel>, 0.1 * rad / s / s);
+#else
+  forces.drive(of<Panel>, 0.1 * N_m);
+#endif
+}
+}  // namespace a_drive_by_a_torque

@@ -1,5 +1,6 @@
 #include <vectrix/space/files/attitude_ephemeris_message.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string_view>
@@ -28,19 +29,21 @@ bool is_first(const KvnEntries& entries, const KvnLine& line, const char* first,
 AttitudeType type_of(const KvnEntries& entries, const std::string& version) {
   const KvnLine& line = entries.filled("ATTITUDE_TYPE");
   std::string names;
-  for (const AttitudeType type : {AttitudeType::quaternion, AttitudeType::quaternion_derivative,
-                                  AttitudeType::quaternion_rate, AttitudeType::euler_angle}) {
+  for (const AttitudeType type : detail::types_of(version)) {
     const std::string name = detail::type_name(type, version);
     if (detail::upper_case(line.value) == name) return type;
     names += (names.empty() ? "" : ", ") + name;
   }
-  entries.fail(line, "the attitude types that are read in version " + version + " are " + names);
+  const std::string word = detail::upper_case(line.value);
+  const bool is_unclear = word == "SPIN" || word == "SPIN/NUTATION" || word == "EULER_ANGLE/RATE";
+  entries.fail(line, "the attitude types that are read in version " + version + " are " + names +
+                         (is_unclear ? "; what the numbers of this one mean, version 1.0 does not say" : ""));
 }
 
 void read_rate_frame(const KvnEntries& entries, const std::string& version, detail::AttitudeLines& lines) {
   const char* keyword = detail::rate_keyword(version);
   const KvnLine* line = entries.find(keyword);
-  if (!line && lines.type == AttitudeType::quaternion_rate) line = &entries.line(keyword);
+  if (!line && detail::has_rate(lines.type)) line = &entries.line(keyword);
   if (!line) return;
   const auto frame = detail::rate_frame_named(lines, line->value);
   if (!frame) entries.fail(*line, "it is REF_FRAME_A or REF_FRAME_B");
@@ -57,13 +60,13 @@ detail::AttitudeLines read_type(const KvnEntries& entries, const std::string& ve
   lines.type = type_of(entries, version);
   if (detail::has_direction(version)) {
     lines.is_b_to_a = !is_first(entries, entries.line("ATTITUDE_DIR"), "A2B", "B2A");
-    const bool has_scalar = lines.type != AttitudeType::euler_angle;
+    const bool has_scalar = detail::has_quaternion(lines.type);
     if (const KvnLine* order =
             has_scalar ? &entries.line("QUATERNION_TYPE") : entries.find("QUATERNION_TYPE"))
       lines.is_scalar_first = is_first(entries, *order, "FIRST", "LAST") && has_scalar;
   }
-  const KvnLine* sequence = lines.type == AttitudeType::euler_angle ? &entries.line("EULER_ROT_SEQ")
-                                                                    : entries.find("EULER_ROT_SEQ");
+  const KvnLine* sequence =
+      detail::has_euler_angles(lines.type) ? &entries.line("EULER_ROT_SEQ") : entries.find("EULER_ROT_SEQ");
   if (sequence) {
     const auto axes = detail::parse_euler_sequence(sequence->value);
     if (!axes) entries.fail(*sequence, "no sequence of three axes such as 321 or ZYX, none twice in a row");
@@ -72,17 +75,6 @@ detail::AttitudeLines read_type(const KvnEntries& entries, const std::string& ve
   }
   read_rate_frame(entries, version, lines);
   return lines;
-}
-
-std::string_view column(const detail::AttitudeLines& lines, std::size_t number) {
-  static constexpr std::string_view angles[] = {"ANGLE_1", "ANGLE_2", "ANGLE_3"},
-                                    rates[] = {"X_RATE", "Y_RATE", "Z_RATE"},
-                                    first[] = {"QC",     "Q1",     "Q2",     "Q3",
-                                               "QC_DOT", "Q1_DOT", "Q2_DOT", "Q3_DOT"},
-                                    last[] = {"Q1", "Q2", "Q3", "QC", "Q1_DOT", "Q2_DOT", "Q3_DOT", "QC_DOT"};
-  if (lines.type == AttitudeType::euler_angle) return angles[number];
-  if (lines.type == AttitudeType::quaternion_rate && number >= 4) return rates[number - 4];
-  return lines.is_scalar_first ? first[number] : last[number];
 }
 
 /// One segment after the other.
@@ -114,7 +106,12 @@ class AttitudeSegmentReader {
  private:
   /// From META_STOP to DATA_STOP.
   void read_data(const EphemerisMetadata& metadata, detail::AttitudeLines& lines) {
-    detail::TimeReader times(reader_, metadata);
+    const std::size_t numbers = detail::numbers_in_line(lines.type);
+    detail::DataReader data(reader_, metadata,
+                            {detail::number_names(lines.type, lines.is_scalar_first), numbers, 0,
+                             "a line of " + detail::type_name(lines.type, version_) + " has an epoch and " +
+                                 detail::text(numbers) + " numbers",
+                             "DATA_STOP"});
     bool started = false;
     while (reader_.next()) {
       if (reader_.is_comment()) {
@@ -124,34 +121,41 @@ class AttitudeSegmentReader {
         started = true;
       } else if (reader_.is("DATA_STOP")) {
         if (lines.times.empty()) throw BadInput(lines.place + ": there are no data lines");
+        detail::give_back(lines.times);
+        detail::give_back(lines.numbers);
         return;
       } else {
-        read_line(times, lines);
+        if (lines.times.empty()) {
+          lines.times.reserve(reader_.lines_left());
+          lines.numbers.reserve(numbers * reader_.lines_left());
+        }
+        const auto line = data.read();
+        lines.times.push_back(line.time);
+        lines.numbers.insert(lines.numbers.end(), line.numbers.begin(), line.numbers.begin() + line.size);
+        if (detail::has_quaternion(lines.type)) check_norm(line.numbers, lines);
+        constexpr std::size_t period = 5;
+        if (lines.type == AttitudeType::spin_nutation &&
+            !(line.numbers[period] > 0.0 && std::isfinite(360.0 / line.numbers[period])))
+          fail(period, "NUTATION_PER", "no period of a nutation, which is positive");
       }
     }
     throw BadInput(lines.place + ": there is no " + (started ? "DATA_STOP" : "DATA_START"));
   }
-  void read_line(detail::TimeReader& times, detail::AttitudeLines& lines) const {
-    if (reader_.has_keyword() || reader_.is("META_START")) reader_.fail("no line of data, and not DATA_STOP");
-    std::array<std::string_view, KvnReader::most_words> words{};
-    const std::size_t size = reader_.words(words), numbers = detail::numbers_in_line(lines.type);
-    if (size != numbers + 1)
-      reader_.fail(detail::text(size) + " fields; a line of " + detail::type_name(lines.type, version_) +
-                   " has an epoch and " + detail::text(numbers) + " numbers");
-    lines.times.push_back(times.read(words[0]));
-    for (std::size_t i = 0; i < numbers; ++i)
-      lines.numbers.push_back(detail::read_number(reader_, words[i + 1], column(lines, i)));
-    if (lines.type != AttitudeType::euler_angle) check_norm(words[1], lines, numbers);
-  }
-  void check_norm(std::string_view first, detail::AttitudeLines& lines, std::size_t numbers) const {
-    const double* q = lines.numbers.data() + lines.numbers.size() - numbers;
-    const double norm = detail::scaled_norm(Eigen::Map<const Eigen::Vector4d>(q));
+  void check_norm(const std::array<double, detail::DataReader::most_numbers>& line,
+                  detail::AttitudeLines& lines) const {
+    const double norm = detail::scaled_norm(Eigen::Map<const Eigen::Vector4d>(line.data()));
     const double error = std::abs(norm - 1.0);
     if (const std::string fault = detail::norm_fault(norm); !fault.empty())
-      reader_.fail(first, column(lines, 0), fault);
+      fail(0, lines.is_scalar_first ? "QC" : "Q1", fault);
     if (error <= lines.norm_error) return;
     lines.norm_error = error;
     lines.norm_line = reader_.line();
+  }
+  /// Refuses a number of the line.
+  [[noreturn]] void fail(std::size_t number, const char* name, const std::string& fault) const {
+    std::array<std::string_view, KvnReader::most_words> words{};
+    static_cast<void>(reader_.words(words));
+    reader_.fail(words[number + 1], name, fault);
   }
   bool next_segment() {
     while (reader_.next()) {
@@ -184,6 +188,10 @@ AttitudeEphemerisMessage::AttitudeEphemerisMessage(MessageHeader header,
     if (const auto fault = detail::system_fault(segment.metadata(), segments_.front().metadata()))
       throw BadInput(lines.place + ": the time system is " + segment.metadata().time_system.name() + "; " +
                      *fault);
+    if (const auto types = detail::types_of(header_.version);
+        std::find(types.begin(), types.end(), lines.type) == types.end())
+      throw BadInput(lines.place + ": version " + header_.version + " is written without the attitude type " +
+                     detail::type_name(lines.type, header_.version));
     if (!detail::has_direction(header_.version) && (lines.is_b_to_a || lines.is_scalar_first))
       throw BadInput(lines.place +
                      ": version 2.0 has the direction A2B and the scalar last; the segment has " +

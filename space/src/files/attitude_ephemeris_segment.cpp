@@ -16,7 +16,13 @@ namespace {
 constexpr double degree = std::numbers::pi / 180.0;
 
 Eigen::Quaterniond hamilton(const detail::AttitudeLines& lines, const double* x) {
-  if (lines.type == AttitudeType::euler_angle) {
+  if (detail::has_spin(lines.type)) {
+    const auto turn = [](double degrees, int axis) {
+      return Eigen::Quaterniond(Eigen::AngleAxisd(degree * degrees, Eigen::Vector3d::Unit(axis)));
+    };
+    return turn(x[0] + 90.0, 2) * turn(90.0 - x[1], 0) * turn(x[2], 2);
+  }
+  if (detail::has_euler_angles(lines.type)) {
     Eigen::Quaterniond q = Eigen::Quaterniond::Identity();
     for (const int axis : lines.euler_axes)
       q = q * Eigen::AngleAxisd(degree * *x++, Eigen::Vector3d::Unit(axis));
@@ -24,6 +30,33 @@ Eigen::Quaterniond hamilton(const detail::AttitudeLines& lines, const double* x)
   }
   if (lines.is_scalar_first) return {x[0], x[1], x[2], x[3]};
   return {x[3], x[0], x[1], x[2]};
+}
+
+/// w of REF_FRAME_B relative to A, in B, deg/s.
+Eigen::Vector3d rate_of_euler_angles(const detail::AttitudeLines& lines, const double* x) {
+  Eigen::Vector3d w = Eigen::Vector3d::Zero();
+  Eigen::Quaterniond q_k_from_b = Eigen::Quaterniond::Identity();  // k: behind the turn
+  for (std::size_t i = lines.euler_axes.size(); i-- > 0;) {
+    const Eigen::Vector3d axis = Eigen::Vector3d::Unit(lines.euler_axes[i]);
+    w += q_k_from_b.conjugate() * (x[i + 3] * axis);
+    q_k_from_b = Eigen::AngleAxisd(degree * x[i], axis) * q_k_from_b;
+  }
+  return w;
+}
+Eigen::Vector3d rate_of_spin(const detail::AttitudeLines& lines, const double* x) {
+  const Eigen::Vector3d spin = x[3] * Eigen::Vector3d::UnitZ();
+  if (lines.type == AttitudeType::spin) return spin;
+  const double *more = x + 4, first = degree * more[0];
+  if (lines.type == AttitudeType::spin_nutation) {
+    const double phase = degree * more[2];
+    return spin + 360.0 / more[1] *
+                      Eigen::Vector3d(std::sin(first) * std::cos(phase), -std::sin(first) * std::sin(phase),
+                                      std::cos(first));
+  }
+  const double delta = degree * more[1];
+  const Eigen::Vector3d h_a(std::cos(delta) * std::cos(first), std::cos(delta) * std::sin(first),
+                            std::sin(delta));
+  return spin + more[2] * (hamilton(lines, x).conjugate() * h_a);
 }
 
 }  // namespace
@@ -103,6 +136,17 @@ Eigen::Vector3d AttitudeEphemerisSegment::rate_of_derivative(std::size_t line, b
   return 2.0 / written.squaredNorm() * product.vec();
 }
 
+Eigen::Vector3d AttitudeEphemerisSegment::rate_of_angles(std::size_t line, bool reversed, bool in_a) const {
+  const double* numbers = lines_.numbers.data() + line * detail::numbers_in_line(lines_.type);
+  Eigen::Vector3d w = degree * (detail::has_spin(lines_.type) ? rate_of_spin(lines_, numbers)
+                                                              : rate_of_euler_angles(lines_, numbers));
+  if (in_a != reversed) w = hamilton(lines_, numbers) * w;
+  if (!w.allFinite())
+    throw BadInput(lines_.place + ": the rate at " + exact_text(lines_.times[line], metadata_.time_system) +
+                   " is too large for a double");
+  return reversed ? Eigen::Vector3d(-w) : w;  // w_ba = -w_ab
+}
+
 std::vector<Eigen::Vector3d> AttitudeEphemerisSegment::rates(const detail::FrameClaim& a,
                                                              const detail::FrameClaim& b, bool in_a) const {
   const bool reversed = is_reversed(a, b);
@@ -112,7 +156,11 @@ std::vector<Eigen::Vector3d> AttitudeEphemerisSegment::rates(const detail::Frame
     for (std::size_t line = 0; line < size(); ++line) all.push_back(rate_of_derivative(line, reversed, in_a));
     return all;
   }
-  if (lines_.type != AttitudeType::quaternion_rate && lines_.type != AttitudeType::angular_velocity)
+  if (detail::has_spin(lines_.type) || lines_.type == AttitudeType::euler_angle_derivative) {
+    for (std::size_t line = 0; line < size(); ++line) all.push_back(rate_of_angles(line, reversed, in_a));
+    return all;
+  }
+  if (!detail::has_rate(lines_.type))
     throw BadInput(lines_.place + ": ATTITUDE_TYPE is " + detail::type_name(lines_.type, "2.0") +
                    ", which has no rates");
   if (lines_.is_b_to_a)

@@ -15,7 +15,7 @@ using detail::has_direction, detail::rate_keyword, detail::type_name;
 
 void write_type(std::string& out, const detail::AttitudeLines& lines, const std::string& version) {
   detail::write_line(out, "ATTITUDE_TYPE", type_name(lines.type, version));
-  if (has_direction(version) && lines.type != AttitudeType::euler_angle)
+  if (has_direction(version) && detail::has_quaternion(lines.type))
     detail::write_line(out, "QUATERNION_TYPE", lines.is_scalar_first ? "FIRST" : "LAST");
   if (!lines.euler_sequence.empty()) detail::write_line(out, "EULER_ROT_SEQ", lines.euler_sequence);
   if (lines.rate_frame != detail::RateFrame::none)

@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include <vectrix/space/files/attitude_ephemeris_segment.hpp>
 
@@ -49,12 +51,45 @@ inline const char* rate_keyword(const std::string& version) {
 constexpr const char* rate_frame_name(RateFrame frame) {
   return frame == RateFrame::a ? "REF_FRAME_A" : "REF_FRAME_B";
 }
+/// The types that an AEM of the version may have.
+std::vector<AttitudeType> types_of(const std::string& version);
 std::string type_name(AttitudeType type, const std::string& version);
+constexpr bool has_quaternion(AttitudeType type) {
+  return type == AttitudeType::quaternion || type == AttitudeType::quaternion_derivative ||
+         type == AttitudeType::quaternion_rate;
+}
+constexpr bool has_euler_angles(AttitudeType type) {
+  return type == AttitudeType::euler_angle || type == AttitudeType::euler_angle_derivative ||
+         type == AttitudeType::euler_angle_rate;
+}
+constexpr bool has_spin(AttitudeType type) {
+  return type == AttitudeType::spin || type == AttitudeType::spin_nutation ||
+         type == AttitudeType::spin_nutation_momentum;
+}
+/// Whether the last three numbers are an angular velocity.
+constexpr bool has_rate(AttitudeType type) {
+  return type == AttitudeType::quaternion_rate || type == AttitudeType::euler_angle_rate ||
+         type == AttitudeType::angular_velocity;
+}
+/// The names of the numbers in a line.
+std::vector<std::string_view> number_names(AttitudeType type, bool is_scalar_first);
 constexpr std::size_t numbers_in_line(AttitudeType type) {
-  return type == AttitudeType::quaternion              ? 4
-         : type == AttitudeType::quaternion_derivative ? 8
-         : type == AttitudeType::quaternion_rate       ? 7
-                                                       : 3;
+  switch (type) {
+    case AttitudeType::quaternion:
+    case AttitudeType::spin:
+      return 4;
+    case AttitudeType::quaternion_derivative:
+      return 8;
+    case AttitudeType::quaternion_rate:
+    case AttitudeType::spin_nutation:
+    case AttitudeType::spin_nutation_momentum:
+      return 7;
+    case AttitudeType::euler_angle_derivative:
+    case AttitudeType::euler_angle_rate:
+      return 6;
+    default:
+      return 3;
+  }
 }
 
 /// Which of the frames of the lines a word means: the keyword of one of them, such as REF_FRAME_A, or its

@@ -139,7 +139,7 @@ void write_numbers(std::string& out, const std::array<const char*, size>& keywor
 
 void write_state(std::string& out, const AttitudeLines& lines) {
   const double* numbers = lines.numbers.data();
-  if (lines.type != AttitudeType::euler_angle && lines.type != AttitudeType::angular_velocity) {
+  if (detail::has_quaternion(lines.type)) {
     constexpr std::array last{"Q1", "Q2", "Q3", "QC"}, first{"QC", "Q1", "Q2", "Q3"},
         last_dot{"Q1_DOT", "Q2_DOT", "Q3_DOT", "QC_DOT"}, first_dot{"QC_DOT", "Q1_DOT", "Q2_DOT", "Q3_DOT"};
     out.append("QUAT_START\n");
@@ -150,11 +150,14 @@ void write_state(std::string& out, const AttitudeLines& lines) {
       write_numbers(out, lines.is_scalar_first ? first_dot : last_dot, numbers);
     out.append("QUAT_STOP\n");
   }
-  if (lines.type == AttitudeType::euler_angle) {
+  if (detail::has_euler_angles(lines.type)) {
     out.append("EULER_START\n");
     write_frames(out, lines);
     detail::write_line(out, "EULER_ROT_SEQ", lines.euler_sequence);
     write_numbers(out, std::array{"ANGLE_1", "ANGLE_2", "ANGLE_3"}, numbers);
+    numbers += 3;
+    if (lines.type == AttitudeType::euler_angle_derivative)
+      write_numbers(out, std::array{"ANGLE_1_DOT", "ANGLE_2_DOT", "ANGLE_3_DOT"}, numbers);
     out.append("EULER_STOP\n");
   }
   if (lines.rate_frame == detail::RateFrame::none) return;
@@ -184,6 +187,9 @@ AttitudeParameterMessage message_of(const MessageHeader& header,
       throw BadInput(lines.place +
                      ": a state has one sample, at the time of the first state; the segment has " +
                      detail::text(lines.times.size()));
+    if (detail::has_spin(lines.type))
+      throw BadInput(lines.place + ": the attitude type is " + detail::type_name(lines.type, header.version) +
+                     "; a state is a quaternion, Euler angles or an angular velocity");
     if (lines.is_b_to_a) throw BadInput(lines.place + ": version 2.0 has the direction A2B, the segment B2A");
     if (&segment == &states.front())
       detail::write_line(out, "EPOCH", exact_text(lines.times.front(), metadata.time_system));

@@ -126,13 +126,53 @@ double read_number(const KvnReader& reader, std::string_view word, std::string_v
   return *value;
 }
 
-Epoch TimeReader::read(std::string_view word) {
+DataReader::Line DataReader::read() {
+  const auto scanned = scan();
+  const Line line = scanned ? *scanned : read_words();
+  before_ = line.time;
+  return line;
+}
+
+// The line in one pass, if there is nothing unusual in it. Nothing for any other line, right or wrong.
+std::optional<DataReader::Line> DataReader::scan() const {
+  const std::string_view text = reader_.content();
+  const char* const end = text.data() + text.size();
+  const auto epoch = epochs_.scan(text.data(), end);
+  if (!epoch || (before_ && !(*before_ < epoch->epoch)) || is_outside(metadata_, epoch->epoch))
+    return std::nullopt;
+  std::optional<Line> line{{epoch->epoch, 0, {}}};
+  const std::size_t most = columns_.names.size();
+  for (const char* at = epoch->end; at != end; ++line->size) {
+    if (line->size == most || !is_blank(*at)) return std::nullopt;
+    while (is_blank(*at)) ++at;  // there is none at the end
+    const auto number = scan_shifted(at, end, columns_.shift);
+    if (!number) return std::nullopt;
+    line->numbers[line->size] = number->value;
+    at = number->end;
+  }
+  if (line->size != most && line->size != columns_.fewest) return std::nullopt;
+  return line;
+}
+
+DataReader::Line DataReader::read_words() {
+  if (reader_.has_keyword() || reader_.is("META_START"))
+    reader_.fail("no line of data, and not " + columns_.ends);
+  std::array<std::string_view, KvnReader::most_words> words{};
+  const std::size_t size = reader_.words(words);
+  if (size != columns_.fewest + 1 && size != columns_.names.size() + 1)
+    reader_.fail(text(size) + " fields; " + columns_.fields);
+  Line line{read_time(words[0]), size - 1, {}};
+  for (std::size_t i = 0; i < line.size; ++i)
+    line.numbers[i] = read_number(reader_, words[i + 1], columns_.names[i], columns_.shift);
+  return line;
+}
+
+Epoch DataReader::read_time(std::string_view word) {
   const auto fail = [&](const std::string& reason) { reader_.fail(word, "EPOCH", reason); };
   const Epoch time = epoch_of(epochs_, word, fail);
   if (before_ && !(*before_ < time))
     fail("not later than the line before, at " + exact_text(*before_, metadata_.time_system));
   if (is_outside(metadata_, time)) fail("outside " + span_text(metadata_));
-  before_ = time;
   return time;
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -39,21 +41,47 @@ MessageHeader read_header(KvnReader& reader, const MessageKind& kind);
 KvnEntries read_metadata(KvnReader& reader, const MessageKind& kind, const std::string& version,
                          std::string_view interpolation_keyword, EphemerisMetadata& metadata);
 
-/// Reads the times of the data lines of a segment: each must be later than that of the line before, and
-/// within the span of the metadata. Reader and metadata must live as long.
-class TimeReader {
- public:
-  TimeReader(const KvnReader& reader, const EphemerisMetadata& metadata)
-      : reader_(reader), metadata_(metadata), epochs_(metadata.time_system) {}
+/// What the lines of data of a segment have: an epoch, and numbers times 10^shift.
+struct DataColumns {
+  std::vector<std::string_view> names;  // of the numbers
+  std::size_t fewest;                   // there are so many, or all
+  int shift;
+  std::string fields;  // "a line of data has an epoch and 6 numbers, or 9"
+  std::string ends;    // the words that end the lines, "META_START or COVARIANCE_START"
+};
 
-  Epoch read(std::string_view word);
+/// Reads the lines of data of a segment. The time of each must be later than that of the line before, and
+/// within the span of the metadata. Reader and metadata must live as long.
+class DataReader {
+ public:
+  DataReader(const KvnReader& reader, const EphemerisMetadata& metadata, DataColumns columns)
+      : reader_(reader), metadata_(metadata), columns_(std::move(columns)), epochs_(metadata.time_system) {}
+
+  static constexpr std::size_t most_numbers = KvnReader::most_words - 1;
+  struct Line {
+    Epoch time;
+    std::size_t size;
+    std::array<double, most_numbers> numbers;
+  };
+  /// Refuses a line that is wrong.
+  Line read();
 
  private:
+  [[nodiscard]] std::optional<Line> scan() const;
+  Line read_words();
+  Epoch read_time(std::string_view word);
+
   const KvnReader& reader_;
   const EphemerisMetadata& metadata_;
+  DataColumns columns_;
   EpochReader epochs_;
   std::optional<Epoch> before_{};
 };
+
+/// Gives back the capacity that is far more than the lines need.
+template <class T> void give_back(std::vector<T>& lines) {
+  if (lines.capacity() / 2 > lines.size()) lines.shrink_to_fit();
+}
 
 /// The number times 10^shift.
 double read_number(const KvnReader& reader, std::string_view word, std::string_view name, int shift = 0);

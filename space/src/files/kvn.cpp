@@ -65,8 +65,8 @@ bool KvnReader::next() {
     line_ = take_line(rest_);
     content_ = trimmed(line_);
   }
-  const bool may_be_cut = !is_comment() && (has_keyword() || !content_.ends_with("_STOP"));
-  if (rest_.empty() && !whole_ && may_be_cut)
+  const auto may_be_cut = [&] { return !is_comment() && (has_keyword() || !content_.ends_with("_STOP")); };
+  if (rest_.empty() && !whole_ && may_be_cut())
     throw BadInput(place_ + ", line " + text(line()) + ": " + truncated);
   return true;
 }
@@ -95,7 +95,6 @@ KvnLine KvnReader::keyword() const {
 }
 
 std::size_t KvnReader::words(std::array<std::string_view, most_words>& words) const {
-  const auto is_blank = [](char c) { return c <= ' ' && (c == ' ' || c == '\t'); };
   const char *at = content_.data(), *const end = at + content_.size();
   std::size_t count = 0;
   for (; at != end; ++count) {

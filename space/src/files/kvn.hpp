@@ -67,6 +67,11 @@ class KvnReader {
   /// How many words the line has, and the first of them.
   [[nodiscard]] std::size_t words(std::array<std::string_view, most_words>& words) const;
 
+  /// The line without the blanks around it.
+  [[nodiscard]] std::string_view content() const { return content_; }
+  /// How many lines there are from this one on, if all are as long.
+  [[nodiscard]] std::size_t lines_left() const { return 1 + rest_.size() / (line_.size() + 1); }
+
   /// The number of the line; at the end, of the last one.
   [[nodiscard]] std::size_t line() const { return position(line_.data()).line; }
   [[nodiscard]] const std::string& place() const { return place_; }

@@ -18,8 +18,14 @@ using detail::KvnReader, detail::kilo;
 
 constexpr const detail::MessageKind& oem = detail::orbit_ephemeris;
 
-constexpr std::array<std::string_view, 10> columns{"EPOCH", "X",     "Y",      "Z",      "X_DOT",
-                                                   "Y_DOT", "Z_DOT", "X_DDOT", "Y_DDOT", "Z_DDOT"};
+constexpr std::size_t without_acceleration = 6;
+detail::DataColumns columns() {
+  return {{"X", "Y", "Z", "X_DOT", "Y_DOT", "Z_DOT", "X_DDOT", "Y_DDOT", "Z_DDOT"},
+          without_acceleration,
+          kilo,
+          "a line of data has an epoch and 6 numbers, or 9",
+          "META_START or COVARIANCE_START"};
+}
 
 bool is_oldest(const std::string& version) {
   return version == *oem.versions.begin();
@@ -45,15 +51,17 @@ class OrbitSegmentReader {
       if (const auto fault = detail::system_fault(metadata, segments_.front().metadata()))
         entries.fail(entries.line("TIME_SYSTEM"), *fault);
 
-    detail::TimeReader times(reader_, metadata);
+    detail::DataReader data(reader_, metadata, columns());
     bool more = reader_.next();
     for (; more && !reader_.is("META_START") && !reader_.is("COVARIANCE_START"); more = reader_.next()) {
       if (reader_.is_comment()) {
         lines.comments.push_back(reader_.comment());
       } else {
-        lines.lines.push_back(line(times));
+        if (lines.lines.empty()) lines.lines.reserve(reader_.lines_left());
+        lines.lines.push_back(line(data));
       }
     }
+    detail::give_back(lines.lines);
     if (lines.lines.empty()) throw BadInput(lines.place + ": there are no data lines");
     while (more && !reader_.is("META_START")) {
       if (reader_.is("COVARIANCE_START")) {
@@ -73,24 +81,16 @@ class OrbitSegmentReader {
   std::vector<OrbitEphemerisSegment> segments() && { return std::move(segments_); }
 
  private:
-  detail::OrbitLine line(detail::TimeReader& times) const {
-    if (reader_.has_keyword()) reader_.fail("no line of data, and not META_START or COVARIANCE_START");
-    std::array<std::string_view, KvnReader::most_words> words{};
-    const std::size_t size = reader_.words(words);
-    constexpr std::size_t without = 7, with = columns.size();
-    if (size != without && size != with)
-      reader_.fail(detail::text(size) + " fields; a line of data has an epoch and 6 numbers, or 9");
-    if (size == with && is_oldest(version_))
-      reader_.fail(words[without], columns[without], "version 1.0 has no acceleration");
-    const auto vector = [&](std::size_t first) {
-      Eigen::Vector3d v;
-      for (std::size_t i = 0; i < 3; ++i)
-        v[static_cast<Eigen::Index>(i)] =
-            detail::read_number(reader_, words[first + i], columns[first + i], kilo);
-      return v;
-    };
-    detail::OrbitLine line{times.read(words[0]), vector(1), vector(4), {}};
-    if (size == with) line.acceleration = vector(without);
+  detail::OrbitLine line(detail::DataReader& data) const {
+    const auto [time, size, x] = data.read();
+    detail::OrbitLine line{time, {x[0], x[1], x[2]}, {x[3], x[4], x[5]}, {}};
+    if (size == without_acceleration) return line;
+    if (is_oldest(version_)) {
+      std::array<std::string_view, KvnReader::most_words> words{};
+      static_cast<void>(reader_.words(words));
+      reader_.fail(words[without_acceleration + 1], "X_DDOT", "version 1.0 has no acceleration");
+    }
+    line.acceleration.emplace(x[6], x[7], x[8]);
     return line;
   }
 

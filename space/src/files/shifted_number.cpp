@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <charconv>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <cstring>
 
 #include "text_file.hpp"
 
@@ -31,9 +34,55 @@ std::optional<Parts> parts_of(std::string_view text) {
   return Parts{text.substr(0, e), exponent};
 }
 
+__extension__ using Wide = unsigned __int128;
+
+constexpr int most_digits = 19;  // all such numbers fit into 64 bits
+
+// 10^n as m 2^e with 2^63 <= m < 2^64, rounded down, for n from -19 to 19.
+struct Power {
+  std::uint64_t m;
+  int e;
+};
+constexpr auto powers_of_ten = [] {
+  std::array<Power, 2 * most_digits + 1> powers{};
+  std::uint64_t ten = 1;  // to the n
+  for (std::size_t n = 0; n <= most_digits; ++n, ten *= 10) {
+    const int lost = std::countl_zero(ten);
+    const std::uint64_t m = ten << lost;
+    powers[most_digits + n] = {m, -lost};
+    if (n > 0) powers[most_digits - n] = {static_cast<std::uint64_t>((Wide{1} << 127) / m), lost - 127};
+  }
+  return powers;
+}();
+
+constexpr std::size_t word_size = 8;
+
+// The number that eight digits are, the first one in the lowest byte; nothing if one is no digit. Neighbours
+// are joined to pairs, to fours and to eight.
+std::optional<std::uint64_t> eight_digits(std::uint64_t bytes) {
+  constexpr std::uint64_t high = 0xF0F0F0F0F0F0F0F0, zeros = 0x3030303030303030, six = 0x0606060606060606;
+  if ((bytes & high) != zeros || ((bytes + six) & high) != zeros) return std::nullopt;
+  constexpr auto join = [](std::uint64_t parts, std::uint64_t weight, int bits) {
+    return (parts * weight + (parts >> bits));
+  };
+  std::uint64_t x = bytes - zeros;
+  x = join(x, 10, 8) & 0x00FF00FF00FF00FF;
+  x = join(x, 100, 16) & 0x0000FFFF0000FFFF;
+  return join(x, 10000, 32) & 0x00000000FFFFFFFF;
+}
+
 // Puts the digits behind those that are there.
 const char* after_digits(const char* at, const char* end, std::uint64_t& digits) {
   std::uint64_t all = digits;
+  if constexpr (std::endian::native == std::endian::little) {
+    for (; end - at >= static_cast<std::ptrdiff_t>(word_size); at += word_size) {
+      std::uint64_t bytes = 0;
+      std::memcpy(&bytes, at, word_size);
+      const auto eight = eight_digits(bytes);
+      if (!eight) break;
+      all = 100'000'000 * all + *eight;
+    }
+  }
   for (; at != end; ++at) {
     const auto digit = static_cast<unsigned>(*at - '0');
     if (digit > 9) break;
@@ -43,36 +92,61 @@ const char* after_digits(const char* at, const char* end, std::uint64_t& digits)
   return at;
 }
 
-// Of a number without an exponent and with few digits: these digits and the power of ten are exact, so that
-// their product or quotient is rounded once.
-std::optional<double> parse_short(std::string_view text, int shift) {
-  static constexpr std::array<double, 23> powers{1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
-                                                 1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
-                                                 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
-  constexpr std::size_t longest = 19;
-  constexpr std::uint64_t most = std::uint64_t{1} << 53;
-  const bool is_negative = text.starts_with('-');
-  if (is_negative || text.starts_with('+')) text.remove_prefix(1);
-  if (text.size() > longest) return std::nullopt;
-  std::uint64_t digits = 0;  // of 19 at most
-  const char* const end = text.data() + text.size();
-  const char* const point = after_digits(text.data(), end, digits);
-  const char* const first_decimal = point != end && *point == '.' ? point + 1 : point;
-  const bool is_read = after_digits(first_decimal, end, digits) == end;
-  const auto decimals = static_cast<int>(end - first_decimal);
-  if (!is_read || point - text.data() + decimals == 0 || digits > most) return std::nullopt;
-  constexpr std::int64_t highest = powers.size() - 1;
-  const std::int64_t exponent = std::int64_t{shift} - decimals;
-  if (std::abs(exponent) > highest) return std::nullopt;
-  const double whole = is_negative ? -static_cast<double>(digits) : static_cast<double>(digits);
-  return exponent < 0 ? whole / powers[static_cast<std::size_t>(-exponent)]
-                      : whole * powers[static_cast<std::size_t>(exponent)];
+// The exponent behind a number, and its end; null if it is none, or has more than four digits.
+const char* after_exponent(const char* at, const char* end, int& exponent) {
+  const bool is_negative = at != end && *at == '-';
+  if (is_negative || (at != end && *at == '+')) ++at;
+  std::uint64_t digits = 0;
+  const char* const behind = after_digits(at, end, digits);
+  if (behind == at || behind - at > 4) return nullptr;
+  exponent = is_negative ? -static_cast<int>(digits) : static_cast<int>(digits);
+  return behind;
+}
+
+// digits 10^exponent, rounded once. Of the product of both, whose digits are cut, 64 bits are kept; they are
+// less than 2 too small. Nothing if they are so near the middle of two doubles that this matters.
+std::optional<double> rounded(std::uint64_t digits, int exponent) {
+  const auto [m, e] = powers_of_ten[static_cast<std::size_t>(most_digits + exponent)];
+  const int lost = std::countl_zero(digits);
+  const auto bits = static_cast<std::uint64_t>((Wide{digits << lost} * m) >> 64);
+  const int cut = 10 + static_cast<int>(bits >> 63);  // a double has 53 bits
+  const std::uint64_t half = std::uint64_t{1} << (cut - 1), rest = bits & (2 * half - 1);
+  if (rest == half || rest == half - 1) return std::nullopt;
+  const std::uint64_t kept = (bits >> cut) + (rest > half ? 1 : 0);
+  const auto power_of_two = [](int n) {
+    return std::bit_cast<double>(static_cast<std::uint64_t>(1023 + n) << 52);
+  };
+  return static_cast<double>(kept) * power_of_two(64 + cut - lost + e);
 }
 
 }  // namespace
 
+std::optional<ScannedNumber> scan_shifted(const char* at, const char* end, int shift) {
+  const bool is_negative = at != end && *at == '-';
+  if (is_negative || (at != end && *at == '+')) ++at;
+  std::uint64_t digits = 0;
+  const char* const point = after_digits(at, end, digits);
+  const char* const first_decimal = point != end && *point == '.' ? point + 1 : point;
+  const char* behind = after_digits(first_decimal, end, digits);
+  const auto decimals = behind - first_decimal, count = point - at + decimals;
+  if (count == 0 || count > most_digits) return std::nullopt;
+  int written = 0;
+  if (behind != end && (*behind == 'e' || *behind == 'E')) {
+    behind = after_exponent(behind + 1, end, written);
+    if (!behind) return std::nullopt;
+  }
+  const std::int64_t exponent = std::int64_t{shift} + written - decimals;
+  if (digits == 0) return ScannedNumber{is_negative ? -0.0 : 0.0, behind};
+  if (std::abs(exponent) > most_digits) return std::nullopt;
+  const auto value = rounded(digits, static_cast<int>(exponent));
+  if (!value) return std::nullopt;
+  return ScannedNumber{is_negative ? -*value : *value, behind};
+}
+
 std::optional<double> parse_shifted(std::string_view text, int shift) {
-  if (const auto value = parse_short(text, shift)) return value;
+  const char* const behind = text.data() + text.size();
+  if (const auto number = scan_shifted(text.data(), behind, shift); number && number->end == behind)
+    return number->value;
   const auto finite = [](std::optional<double> value) {
     return value && std::isfinite(*value) ? value : std::nullopt;
   };

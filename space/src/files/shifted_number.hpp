@@ -9,6 +9,13 @@ namespace vectrix::detail {
 /// The number times 10^shift, of which the text gives the number: kilometres are read as metres, shift = 3,
 /// and rounded once. Nothing if the text is no finite number or longer than 100 characters.
 std::optional<double> parse_shifted(std::string_view text, int shift);
+/// The same for a number at the begin of a text, and where it ends there. Nothing also for some that
+/// parse_shifted reads, of many digits for example.
+struct ScannedNumber {
+  double value;
+  const char* end;
+};
+std::optional<ScannedNumber> scan_shifted(const char* at, const char* end, int shift);
 /// Whether the text is a finite number, of any size and length.
 bool is_finite_number(std::string_view text);
 /// Why parse_shifted gives nothing for the text and the shift.

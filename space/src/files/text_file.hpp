@@ -36,6 +36,9 @@ inline bool is_whole(std::string_view text) {
 /// Throws BadInput that begins with `place` if it cannot be written.
 void write_file(const std::string& place, const std::filesystem::path& file, const std::string& text);
 
+inline bool is_blank(char c) {
+  return c == ' ' || c == '\t';
+}
 /// The text without the blanks around it.
 std::string_view trimmed(std::string_view text);
 

@@ -1,25 +1,45 @@
 #include "xml_columns.hpp"
 
 #include <array>
+#include <string_view>
+#include <utility>
 
 #include "attitude_lines.hpp"
 #include "covariance_keyword.hpp"
 
 namespace vectrix::detail {
+namespace {
+
+const char* angle_unit(std::string_view name) {
+  if (name == "NUTATION_PER") return "s";
+  return name.ends_with("_VEL") || name.ends_with("_DOT") || name.starts_with("ANGVEL") ? "deg/s" : "deg";
+}
+
+}  // namespace
 
 std::optional<XmlLine> attitude_line(const std::function<std::string(const char*)>& word,
                                      const std::string& version) {
   const bool is_oldest = has_direction(version);
   const std::string type = word("ATTITUDE_TYPE");
   XmlLine line{"", {{"EPOCH"}}};
-  if (type == "EULER_ANGLE") {
+  if (is_oldest && type == "EULER_ANGLE") {
     const auto axes = parse_euler_sequence(word("EULER_ROT_SEQ"));
     if (!axes) return std::nullopt;
     line.element = "eulerAngle";
-    for (std::size_t i = 0; i < axes->size(); ++i)
-      line.columns.push_back(
-          {is_oldest ? std::string(1, "XYZ"[(*axes)[i]]) + "_ANGLE" : "ANGLE_" + text(i + 1), "deg",
-           is_oldest ? "rotationAngles" : ""});
+    for (const int axis : *axes)
+      line.columns.push_back({std::string(1, "XYZ"[axis]) + "_ANGLE", "deg", "rotationAngles"});
+    return line;
+  }
+  for (const auto& [angles, element] : {std::pair{AttitudeType::euler_angle, "eulerAngle"},
+                                        {AttitudeType::euler_angle_derivative, "eulerAngleDerivative"},
+                                        {AttitudeType::euler_angle_rate, "eulerAngleAngVel"},
+                                        {AttitudeType::spin, "spin"},
+                                        {AttitudeType::spin_nutation, "spinNutation"},
+                                        {AttitudeType::spin_nutation_momentum, "spinNutationMom"}}) {
+    if (is_oldest || type != type_name(angles, version)) continue;
+    line.element = element;
+    for (const std::string_view name : number_names(angles, false))
+      line.columns.push_back({std::string{name}, angle_unit(name), ""});
     return line;
   }
   const bool is_alone = type == "QUATERNION", has_derivative = type == "QUATERNION/DERIVATIVE";

@@ -1,11 +1,9 @@
 #include <vectrix/space/orbit/orbit_mean_elements_message.hpp>
 
 #include <algorithm>
-#include <set>
 
 #include <vectrix/frames/errors.hpp>
 
-#include "../files/covariance_keyword.hpp"
 #include "../files/ephemeris_reader.hpp"
 #include "../files/message_kinds.hpp"
 #include "../files/message_readers.hpp"
@@ -20,47 +18,9 @@ using detail::KvnLine;
 constexpr std::string_view version_keyword = "CCSDS_OMM_VERS";
 constexpr const detail::MessageKind& omm = detail::orbit_mean_elements;
 
-// Without CCSDS_OMM_VERS, which begins a message, and the entries of the covariance.
-const std::set<std::string_view> keywords{"CLASSIFICATION",
-                                          "CREATION_DATE",
-                                          "ORIGINATOR",
-                                          "MESSAGE_ID",
-                                          "OBJECT_NAME",
-                                          "OBJECT_ID",
-                                          "CENTER_NAME",
-                                          "REF_FRAME",
-                                          "REF_FRAME_EPOCH",
-                                          "TIME_SYSTEM",
-                                          "MEAN_ELEMENT_THEORY",
-                                          "EPOCH",
-                                          "SEMI_MAJOR_AXIS",
-                                          "MEAN_MOTION",
-                                          "ECCENTRICITY",
-                                          "INCLINATION",
-                                          "RA_OF_ASC_NODE",
-                                          "ARG_OF_PERICENTER",
-                                          "MEAN_ANOMALY",
-                                          "GM",
-                                          "MASS",
-                                          "SOLAR_RAD_AREA",
-                                          "SOLAR_RAD_COEFF",
-                                          "DRAG_AREA",
-                                          "DRAG_COEFF",
-                                          "EPHEMERIS_TYPE",
-                                          "CLASSIFICATION_TYPE",
-                                          "NORAD_CAT_ID",
-                                          "ELEMENT_SET_NO",
-                                          "REV_AT_EPOCH",
-                                          "BSTAR",
-                                          "BTERM",
-                                          "MEAN_MOTION_DOT",
-                                          "MEAN_MOTION_DDOT",
-                                          "AGOM",
-                                          "COV_REF_FRAME"};
-
 bool of_the_standard(std::string_view keyword) {
-  return keywords.count(keyword) > 0 || keyword.starts_with("USER_DEFINED_") ||
-         detail::is_covariance_keyword(keyword);
+  return std::any_of(omm.keywords.begin(), omm.keywords.end(),
+                     [&](const auto& known) { return known.name == keyword; });
 }
 
 }  // namespace
@@ -77,7 +37,9 @@ class OrbitMeanElementsReader {
   }
 
   void add(KvnLine line) {
-    if (!of_the_standard(line.keyword)) fail(line, "the keyword is not of an orbit mean-elements message");
+    if (!of_the_standard(line.keyword)) {
+      if (const std::string fault = other_fault(omm, line.keyword); !fault.empty()) fail(line, fault);
+    }
     entries_.add(std::move(line));
   }
 

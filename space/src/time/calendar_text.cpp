@@ -14,6 +14,8 @@
 namespace vectrix::detail {
 namespace {
 
+constexpr std::string_view with_month = "dddd-dd-dd", with_day_of_year = "dddd-ddd";
+
 // True if the text matches the pattern: a digit for each 'd', else the same character.
 bool matches(std::string_view text, std::string_view pattern) {
   if (text.size() != pattern.size()) return false;
@@ -60,37 +62,36 @@ Calendar calendar_of(double julian_day) {
   return found;
 }
 
-/// The parts of a text.
-struct EpochReader::Written {
-  std::string_view day;
-  bool has_month;
+/// T10:22:11.874999 at the begin of a text, and where it ends.
+struct EpochReader::TimeOfDay {
   int hour, minute;
   double second;
+  const char* end;
 
-  static std::optional<Written> of(std::string_view text);
+  static std::optional<TimeOfDay> of(const char* at, const char* end);
 };
 
-std::optional<EpochReader::Written> EpochReader::Written::of(std::string_view text) {
-  constexpr std::string_view with_month = "dddd-dd-ddTdd:dd:dd";
-  constexpr std::string_view with_day_of_year = "dddd-dddTdd:dd:dd";
-  const bool has_month = matches(text.substr(0, with_month.size()), with_month);
-  const std::size_t whole = has_month ? with_month.size() : with_day_of_year.size();
-  if (!has_month && !matches(text.substr(0, whole), with_day_of_year)) return std::nullopt;
-  std::string_view decimals = text.substr(whole);
-  if (!decimals.empty()) {
-    constexpr std::string_view most = ".dddddddddddd";
-    if (decimals.size() < 2 || !matches(decimals, most.substr(0, decimals.size()))) return std::nullopt;
-    decimals.remove_prefix(1);
+std::optional<EpochReader::TimeOfDay> EpochReader::TimeOfDay::of(const char* at, const char* end) {
+  constexpr std::ptrdiff_t whole = 9, most_decimals = 12;
+  if (end - at < whole || at[0] != 'T' || at[3] != ':' || at[6] != ':') return std::nullopt;
+  const auto digit = [](char c) { return static_cast<unsigned>(c - '0'); };
+  for (const int i : {1, 2, 4, 5, 7, 8}) {
+    if (digit(at[i]) > 9) return std::nullopt;
   }
+  const auto two = [&](int i) { return static_cast<int>(10 * digit(at[i]) + digit(at[i + 1])); };
   // Fourteen digits are an exact number, and so is the power of ten: the second is rounded once.
-  std::int64_t digits = digits_of(text, whole - 2, 2);
+  std::int64_t digits = two(7);
   double unit = 1.0;
-  for (const char digit : decimals) {
-    digits = 10 * digits + (digit - '0');
-    unit *= 10.0;
+  const char* behind = at + whole;
+  if (behind != end && *behind == '.') {
+    const char* const first = ++behind;
+    for (; behind != end && digit(*behind) <= 9 && behind - first < most_decimals; ++behind) {
+      digits = 10 * digits + digit(*behind);
+      unit *= 10.0;
+    }
+    if (behind == first) return std::nullopt;
   }
-  return Written{text.substr(0, whole - 9), has_month, digits_of(text, whole - 8, 2),
-                 digits_of(text, whole - 5, 2), static_cast<double>(digits) / unit};
+  return TimeOfDay{two(1), two(4), static_cast<double>(digits) / unit, behind};
 }
 
 EpochReader::EpochReader(const TimeScale& scale) : scale_(scale), end_(std::string{" "} + scale.name()) {}
@@ -103,52 +104,79 @@ void EpochReader::refuse(std::string_view text, const std::string& reason) const
   throw BadInput(what(text) + ": " + reason);
 }
 
-void EpochReader::begin_day(std::string_view text, const Written& written) {
-  Calendar on{digits_of(written.day, 0, 4), 0, 0};
-  if (written.has_month) {
-    on.month = digits_of(written.day, 5, 2);
-    on.day = digits_of(written.day, 8, 2);
+void EpochReader::begin_day(std::string_view text, std::string_view day) {
+  Calendar on{digits_of(day, 0, 4), 0, 0};
+  if (day.size() == with_month.size()) {
+    on.month = digits_of(day, 5, 2);
+    on.day = digits_of(day, 8, 2);
   } else {
-    const int day = digits_of(written.day, 5, 3);
-    if (day < 1 || day > static_cast<int>(first_day_of(on.year + 1) - first_day_of(on.year)))
+    const int number = digits_of(day, 5, 3);
+    if (number < 1 || number > static_cast<int>(first_day_of(on.year + 1) - first_day_of(on.year)))
       refuse(text, "there is no such day");
-    on = calendar_of(first_day_of(on.year) + day - 1);
+    on = calendar_of(first_day_of(on.year) + number - 1);
   }
   double zero = 0.0, modified = 0.0;
   const int status = eraCal2jd(on.year, on.month, on.day, &zero, &modified);
   constexpr std::array<const char*, 3> wrong{"year", "month", "day"};
   if (status < 0)
     refuse(text, std::string{"there is no such "} + wrong.at(static_cast<std::size_t>(-status - 1)));
-  const double day = zero + modified;
+  const double julian_day = zero + modified;
   if (scale_.kind() == TimeScale::Kind::utc) {
-    require_known_utc({day, 0.0}, what(text));
-    day_ = utc_day(day);
+    require_known_utc({julian_day, 0.0}, what(text));
+    day_ = utc_day(julian_day);
+    is_known_ = true;
   } else {
-    day_ = {day, 0.0, 0.0, 0.0};
+    day_ = {julian_day, 0.0, 0.0, 0.0};
+    is_known_ = has_whole_day(scale_, julian_day);
   }
-  on_ = written.day;
+  on_ = day;
+}
+
+const char* EpochReader::fault(const TimeOfDay& time) const {
+  if (time.hour > 23) return "there is no such hour";
+  if (time.minute > 59) return "there is no such minute";
+  const bool is_last = time.hour == 23 && time.minute == 59;
+  return time.second >= 60.0 + (is_last ? day_.step : 0.0) ? "there is no such second" : nullptr;
+}
+
+// Of the day that is kept.
+Epoch EpochReader::epoch_at(const TimeOfDay& time, std::string_view text) const {
+  const double seconds = 60 * (60 * time.hour + time.minute) + time.second;
+  const double fraction = seconds / day_.length();
+  const bool in_utc = scale_.kind() == TimeScale::Kind::utc;
+  const Date tai = in_utc && fraction < 1.0 ? tai_of(day_, fraction)
+                                            : tai_of(scale_, normalised(day_.day, fraction),
+                                                     is_known_ ? std::string{} : what(text));
+  return Epoch{JulianDate<scale::Tai>{tai.day, tai.fraction}};
 }
 
 Epoch EpochReader::read(std::string_view text) {
-  std::string_view digits = text;
-  const bool in_utc = scale_.kind() == TimeScale::Kind::utc;
+  std::string_view rest = text;
   if (text.ends_with(end_)) {
-    digits.remove_suffix(end_.size());
-  } else if (in_utc && text.ends_with('Z')) {
-    digits.remove_suffix(1);
+    rest.remove_suffix(end_.size());
+  } else if (scale_.kind() == TimeScale::Kind::utc && text.ends_with('Z')) {
+    rest.remove_suffix(1);
   }
-  const auto written = Written::of(digits);
-  if (!written) refuse(text, "it is not written as 2022-04-14T10:22:11.874999");
-  if (written->day != on_) begin_day(text, *written);
-  if (written->hour > 23) refuse(text, "there is no such hour");
-  if (written->minute > 59) refuse(text, "there is no such minute");
-  const bool is_last = written->hour == 23 && written->minute == 59;
-  if (written->second >= 60.0 + (is_last ? day_.step : 0.0)) refuse(text, "there is no such second");
-  const double seconds = 60 * (60 * written->hour + written->minute) + written->second;
-  const double fraction = seconds / day_.length();
-  const Date tai = in_utc && fraction < 1.0 ? tai_of(day_, fraction)
-                                            : tai_of(scale_, normalised(day_.day, fraction), what(text));
-  return Epoch{JulianDate<scale::Tai>{tai.day, tai.fraction}};
+  const auto begins = [&](std::string_view pattern) {
+    return matches(rest.substr(0, pattern.size()), pattern);
+  };
+  const std::size_t size = begins(with_month)         ? with_month.size()
+                           : begins(with_day_of_year) ? with_day_of_year.size()
+                                                      : 0;
+  const char* const end = rest.data() + rest.size();
+  const auto time = size > 0 ? TimeOfDay::of(rest.data() + size, end) : std::nullopt;
+  if (!time || time->end != end) refuse(text, "it is not written as 2022-04-14T10:22:11.874999");
+  if (const std::string_view day = rest.substr(0, size); day != on_) begin_day(text, day);
+  if (const char* wrong = fault(*time)) refuse(text, wrong);
+  return epoch_at(*time, text);
+}
+
+std::optional<EpochReader::Scanned> EpochReader::scan(const char* at, const char* end) const {
+  const std::string_view text{at, static_cast<std::size_t>(end - at)};
+  if (!is_known_ || !text.starts_with(on_)) return std::nullopt;
+  const auto time = TimeOfDay::of(at + on_.size(), end);
+  if (!time || fault(*time)) return std::nullopt;
+  return Scanned{epoch_at(*time, text), time->end};
 }
 
 // The last minute has what the day has more or less. What rounds up to the end of the day is the next one,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -22,6 +23,8 @@ Date normalised(double day, double fraction);
 
 /// TAI of a date in the scale. `what` names the date in a BadInput.
 Date tai_of(const TimeScale& scale, const Date& date, const std::string& what);
+/// Whether there is TAI of every time of a day in the scale, which is not UTC.
+bool has_whole_day(const TimeScale& scale, double day);
 /// The date in the scale of an instant of TAI.
 Date date_of(const TimeScale& scale, const Date& tai);
 bool before_utc(const Date& tai);
@@ -56,17 +59,28 @@ class EpochReader {
   /// Throws BadInput with text, scale and reason.
   Epoch read(std::string_view text);
 
- private:
-  struct Written;
+  /// The epoch at the begin of a text and where it ends, if it is of the day that is kept, and has no name of
+  /// a scale. Nothing for any other text, also for one that read() refuses.
+  struct Scanned {
+    Epoch epoch;
+    const char* end;
+  };
+  [[nodiscard]] std::optional<Scanned> scan(const char* at, const char* end) const;
 
-  void begin_day(std::string_view text, const Written& written);
+ private:
+  struct TimeOfDay;
+
+  void begin_day(std::string_view text, std::string_view day);
+  [[nodiscard]] const char* fault(const TimeOfDay& time) const;
+  [[nodiscard]] Epoch epoch_at(const TimeOfDay& time, std::string_view text) const;
   [[noreturn]] void refuse(std::string_view text, const std::string& reason) const;
   [[nodiscard]] std::string what(std::string_view text) const;
 
   TimeScale scale_;
-  std::string end_;   // that may follow, " UTC"
-  std::string on_{};  // the text of the day that is kept
-  UtcDay day_{};      // in other scales without drift and step
+  std::string end_;        // that may follow, " UTC"
+  std::string on_{};       // the text of the day that is kept
+  UtcDay day_{};           // in other scales without drift and step
+  bool is_known_ = false;  // there is a day, and TAI of all its times
 };
 
 enum class DayStyle { month_and_day, day_of_year };

@@ -86,6 +86,11 @@ Date tai_of(const TimeScale& scale, const Date& date, const std::string& what) {
   return shifted(utc, tai_minus_utc(utc));
 }
 
+bool has_whole_day(const TimeScale& scale, double day) {
+  if (scale.kind() == TimeScale::Kind::gps) return day - modified_julian_zero >= first_gps_day;
+  return scale.kind() != TimeScale::Kind::ut1_by_utc;
+}
+
 Date date_of(const TimeScale& scale, const Date& tai) {
   const double ut1_offset = scale.ut1_offset().value();
   switch (scale.kind()) {
@@ -138,7 +143,9 @@ UtcDay utc_day(double day) {
 Date tai_of(const UtcDay& utc, double fraction) {
   fraction *= utc.length() / ERFA_DAYSEC;
   fraction *= (ERFA_DAYSEC + utc.drift) / ERFA_DAYSEC;
-  return normalised(utc.day, fraction + utc.tai_minus_utc / ERFA_DAYSEC);
+  fraction += utc.tai_minus_utc / ERFA_DAYSEC;
+  // The day is whole, and the fraction nearly always in it: then normalised() would change nothing.
+  return fraction >= 0.0 && fraction < 1.0 ? Date{utc.day, fraction} : normalised(utc.day, fraction);
 }
 
 const TimeScale* scale_named(std::string_view name) {

@@ -126,7 +126,9 @@ TEST(AttitudeEphemerisMessage, EveryFaultHasALineAColumnAndAReason) {
        "line of QUATERNION/ANGVEL has an epoch and 7 numbers"},
       {spin, "J2000", "J2000",
        "line 17, column 22 (ATTITUDE_TYPE): 'SPIN/NUTATION': the attitude types that are read in version 1.0 "
-       "are QUATERNION, QUATERNION/DERIVATIVE, QUATERNION/RATE, EULER_ANGLE"},
+       "are QUATERNION, QUATERNION/DERIVATIVE, QUATERNION/RATE, EULER_ANGLE; what the numbers of this one "
+       "mean, "
+       "version 1.0 does not say"},
   };
   for (const Fault& fault : faults) {
     const std::string what = complaint_of(replaced(fault.text, fault.old, fault.by));

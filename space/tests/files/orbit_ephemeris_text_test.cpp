@@ -73,9 +73,13 @@ TEST(OrbitEphemerisMessage, SamplesReadBackToTheLastBit) {
   }
 }
 
-// Numbers without an exponent, of few and of many digits: the double next to the written metres.
+// Numbers of few and of many digits, with an exponent or without one: the double next to the written metres.
 TEST(OrbitEphemerisMessage, KilometresBecomeMetresRoundedOnce) {
   std::mt19937_64 random(20261129);
+  const auto x_of = [](const std::string& number) {
+    const auto message = Message::parse(replaced(topo, "545.284043961596", number));
+    return message.segments()[0].samples<Eme2000, Ship>()[0].motion.position.coordinates().x();
+  };
   for (int run = 0; run < 5000; ++run) {
     std::string number = random() % 2 ? "-" : random() % 2 ? "+" : "";
     const std::size_t digits = 1 + random() % 22, point = random() % (digits + 2);
@@ -84,14 +88,24 @@ TEST(OrbitEphemerisMessage, KilometresBecomeMetresRoundedOnce) {
       number += static_cast<char>('0' + random() % 10);
     }
     if (point == digits) number += '.';
-    const std::string metres = (number[0] == '+' ? number.substr(1) : number) + "e3";
+    const int exponent = run % 2 ? 0 : static_cast<int>(random() % 30) - 15;
+    const std::string metres =
+        (number[0] == '+' ? number.substr(1) : number) + "e" + std::to_string(3 + exponent);
+    if (run % 2 == 0) number += (random() % 2 ? "e" : "E") + std::to_string(exponent);
     double expected = 0.0;
     ASSERT_EQ(std::from_chars(metres.data(), metres.data() + metres.size(), expected).ec, std::errc{})
         << metres;
-    const auto message = Message::parse(replaced(topo, "545.284043961596", number));
-    const double x = message.segments()[0].samples<Eme2000, Ship>()[0].motion.position.coordinates().x();
+    const double x = x_of(number);
     EXPECT_EQ(x, expected) << number;
     EXPECT_EQ(std::signbit(x), std::signbit(expected)) << number;
+  }
+  // Metres in the middle of two doubles, which go to the even one, and a micrometre beside it.
+  for (int run = 0; run < 200; ++run) {
+    const std::uint64_t middle = (std::uint64_t{1} << 53) + (random() >> 12) * 2 + 1;
+    const std::string metres = std::to_string(middle);
+    const std::string km = metres.substr(0, metres.size() - 3) + "." + metres.substr(metres.size() - 3);
+    EXPECT_EQ(x_of(km), static_cast<double>(middle)) << km;
+    EXPECT_EQ(x_of(km + "001"), static_cast<double>(middle + 1)) << km;
   }
   for (const char* wrong : {".", "-", "-.", "1.2.3", "1-", "--1", "1..2"})
     EXPECT_EQ(

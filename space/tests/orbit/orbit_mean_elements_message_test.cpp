@@ -221,19 +221,27 @@ TEST(OrbitMeanElementsMessage, CatalogueNumbersOfAnySize) {
   EXPECT_EQ(Message::parse(with("NORAD_CAT_ID", "")).catalogue_number(), std::nullopt);
 }
 
-TEST(OrbitMeanElementsMessage, KeywordsOfTheStandardAlone) {
+TEST(OrbitMeanElementsMessage, KeywordsOfTheStandardAndOthers) {
   const auto more =
       Message::parse(iss + "MASS = 420000 [kg]\nCOV_REF_FRAME = TEME\nCX_X = 1\nCZ_DOT_Y = 2\n" +
-                     "USER_DEFINED_COLOUR = white\n");
+                     "USER_DEFINED_COLOUR = white\nUSER_DEFINED_BSTA = 1\nPROVIDER_GRADE = A [1]\n");
   EXPECT_EQ(*more.text("MASS"), "420000 [kg]");
   EXPECT_EQ(*more.text("USER_DEFINED_COLOUR"), "white");
+  EXPECT_EQ(*more.text("USER_DEFINED_BSTA"), "1");
+  EXPECT_EQ(*more.text("PROVIDER_GRADE"), "A [1]");
   EXPECT_EQ(Message::parse(with("OBJECT_NAME", "OBJECT_NAME = STARLINK-11262 [DTC]")).object_name(),
             "STARLINK-11262 [DTC]");
+  EXPECT_EQ(complaint_of(iss + "INCLINATON = 51.6\n"),
+            "orbit mean-elements message, line 27, column 14 (INCLINATON): '51.6': the keyword is not of the "
+            "standard, but nearly INCLINATION");
   EXPECT_EQ(
-      complaint_of(iss + "INCLINATON = 51.6\n"),
-      "orbit mean-elements message, line 27, column 14 (INCLINATON): '51.6': the keyword is not of an orbit "
-      "mean-elements message");
-  EXPECT_NE(complaint_of(iss + "CX_Z = 2\n"), "nothing was thrown");
+      complaint_of(iss + "CX_Z = 2\n"),
+      "orbit mean-elements message, line 27, column 8 (CX_Z): '2': the keyword is not of the standard, but "
+      "nearly CX_X");
+  EXPECT_EQ(
+      complaint_of(iss + "PROVIDER_GRADE = A\nPROVIDER_GRADE = A\n"),
+      "orbit mean-elements message, line 28, column 18 (PROVIDER_GRADE): 'A': the keyword is there for the "
+      "second time, after line 27");
   EXPECT_EQ(complaint_of(iss + "BSTAR = 0\n"),
             "orbit mean-elements message, line 27, column 9 (BSTAR): '0': the keyword is there for the "
             "second time, "

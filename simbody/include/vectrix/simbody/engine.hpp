@@ -12,16 +12,17 @@
 /// Simbody's are.
 namespace vectrix::detail {
 
-enum class SimbodyJoint { hinge, slider, gimbal, ball, free, fixed };
+enum class SimbodyJoint { hinge, slider, ball, free, fixed };
 
-/// A body b on its parent p (0: the hub, else the body before it in the list with this number, from 1 on). A
-/// gimbal's two axes are orthogonal. The name is for messages.
-struct SimbodyBody {
+/// A link of the tree: a body b on its parent p (0: the hub, else the link before it in the list with this
+/// number, from 1 on). A gimbal is two hinges with a ring between them, whose mass is 0. The name is for
+/// messages.
+struct SimbodyLink {
   std::string name;
   SimbodyJoint joint;
   int parent;
   std::array<double, 9> R_p_from_b;
-  std::array<double, 3> r_pb_p, axis_1_b, axis_2_b;
+  std::array<double, 3> r_pb_p, axis_b;
   double mass;
   std::array<double, 3> centre_b;
   std::array<double, 9> inertia_c_b;  ///< about the centre
@@ -32,33 +33,45 @@ struct SimbodyRotor {
   std::array<double, 3> axis_b;
   double inertia;
 };
+/// A mode of an appendage of a body, as multibody::Mode.
+struct SimbodyMode {
+  int body;
+  std::array<double, 3> rotation_b, translation_b;
+  double frequency, damping_ratio;
+};
 struct SimbodyCraft {
   std::string name_of_hub;
   bool hub_has_place;
   double mass;
   std::array<double, 3> centre_b;
   std::array<double, 9> inertia_c_b;
-  std::vector<SimbodyBody> bodies;
+  std::vector<SimbodyLink> links;
   std::vector<SimbodyRotor> rotors;
+  std::vector<SimbodyMode> modes;
 };
 
-/// What acts on a craft. Forces are in the hub's axes, on each body through its origin, the hub first;
-/// torques are about that origin; efforts and motors as in multibody::Work.
+/// What acts on a craft. Forces are in the hub's axes, on each link through its origin, the hub first;
+/// torques are about that origin; all others as in multibody::Work.
 struct SimbodyLoads {
   std::vector<std::array<double, 3>> forces, torques;
-  std::vector<double> efforts, motors;
-  std::array<double, 3> field_i;                   ///< a uniform acceleration
-  std::vector<char> locked_joints, locked_rotors;  ///< they keep their speed
+  std::vector<double> efforts, motors, modal;
+  std::array<double, 3> field_i;  ///< a uniform acceleration
+  std::vector<char> locked_links, driven_links, locked_rotors;
+  std::vector<double> given;  ///< accelerations, by speed, of the driven links
 };
 
 /// Simbody's explicit Runge-Kutta pairs. Merson, of order 4, is more accurate for the same accuracy;
 /// Feldberg, of order 5, is cheaper.
 enum class SimbodyPair { merson, feldberg };
 
-/// The tree, its right-hand side and its integrator. The numbers of a state are those of multibody::Tree
-/// without modes. Simbody 3.7 refuses an inertia without mass, so a rotor is a wheel on a pin at the centre
-/// of mass of its body, with a twentieth of its mass and the inertia of a disc, both taken out of the body.
-/// One for each thread. What the loads throw passes through, and so do Simbody's exceptions.
+/// The tree, its right-hand side and its integrator. The numbers of a state are those of multibody::Tree.
+/// Simbody 3.7 refuses an inertia without mass, so a rotor is a wheel on a pin at the centre of mass of its
+/// body, with a twentieth of its mass and the inertia of a disc, both taken out of the body. What is locked
+/// at the start of a segment is so by Simbody's own lock. A driven joint, and one that is locked later, has
+/// the effort that gives it its acceleration, found with Simbody's mass matrix. Simbody has no modes: the
+/// coordinate of one is that of a mass of 1 kg on a slider of its own, and the appendage acts on its body
+/// with the wrench that it needs, found together with those efforts. One for each thread. What the loads
+/// throw passes through, and so do Simbody's exceptions.
 class VECTRIX_EXPORT SimbodyEngine {
  public:
   using Loads = std::function<void(double t, const double* y, SimbodyLoads& loads)>;
@@ -70,13 +83,13 @@ class VECTRIX_EXPORT SimbodyEngine {
 
   /// The derivative of the state.
   void rates(double t, const double* y, double* ydot);
-  /// What the joint of each body transmits to it, about its origin, in inertial axes, at the last rates().
+  /// What the joint of each link transmits to it, about its origin, in inertial axes, at the last rates().
   struct Transmitted {
     std::array<double, 3> force_i, torque_i;
   };
   std::vector<Transmitted> reactions() const;
 
-  /// Begins at (t, y), with the locks that the loads have there. Steps end at `stop`.
+  /// Begins at (t, y). Steps end at `stop`.
   void start(double t, const double* y, double stop, double longest);
   /// One step of Simbody's own. Returns the time reached, `stop` if it is the end.
   double step();

@@ -34,11 +34,8 @@ namespace detail {
 /// What acts at (t, y), as CraftRates::loads() gives it.
 using LoadsFound = std::function<const multibody::Work<double>&(double t, const double* y)>;
 
-/// Throws BadInput for what Simbody does not have: modes, a gimbal whose axes are not orthogonal.
-VECTRIX_EXPORT SimbodyCraft simbody_craft(const char* action, const PlainSpacecraft& craft);
-/// `loads` of bodies, joints and rotors, in the order of the craft.
-VECTRIX_EXPORT void copy_loads(const PlainSpacecraft& craft, const multibody::Work<double>& found,
-                               SimbodyLoads& loads);
+VECTRIX_EXPORT SimbodyCraft simbody_craft(const PlainSpacecraft& craft);
+VECTRIX_EXPORT void copy_loads(const multibody::Work<double>& found, SimbodyLoads& loads);
 /// Integrates a problem of a craft, whose quaternions become unit ones, by Simbody's integrator.
 VECTRIX_EXPORT ode::Solution solve_with_simbody(const PlainSpacecraft& craft, ode::Problem problem,
                                                 const SimbodyPropagation& how, const LoadsFound& loads);
@@ -48,10 +45,8 @@ VECTRIX_EXPORT ode::Solution solve_with_simbody(const PlainSpacecraft& craft, od
 /// The motion of the craft of a scenario from a state on, by Simbody: its equations of motion, integrated by
 /// it from each change to the next. The loads are those of the scenario; held values, their changes, the
 /// search for zeros and the record are as in propagate(), and so is the trajectory. Its dense output goes
-/// through the states and rates at Simbody's own steps.
-///
-/// Throws BadInput if a number is not what it must be, and for what Simbody does not have, with its name:
-/// modes, a gimbal whose axes are not orthogonal; and CraftFailure, as propagate() does.
+/// through the states and rates at Simbody's own steps. Throws BadInput if a number is not what it must be,
+/// or Simbody refuses a body that is too flat to hold its rotors, and CraftFailure, as propagate() does.
 template <CraftType C, class... Parts>
 typename detail::TrajectoryOf<C, detail::HeldTypes<Parts...>>::type propagate_with_simbody(
     const CraftScenario<C, Parts...>& scenario, const CraftState<C>& start, const SimbodyPropagation& how) {

@@ -58,6 +58,8 @@ struct TimeList {
   std::vector<double> times;
 };
 struct RunStart {};
+/// After each impulse of the run.
+struct Impulse {};
 /// The zeros of a function of the state.
 template <class G> struct Zero {
   std::string name;

@@ -12,11 +12,13 @@ namespace detail {
 template <JointKind> struct JointUnits {
   using coordinate = si::angle;
   using speed = si::angular_velocity;
+  using acceleration = si::angular_acceleration;
   using effort = si::torque;
 };
 template <> struct JointUnits<JointKind::slider> {
   using coordinate = si::length;
   using speed = si::velocity;
+  using acceleration = si::acceleration;
   using effort = si::force;
 };
 

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <concepts>
 #include <cstddef>
 #include <functional>
+#include <span>
 #include <tuple>
 #include <type_traits>
 #include <utility>
@@ -39,6 +41,17 @@ template <CraftType C> struct Accelerated {
   Now<C> now;
   const std::array<double, C::state_size>& rates;
 };
+/// Each impulse changes a held value to what fits the state after it.
+template <class F> struct PartOf<Change<Impulse, F>> {
+  static constexpr bool load = false, held = false, ticks = false, zero = false;
+};
+template <class F> Change<Impulse, F> after_impulse(F update) {
+  return {{}, std::move(update)};
+}
+
+template <class Part> inline constexpr bool is_after_impulse = false;
+template <class F> inline constexpr bool is_after_impulse<Change<Impulse, F>> = true;
+
 /// What a zero or a settling value of a load sees: an instant, and its accelerations if the held X were `x`.
 /// They are solved when they are asked for; those of the held X once for all functions that see the instant.
 template <CraftType C, class X> struct Solved {
@@ -66,14 +79,37 @@ template <class Ends, class Begins> struct PartOf<Settling<Ends, Begins>> {
 };
 
 /// While the held X is X{}, a number of the state is zero, as the speed of a joint that sticks: what it is
-/// when X becomes X{}, as the time of the zero is rounded, it is no longer.
+/// when X becomes X{}, as the time of the zero is rounded, it is no longer. It does not withstand an impulse,
+/// in which X is as if it were `moving`.
 template <class X> struct StandsStill {
   using held = X;
   std::size_t at;
+  X moving;
 };
 template <class Part> inline constexpr bool stands_still = false;
 template <class X> inline constexpr bool stands_still<StandsStill<X>> = true;
 template <class X> struct PartOf<StandsStill<X>> {
+  static constexpr bool load = false, held = false, ticks = false, zero = false;
+};
+
+/// The speeds of the joint or rotor b among the numbers of the state.
+template <class C, class B> std::span<const double> speeds_of(const double* y) {
+  using Shape = typename C::shape;
+  if constexpr (Shape::template has_rotor<B>)
+    return {y + Shape::template spin_at<B>, 1};
+  else
+    return {y + Shape::template speed_at<B>, Shape::template Part<B>::counts.speeds};
+}
+template <class C, class B> bool is_moving(const double* y) {
+  const auto speeds = speeds_of<C, B>(y);
+  return std::any_of(speeds.begin(), speeds.end(), [](double u) { return u != 0.0; });
+}
+
+/// While the held X is true, the joint or rotor b stands still: an impulse stops it if it moves.
+template <class B, class X> struct Stands { using held = X; };
+template <class Part> inline constexpr bool stands = false;
+template <class B, class X> inline constexpr bool stands<Stands<B, X>> = true;
+template <class B, class X> struct PartOf<Stands<B, X>> {
   static constexpr bool load = false, held = false, ticks = false, zero = false;
 };
 
@@ -184,6 +220,9 @@ struct FaultOfPart<C, HeldTuple, Settling<Ends, Begins>> {
   using type = Nothing;
 };
 template <class C, class HeldTuple, class X> struct FaultOfPart<C, HeldTuple, StandsStill<X>> {
+  using type = Nothing;
+};
+template <class C, class HeldTuple, class B, class X> struct FaultOfPart<C, HeldTuple, Stands<B, X>> {
   using type = Nothing;
 };
 template <class C, class HeldTuple, class Trigger, class F>

@@ -14,6 +14,7 @@
 #include <vectrix/dynamics/craft/craft_scenario.hpp>
 #include <vectrix/dynamics/craft/ticks.hpp>
 #include <vectrix/dynamics/craft/trajectory.hpp>
+#include <vectrix/dynamics/multibody/impulse.hpp>
 
 namespace vectrix::detail {
 
@@ -127,6 +128,7 @@ template <CraftType C, class... Parts> class Flight {
       });
       values_ = std::move(next);
       solved_ = false;
+      stop(t, y);
       settle(t, y);
     }
   }
@@ -178,6 +180,59 @@ template <CraftType C, class... Parts> class Flight {
       solved_ = as_held;
     }
     return {{trusted, *core_, t_, y_.data(), rates_.work()}, ydot_};
+  }
+  /// If what is to stand still moves, an impulse stops all of that at once. What the loads lock keeps its
+  /// speed in it, but friction is finite: what sticks is free.
+  void stop(double t, std::span<double> y) {
+    if constexpr ((stands<Parts> || ...)) {
+      bool moves = false;
+      const auto ask = [&]<class B, class X>(const Stands<B, X>&) {
+        moves = moves || (std::get<X>(values_).locked && detail::is_moving<C, B>(y.data()));
+      };
+      std::apply([&](const auto&... part) { (for_stands(ask, part), ...); }, parts_);
+      if (!moves) return;
+
+      const HeldTuple held = values_;
+      const auto loosen = [&]<class Part>(const Part& part) {
+        if constexpr (stands_still<Part>) std::get<typename Part::held>(values_) = part.moving;
+      };
+      std::apply([&](const auto&... part) { (loosen(part), ...); }, parts_);
+      const multibody::Work<double>& locked = loads(t, y.data());
+      values_ = held;
+      using multibody::InImpulse;
+      const auto kept = []<class Lock>(const std::vector<Lock>& locks) {
+        std::vector<InImpulse> in(locks.size(), InImpulse::is_free);
+        for (std::size_t i = 0; i < in.size(); ++i)
+          if (locks[i] != Lock{}) in[i] = InImpulse::keeps_speed;
+        return in;
+      };
+      std::vector<InImpulse> links = kept(locked.held), rotors = kept(locked.locked_rotors);
+      const auto mark = [&]<class B, class X>(const Stands<B, X>&) {
+        using Shape = typename C::shape;
+        if (!std::get<X>(values_).locked) return;
+        if constexpr (Shape::template has_rotor<B>) {
+          rotors[Shape::template spin_at<B> - Shape::rotors_begin] = InImpulse::stops;
+        } else {
+          constexpr std::size_t end = Shape::template link_of<B>();
+          for (std::size_t i = end - Shape::template Part<B>::counts.links; i < end; ++i)
+            links[i] = InImpulse::stops;
+        }
+      };
+      std::apply([&](const auto&... part) { (for_stands(mark, part), ...); }, parts_);
+      multibody::stop(core_->tree, links, rotors, y.data());
+
+      const auto fit = [&]<class Part>(const Part& part) {
+        if constexpr (is_after_impulse<Part>) {
+          auto value = found(part.update, now_at(t, y), values_);
+          if (!(value == std::get<decltype(value)>(values_))) put(values_, t, std::move(value));
+        }
+      };
+      std::apply([&](const auto&... part) { (fit(part), ...); }, parts_);
+      solved_ = false;
+    }
+  }
+  template <class Function, class Part> static void for_stands(const Function& function, const Part& part) {
+    if constexpr (stands<Part>) function(part);
   }
   void settle(double t, std::span<double> y) {
     bool settled = true;

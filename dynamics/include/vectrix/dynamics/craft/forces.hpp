@@ -44,6 +44,16 @@ template <class U, class S, class Given> inline constexpr bool acts_as_quantity 
 template <class U, class S, class T>
 inline constexpr bool acts_as_quantity<U, S, Quantity<U, T>> = acts_in<T, S>;
 
+/// Whether values are the accelerations of the axes of the joint of b.
+template <class Shape, class S, class B, class... Given> constexpr bool is_acceleration_of() {
+  if constexpr (Shape::template has_axes<B>) {
+    constexpr JointKind kind = Shape::template Part<B>::joint;
+    return sizeof...(Given) == counts_of(kind).axes &&
+           (acts_as_quantity<typename JointUnits<kind>::acceleration, S, Given> && ...);
+  }
+  return false;
+}
+
 /// Whether values are the effort of the joint of b.
 template <class Shape, class S, class B, class... Given> constexpr bool is_effort_on() {
   if constexpr (Shape::template has_joint_of<B, JointKind::hinge>) {
@@ -75,6 +85,8 @@ template <CraftType C, class S = double> class Forces {
   static constexpr bool is_force = detail::ForceOn<Shape, S, B, Given...>::value;
   template <class B, class... Given>
   static constexpr bool is_effort = detail::is_effort_on<Shape, S, B, Given...>();
+  template <class B, class... Given>
+  static constexpr bool is_acceleration = detail::is_acceleration_of<Shape, S, B, Given...>();
   template <class B>
   static constexpr bool can_lock =
       Shape::template is<B, detail::PartRole::body> || Shape::template has_rotor<B>;
@@ -141,21 +153,32 @@ template <CraftType C, class S = double> class Forces {
   template <class W, class Given>
   auto motor(Of<W>, const Given&) -> Refused = delete;  // on a rotor of the craft C, in N m
 
-  /// The joint of a body, or a rotor, keeps its speed, whatever acts on it: one at rest stays where it is.
-  /// Whether it is locked may change between smooth segments only, with a held value.
+  /// The joint of a body, or a rotor, keeps its speed, whatever acts on it: one at rest stays where it is,
+  /// one that moves goes on as it moves; lockable() stops it. Whether it is locked may change between smooth
+  /// segments only, with a held value.
   template <class B>
     requires can_lock<B>
   void lock(Of<B>) {
-    if constexpr (Shape::template has_rotor<B>) {
+    if constexpr (Shape::template has_rotor<B>)
       work_->locked_rotors[Shape::template spin_at<B> - Shape::rotors_begin] = 1;
-    } else {
-      constexpr std::size_t end = Shape::template link_of<B>();
-      for (std::size_t i = end - Shape::template Part<B>::counts.links; i < end; ++i)
-        work_->locked_links[i] = 1;
-    }
+    else
+      hold<B>(multibody::Hold::locked);
   }
   template <class B>
   auto lock(Of<B>) -> Refused = delete;  // of a body of the craft C that hangs on a joint, or a rotor
+
+  /// The joint of a body has this acceleration, whatever acts on it: of a hinge or slider; both of a gimbal.
+  /// Throws BadInput if it is also locked, or driven twice.
+  template <class B, class... Given>
+    requires is_acceleration<B, Given...>
+  void drive(Of<B>, const Given&... acceleration) {
+    hold<B>(multibody::Hold::driven);
+    std::size_t at = Shape::template speed_at<B> - Shape::speeds_begin;
+    ((work_->given[at++] = S(acceleration.value())), ...);
+  }
+  template <class B, class... Given>
+  auto drive(  // of the joint of b in the craft C: rad/s^2 of a hinge, m/s^2 of a slider, both of a gimbal
+      Of<B>, const Given&...) -> Refused = delete;
 
   /// Forces on the modes of an appendage, kg^1/2 m/s^2.
   template <class A>
@@ -188,6 +211,15 @@ template <CraftType C, class S = double> class Forces {
   void push(Of<B>, const Displacement<B, Q, In<E>, R>& r_bq_e, const Vector<D, si::force, T>& F_d) {
     const auto F = hub<D>(F_d.coordinates());
     add<B>(F, multibody::cross(at_.template arm<B>() + hub<E>(r_bq_e.coordinates()), F));
+  }
+  template <class B> void hold(multibody::Hold how) {
+    constexpr std::size_t end = Shape::template link_of<B>();
+    for (std::size_t i = end - Shape::template Part<B>::counts.links; i < end; ++i) {
+      multibody::Hold& held = work_->held[i];
+      if (held != multibody::Hold::none && (held != how || how == multibody::Hold::driven)) [[unlikely]]
+        detail::refuse_to_hold_twice(frame_name<B>());
+      held = how;
+    }
   }
   template <class B> [[gnu::always_inline]] void add(const Column& F, const Column& M) {
     constexpr std::size_t link = Shape::template link_of<B>();

@@ -27,14 +27,18 @@ RelativeMotion relative_motion(const CraftCore& core, const double* y, const dou
   if constexpr (Shape::template has_joint_of<B, JointKind::gimbal>) {
     multibody::Moving<double> ring;
     multibody::Hinge::place(links[last - 1].joint, y + q_at, y + u_at, resting, ring);
-    if (ydot) multibody::Hinge::give(one, ydot + u_at, ring);
+    if (ydot) ring.alpha0 += multibody::Hinge::relative(one, ydot + u_at, ring).alpha;
     multibody::Hinge::place(links[last].joint, y + q_at + 1, y + u_at + 1, ring, b);
-    if (ydot) multibody::Hinge::give(one, ydot + u_at + 1, b);
+    if (ydot) b.alpha0 += multibody::Hinge::relative(one, ydot + u_at + 1, b).alpha;
     return {b.R, ring.r, b.w, multibody::zero_column<double>(), b.alpha0, ring.a0};
   } else {
     using Kind = typename EngineKind<Shape::template Part<B>::joint>::type;
     Kind::place(links[last].joint, y + q_at, y + u_at, resting, b);
-    if (ydot) Kind::give(one, ydot + u_at, b);
+    if (ydot) {
+      const auto added = Kind::relative(one, ydot + u_at, b);
+      b.alpha0 += added.alpha;
+      b.a0 += added.a;
+    }
     return {b.R, b.r, b.w, Kind::velocity(one, y + u_at, b), b.alpha0, b.a0};
   }
 }

@@ -141,6 +141,21 @@ template <CraftType C, class S = double> class CraftMotion {
     requires(hangs<B>&& turns<D>)
   Torque<B, In<D>, S> joint_torque(Of<B>, In<D>)
   const { return Torque<B, In<D>, S>{detail::trusted, in<D>(reaction<B>().torque)}; }
+  /// What a lock or a drive adds to the efforts that the loads give the joint of b, so that it keeps its
+  /// speed or has its given acceleration: of a hinge or slider; both of a gimbal. Zero, but for rounding, of
+  /// a joint that nothing holds.
+  template <class B>
+  requires Shape::template has_axes<B> auto holding_effort(Of<B>) const {
+    constexpr JointKind kind = Shape::template Part<B>::joint;
+    constexpr std::size_t axes = detail::counts_of(kind).axes;
+    std::array<S, axes> efforts;
+    for (std::size_t i = 0; i < axes; ++i)
+      efforts[i] = core_->tree.holding_effort(link<B> - static_cast<int>(axes - 1 - i), work_);
+    return detail::AxisNumbers<typename detail::JointUnits<kind>::effort, kind, S>::read(efforts.data());
+  }
+  template <class B>
+  auto holding_effort(  // of a hinge, a slider or a gimbal: of a body of the craft C that hangs on one
+      Of<B>) const -> Refused = delete;
   template <class B, class D>
   auto joint_force(  // of a body of the craft C that hangs on a joint, in a frame of C
       Of<B>, In<D>) const -> Refused = delete;

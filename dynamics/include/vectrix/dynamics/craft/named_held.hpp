@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <functional>
 #include <optional>
 #include <string>
@@ -9,42 +10,53 @@
 
 namespace vectrix {
 
-/// A joint whose motion is given: its acceleration, a function of time. Its position and speed stay in the
-/// state and follow from their start. Made by locked() and prescribed().
+/// A joint whose motion is given: its accelerations, rad/s^2 or m/s^2 by axis, a function of time. Its
+/// positions and speeds stay in the state and follow from their start. Made by locked() and prescribed().
 class NamedHeld {
  public:
-  NamedHeld(detail::Trusted, std::string body, std::optional<JointKind> joint,
-            std::function<double(double)> acceleration)
-      : body_(std::move(body)), joint_(joint), acceleration_(std::move(acceleration)) {}
+  using Accelerations = std::function<std::array<double, 2>(double t)>;
+  NamedHeld(detail::Trusted, std::string body, std::optional<JointKind> joint, Accelerations accelerations)
+      : body_(std::move(body)), joint_(joint), accelerations_(std::move(accelerations)) {}
 
   const std::string& body() const { return body_; }
-  /// The kind that the joint must have; none if any is held.
+  /// The kind that the joint must have; none if it is locked, as any may be.
   const std::optional<JointKind>& joint() const { return joint_; }
-  /// At the time t, s, in rad/s^2 or m/s^2.
-  double acceleration(double t) const { return acceleration_(t); }
+  /// At the time t, s; of a gimbal two, else the first. Of a locked joint there is no function.
+  const Accelerations& accelerations() const { return accelerations_; }
 
  private:
   std::string body_;
   std::optional<JointKind> joint_;
-  std::function<double(double)> acceleration_;
+  Accelerations accelerations_;
 };
 
 /// The joint of a body keeps its speed: a joint that starts at rest stays where it is.
 inline NamedHeld locked(std::string body) {
-  return {detail::trusted, std::move(body), std::nullopt, [](double) { return 0.0; }};
+  return {detail::trusted, std::move(body), std::nullopt, {}};
 }
-/// A hinge, or a slider, with the given acceleration, which must be smooth between the breakpoints of the run
-/// and at them: it is not told on which side of one it is asked.
+/// A hinge, a slider, or both axes of a gimbal, with the given acceleration, which must be smooth between the
+/// breakpoints of the run and at them: it is not told on which side of one it is asked.
 inline NamedHeld prescribed(
     std::string body,
     std::function<Quantity<si::angular_acceleration>(const Quantity<si::time>&)> acceleration) {
-  return {detail::trusted, std::move(body), JointKind::hinge,
-          [given = std::move(acceleration)](double t) { return given(t * si::second).value(); }};
+  return {detail::trusted, std::move(body), JointKind::hinge, [given = std::move(acceleration)](double t) {
+            return std::array{given(t * si::second).value(), 0.0};
+          }};
 }
 inline NamedHeld prescribed(
     std::string body, std::function<Quantity<si::acceleration>(const Quantity<si::time>&)> acceleration) {
-  return {detail::trusted, std::move(body), JointKind::slider,
-          [given = std::move(acceleration)](double t) { return given(t * si::second).value(); }};
+  return {detail::trusted, std::move(body), JointKind::slider, [given = std::move(acceleration)](double t) {
+            return std::array{given(t * si::second).value(), 0.0};
+          }};
+}
+inline NamedHeld prescribed(
+    std::string body,
+    std::function<std::array<Quantity<si::angular_acceleration>, 2>(const Quantity<si::time>&)>
+        accelerations) {
+  return {detail::trusted, std::move(body), JointKind::gimbal, [given = std::move(accelerations)](double t) {
+            const auto both = given(t * si::second);
+            return std::array{both[0].value(), both[1].value()};
+          }};
 }
 
 }  // namespace vectrix

@@ -77,6 +77,10 @@ typename TrajectoryOf<C, HeldTypes<Parts...>>::type fly(const char* action,
     throw BadInput(problem.caller + ": the end is " + text(problem.end) + " s, the start " +
                    text(problem.start) + " s");
   }
+  const auto require_run = [&](const auto& part) {
+    if constexpr (requires { part.require_run(start, problem.end); }) part.require_run(start, problem.end);
+  };
+  std::apply([&](const auto&... part) { (require_run(part), ...); }, scenario.parts());
   Flight<C, Parts...> flight(scenario, problem.start, problem.end);
   problem.breakpoints = flight.breakpoints(problem.start, problem.end);
   problem.roots = flight.roots();

@@ -58,12 +58,7 @@ template <class C, class On> double sticking_effort(const Now<C>& now) {
                multibody::dot(work.axes[rotor], tree.accelerations(body, work).alpha) -
            work.motors[rotor];
   } else {
-    constexpr std::size_t link = Shape::template link_of<On>();
-    const auto transmitted = tree.reaction(static_cast<int>(link), work);
-    constexpr bool turns = Shape::template has_joint_of<On, JointKind::hinge>;
-    const auto& along = turns ? transmitted.torque : transmitted.force;
-    return multibody::dot(work.links[link - 1].axis, along) -
-           work.efforts[Shape::template speed_at<On> - Shape::speeds_begin];
+    return tree.holding_effort(static_cast<int>(Shape::template link_of<On>()), work);
   }
 }
 
@@ -134,7 +129,8 @@ template <CraftType C, class On, class Effort, class Speed, class Damping> struc
                       at_start(at_first),
                       when(name + " comes to rest", slipping, ode::Direction::falling, becomes(State{})),
                       when(name + " breaks away", breaking, ode::Direction::rising, as_it_is),
-                      detail::StandsStill<State>{detail::speed_number<C, On>()},
+                      detail::StandsStill<State>{detail::speed_number<C, On>(), State{1}},
+                      detail::after_impulse(at_first),
                       detail::settling(rests, begins)};
   }
 };

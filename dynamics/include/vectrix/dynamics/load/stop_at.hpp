@@ -53,6 +53,12 @@ template <CraftType C, class B, class K, class D, class Q> struct JointStops {
       }
       return State{};
     };
+    // A stop that is left by an impulse does not pull, and one that is met anew pushes.
+    const auto pushes = [stops = *this](const Now<C>& now) {
+      for (const int side : {1, -1})
+        if (stops.beyond(side, now) >= 0.0 && stops.push(side, now) > 0.0) return State{side};
+      return State{};
+    };
     const auto enters = [stops = *this](int side) {
       return [stops, side](const Now<C>& now, const State& at) {
         if (at.side != 0) return -1.0;
@@ -79,6 +85,7 @@ template <CraftType C, class B, class K, class D, class Q> struct JointStops {
         when(name + " meets its upper stop", enters(1), ode::Direction::rising, becomes(State{1})),
         when(name + " meets its lower stop", enters(-1), ode::Direction::rising, becomes(State{-1})),
         when(name + " leaves its stop", leaves, ode::Direction::falling, becomes(State{})),
+        detail::after_impulse(pushes),
         detail::settling(stays, leans)};
   }
 };

@@ -99,7 +99,7 @@ template <class S> Accelerations<S> Tree<S>::accelerations(int body, const Work<
 }
 
 // What the joint leaves of the articulated inertia, times the parent's accelerations at the joint.
-template <class S> typename Tree<S>::Transmitted Tree<S>::reaction(int body, const Work<S>& k) const {
+template <class S> Transmitted<S> Tree<S>::reaction(int body, const Work<S>& k) const {
   const std::size_t i = static_cast<std::size_t>(body) - 1;
   const Moving<S>& b = k.links.at(i);
   Accelerations<S> p = k.hub_acceleration;
@@ -109,6 +109,14 @@ template <class S> typename Tree<S>::Transmitted Tree<S>::reaction(int body, con
   }
   const Column<S> a = p.a + cross(p.alpha, b.r);
   return {transposed_times(b.I.H, p.alpha) + b.I.M * a + b.I.f, b.I.A * p.alpha + b.I.H * a + b.I.n};
+}
+
+template <class S> S Tree<S>::holding_effort(int body, const Work<S>& k) const {
+  const std::size_t i = static_cast<std::size_t>(body) - 1;
+  const Transmitted<S> given = reaction(body, k);
+  const S along = numbers_.links[i].joint.kind == Kind::hinge ? Hinge::effort(given, k.links[i])
+                                                              : Slider::effort(given, k.links[i]);
+  return along - k.efforts[layout_.speed_at[i] - layout_.speeds_begin()];
 }
 
 }  // namespace vectrix::multibody

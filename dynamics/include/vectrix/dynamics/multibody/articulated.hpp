@@ -15,6 +15,10 @@ template <class S> struct Articulated {
   Column<S> n, f;
 };
 
+template <class S> struct Accelerations { Column<S> alpha, a; };
+/// What a joint transmits to the body that hangs on it, about the body's origin.
+template <class S> struct Transmitted { Column<S> force, torque; };
+
 /// Takes one freedom out: its momentum (U, V) at unit speed, 1/D its inverse inertia, and e its acceleration
 /// while the body is held.
 ///     A -= U U^T / D,  H -= U V^T / D,  M -= V V^T / D,  (n0, f0) += (U, V) e
@@ -29,6 +33,13 @@ template <class S>
   I.H.z -= UD * V.z;
   I.n += U * e;
   I.f += V * e;
+}
+
+/// The accelerations (alpha, a) of the body itself are given beyond what it has now:
+///     n0 += A alpha + H a,   f0 += H^T alpha + M a
+template <class S> void add_acceleration(Articulated<S>& I, const Accelerations<S>& given) {
+  I.n += I.A * given.alpha + I.H * given.a;
+  I.f += transposed_times(I.H, given.alpha) + I.M * given.a;
 }
 
 /// Adds to the parent's what its child has about the point r from the parent's origin:
@@ -54,8 +65,6 @@ template <class S>
   p.n += c.n + cross(r, c.f);
   p.f += c.f;
 }
-
-template <class S> struct Accelerations { Column<S> alpha, a; };
 
 /// The accelerations of a body on which nothing acts but the wrench (n, f):
 ///     A alpha + H a + n0 = n,  H^T alpha + M a + f0 = f

@@ -21,8 +21,8 @@ struct Ball {
     b.alpha0 = turned_with(p, w_pb);
     b.a0 = carried_by(p, b.r);
   }
-  template <class S> static void give(const Square<S>&, const S* udot, Moving<S>& b) {
-    b.alpha0 += b.R * Column<S>{udot[0], udot[1], udot[2]};
+  template <class S> static Accelerations<S> relative(const Square<S>&, const S* udot, const Moving<S>& b) {
+    return {b.R * Column<S>{udot[0], udot[1], udot[2]}, zero_column<S>()};
   }
   template <class S> static void rates(const S* q, const S* u, S* qdot) { quaternion_rate(q, u, qdot); }
 

@@ -17,7 +17,9 @@ struct Fixed {
     b.alpha0 = turned_with(p, zero_column<S>());
     b.a0 = carried_by(p, b.r);
   }
-  template <class S> static void give(const Square<S>&, const S*, Moving<S>&) {}
+  template <class S> static Accelerations<S> relative(const Square<S>&, const S*, const Moving<S>&) {
+    return {zero_column<S>(), zero_column<S>()};
+  }
   template <class S> static void rates(const S*, const S*, S*) {}
   template <class S> static void eliminate(const Square<S>&, const S*, Moving<S>&) {}
   template <class S> static void advance(const Square<S>&, Moving<S>&, S*) {}

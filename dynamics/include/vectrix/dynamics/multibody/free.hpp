@@ -22,9 +22,9 @@ struct Free {
     b.alpha0 = turned_with(p, w_pb);
     b.a0 = carried_by(p, b.r) + cross(p.w, v_pb) * S(2.0);
   }
-  template <class S> static void give(const Square<S>& R_h_from_p, const S* udot, Moving<S>& b) {
-    b.alpha0 += b.R * Column<S>{udot[0], udot[1], udot[2]};
-    b.a0 += R_h_from_p * Column<S>{udot[3], udot[4], udot[5]};
+  template <class S>
+  static Accelerations<S> relative(const Square<S>& R_h_from_p, const S* udot, const Moving<S>& b) {
+    return {b.R * Column<S>{udot[0], udot[1], udot[2]}, R_h_from_p * Column<S>{udot[3], udot[4], udot[5]}};
   }
   template <class S> static void rates(const S* q, const S* u, S* qdot) {
     quaternion_rate(q, u, qdot);

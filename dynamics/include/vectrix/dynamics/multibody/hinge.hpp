@@ -36,8 +36,11 @@ struct Hinge {
     b.alpha0 = turned_with(p, w_pb);
     b.a0 = carried_by(p, b.r);
   }
-  template <class S> static void give(const Square<S>&, const S* udot, Moving<S>& b) {
-    b.alpha0 += b.axis * udot[0];
+  template <class S> static Accelerations<S> relative(const Square<S>&, const S* udot, const Moving<S>& b) {
+    return {b.axis * udot[0], zero_column<S>()};
+  }
+  template <class S> static S effort(const Transmitted<S>& given, const Moving<S>& b) {
+    return dot(b.axis, given.torque);
   }
   template <class S> static void rates(const S*, const S* u, S* qdot) { qdot[0] = u[0]; }
 

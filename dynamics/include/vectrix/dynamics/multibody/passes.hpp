@@ -63,12 +63,11 @@ template <class S> Tree<S>::Tree(TreeNumbers<S> numbers) : numbers_(std::move(nu
 
 template <class S> Work<S> Tree<S>::work() const {
   Work<S> k;
-  k.held.assign(numbers_.links.size(), 0);
-  k.given.assign(layout_.speeds, S(0.0));
   k.efforts.assign(layout_.speeds, S(0.0));
   k.motors.assign(layout_.rotors, S(0.0));
   k.modal.assign(layout_.modes, S(0.0));
-  k.locked_links = k.held;
+  k.held.assign(numbers_.links.size(), Hold::none);
+  k.given.assign(layout_.speeds, S(0.0));
   k.locked_rotors.assign(layout_.rotors, 0);
   k.field = zero_column<S>();
   k.unit = identity<S>();
@@ -105,8 +104,6 @@ template <class S> void Tree<S>::place_link(std::size_t i, const S* y, Work<S>& 
     } else {
       kind.place(link.joint, q, u, k.links[static_cast<std::size_t>(link.parent) - 1], b);
     }
-    if (k.held[i])
-      kind.give(rotation(link.parent, k), k.given.data() + (layout_.speed_at[i] - layout_.speeds_begin()), b);
     load_rigid(less_rotors_[i + 1], b);
   });
 }
@@ -115,7 +112,8 @@ template <class S> void Tree<S>::place(const S* y, Work<S>& k) const {
   for (S& effort : k.efforts) effort = S(0.0);
   for (S& motor : k.motors) motor = S(0.0);
   for (S& force : k.modal) force = S(0.0);
-  for (std::size_t i = 0; i < k.held.size(); ++i) k.locked_links[i] = k.held[i];
+  for (Hold& hold : k.held) hold = Hold::none;
+  for (S& acceleration : k.given) acceleration = S(0.0);
   for (char& locked : k.locked_rotors) locked = 0;
   k.field = zero_column<S>();
   place_hub(y, k);
@@ -179,12 +177,13 @@ template <class S> void Tree<S>::add_internals(const S* y, Work<S>& k) const {
 template <class S> void Tree<S>::inward(std::size_t i, Work<S>& k) const {
   const Link<S>& link = numbers_.links[i];
   Moving<S>& b = k.links[i];
-  if (!k.locked_links[i]) {
-    with_kind(link.joint.kind, [&](auto kind) {
-      kind.eliminate(rotation(link.parent, k),
-                     k.efforts.data() + (layout_.speed_at[i] - layout_.speeds_begin()), b);
-    });
-  }
+  const std::size_t speed = layout_.speed_at[i] - layout_.speeds_begin();
+  with_kind(link.joint.kind, [&](auto kind) {
+    if (k.held[i] == Hold::none) [[likely]]
+      kind.eliminate(rotation(link.parent, k), k.efforts.data() + speed, b);
+    else
+      add_acceleration(b.I, kind.relative(rotation(link.parent, k), k.given.data() + speed, b));
+  });
   add_shifted(inertia(link.parent, k), b.I, b.r);
 }
 
@@ -208,11 +207,14 @@ template <class S> void Tree<S>::outward(std::size_t i, S* ydot, Work<S>& k) con
     b.a = p.a + cross(b.alpha, b.r);
   }
   with_kind(link.joint.kind, [&](auto kind) {
-    if (k.locked_links[i]) {
-      const S* given = k.given.data() + (layout_.speed_at[i] - layout_.speeds_begin());
-      for (int n = 0; n < kind.speeds; ++n) udot[n] = k.held[i] ? given[n] : S(0.0);
-    } else {
+    if (k.held[i] == Hold::none) {
       kind.advance(rotation(link.parent, k), b, udot);
+    } else {
+      const S* given = k.given.data() + (layout_.speed_at[i] - layout_.speeds_begin());
+      for (int n = 0; n < kind.speeds; ++n) udot[n] = given[n];
+      const Accelerations<S> added = kind.relative(rotation(link.parent, k), given, b);
+      b.alpha += added.alpha;
+      b.a += added.a;
     }
   });
 }

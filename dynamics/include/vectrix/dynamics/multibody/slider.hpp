@@ -26,8 +26,11 @@ struct Slider {
     b.alpha0 = turned_with(p, zero_column<S>());
     b.a0 = carried_by(p, b.r) + cross(p.w, b.axis * S(S(2.0) * u[0]));
   }
-  template <class S> static void give(const Square<S>&, const S* udot, Moving<S>& b) {
-    b.a0 += b.axis * udot[0];
+  template <class S> static Accelerations<S> relative(const Square<S>&, const S* udot, const Moving<S>& b) {
+    return {zero_column<S>(), b.axis * udot[0]};
+  }
+  template <class S> static S effort(const Transmitted<S>& given, const Moving<S>& b) {
+    return dot(b.axis, given.force);
   }
   template <class S> static void rates(const S*, const S* u, S* qdot) { qdot[0] = u[0]; }
 

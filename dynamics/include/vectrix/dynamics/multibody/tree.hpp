@@ -49,17 +49,17 @@ struct TreeLayout {
   [[nodiscard]] std::size_t size() const { return modes_begin() + 2 * modes; }
 };
 
+/// Whether the acceleration of a joint is given: that of a locked one is zero, that of a driven one is not.
+enum class Hold : char { none, locked, driven };
+
 /// A tree at one instant, and what acts on it. One for each thread; made by Tree::work().
 template <class S> struct Work {
-  // Set before place(), and kept: the links whose motion is given, and the given u'.
-  std::vector<char> held;  ///< by link
-  std::vector<S> given;    ///< by speed
-
-  // Set between place() and solve(); place() sets them to zero, and locks the held links.
-  std::vector<S> efforts;          ///< by speed: N m, N
-  std::vector<S> motors;           ///< torques on the rotors, N m
-  std::vector<S> modal;            ///< forces on the modes, Q
-  std::vector<char> locked_links;  ///< those that keep their speed, whatever their efforts; and the held ones
+  // Set between place() and solve(); place() sets them to zero.
+  std::vector<S> efforts;           ///< by speed: N m, N
+  std::vector<S> motors;            ///< torques on the rotors, N m
+  std::vector<S> modal;             ///< forces on the modes, Q
+  std::vector<Hold> held;           ///< by link: those that have the given u', whatever their efforts
+  std::vector<S> given;             ///< by speed: u'
   std::vector<char> locked_rotors;  ///< those that keep their speed, whatever their motors do
   Column<S> field;                  ///< a uniform acceleration, in inertial axes, m/s^2
 
@@ -120,12 +120,11 @@ template <class S> class VECTRIX_EXPORT Tree {
   // After solve():
   /// alpha_ib and the inertial acceleration of b's origin, in the hub's axes.
   [[nodiscard]] Accelerations<S> accelerations(int body, const Work<S>& k) const;
-  struct Transmitted {
-    Column<S> force, torque;
-  };
-  /// What the joint transmits to the body that hangs on it, about the body's origin, in the hub's axes. The
-  /// effort is part of it.
-  [[nodiscard]] Transmitted reaction(int body, const Work<S>& k) const;
+  /// What the joint transmits to the body that hangs on it, in the hub's axes. The effort is part of it.
+  [[nodiscard]] Transmitted<S> reaction(int body, const Work<S>& k) const;
+  /// What a lock or a drive adds to the efforts of a hinge, N m, or slider, N, so that it has the given
+  /// acceleration: zero but for rounding if the joint is not held.
+  [[nodiscard]] S holding_effort(int body, const Work<S>& k) const;
 
  private:
   [[gnu::always_inline]] inline void place_hub(const S* y, Work<S>& k) const;

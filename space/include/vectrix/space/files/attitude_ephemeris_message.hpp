@@ -16,8 +16,8 @@ namespace vectrix {
 ///         message.segments().front().samples<earth::Eme2000, Body>(called<Body>("SC_BODY_1"));
 ///     const auto attitude = sampled_edge(samples, longest_gap);
 /// Version 1.0 says the direction and the place of the scalar in ATTITUDE_DIR and QUATERNION_TYPE, and must;
-/// version 2.0 must not. Quaternions whose norm is off 1 by more than 0.01 are refused, so are the other
-/// attitude types. For time systems, keywords and comments see OrbitEphemerisMessage.
+/// version 2.0 must not. Quaternions whose norm is off 1 by more than 0.01 are refused, so are types that
+/// AttitudeType does not have. For time systems, keywords and comments see OrbitEphemerisMessage.
 class VECTRIX_EXPORT AttitudeEphemerisMessage {
  public:
   /// Throws BadInput if there is no segment, the time systems differ, the version is neither of the two, or a

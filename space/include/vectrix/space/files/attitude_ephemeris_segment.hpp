@@ -17,8 +17,20 @@
 namespace vectrix {
 
 /// The attitude types that are read: QUATERNION, QUATERNION/DERIVATIVE, QUATERNION/RATE (in version 2.0
-/// QUATERNION/ANGVEL) and EULER_ANGLE; in parameter messages also an angular velocity without attitude.
-enum class AttitudeType { quaternion, quaternion_derivative, quaternion_rate, euler_angle, angular_velocity };
+/// QUATERNION/ANGVEL) and EULER_ANGLE; of version 2.0 also EULER_ANGLE/DERIVATIVE, EULER_ANGLE/ANGVEL, SPIN,
+/// SPIN/NUTATION and SPIN/NUTATION_MOM; in parameter messages also an angular velocity without attitude.
+enum class AttitudeType {
+  quaternion,
+  quaternion_derivative,
+  quaternion_rate,
+  euler_angle,
+  euler_angle_derivative,
+  euler_angle_rate,
+  spin,
+  spin_nutation,
+  spin_nutation_momentum,
+  angular_velocity
+};
 
 /// Samples of unit quaternions, and the largest | |q| - 1 | before the projection.
 template <Frame A, Frame B> struct NearestSamples {
@@ -31,7 +43,7 @@ namespace detail {
 /// The frame of the rates in the data lines.
 enum class RateFrame { none, a, b };
 
-/// The data lines as the file has them, in its order and units: 4, 8, 7, 3 or 3 numbers in each.
+/// The data lines as the file has them, in its order and units, each with the numbers of its type.
 struct AttitudeLines {
   std::string place{};                      // begins messages
   std::string frame_keyword = "REF_FRAME";  // followed by _A or _B
@@ -56,7 +68,9 @@ struct AttitudeLines {
 /// those of OrbitEphemerisSegment; CENTER_NAME does not matter. With the matrix R(q) of Hamilton's product
 ///     A2B:  v^a = R(q) v^b,  q_b^a = q        B2A:  v^b = R(q) v^a,  q_a^b = q
 /// and Euler angles t1, t2, t3 about the axes i, j, k of EULER_ROT_SEQ, in their order, are the quaternion
-/// q_i(t1) q_j(t2) q_k(t3). In version 2.0 the direction is A2B.
+/// q_i(t1) q_j(t2) q_k(t3). In version 2.0 the direction is A2B. A spin with the right ascension a and the
+/// declination d of its axis in REF_FRAME_A and the phase s is, after 504.0-B-2, F5,
+///     q = q_z(a + 90 deg) q_x(90 deg - d) q_z(s):  the axis is z of REF_FRAME_B
 class VECTRIX_EXPORT AttitudeEphemerisSegment {
   template <class A, class B> using Samples = std::vector<AttitudeSample<A, B, Epoch>>;
   template <class A, class B, class C> using Rates = std::vector<AngularVelocity<A, B, In<C>>>;
@@ -122,8 +136,12 @@ class VECTRIX_EXPORT AttitudeEphemerisSegment {
 
   /// w_ab^c of every line, where c, one of the two frames, is that of RATE_FRAME or ANGVEL_FRAME. Throws
   /// BadInput if it is the other one, for files without rates, and for B2A, of which version 1.0 does not say
-  /// whose rate it has. Of QUATERNION/DERIVATIVE, in both frames and directions, w_ab^b = 2 q* dq/dt with
-  /// q = q_a^b; BadInput for a line whose derivative is not across q, to 0.01 of it.
+  /// whose rate it has. In both frames and directions they follow, as w of REF_FRAME_B relative to A in B, of
+  ///     QUATERNION/DERIVATIVE      2 q* dq/dt; BadInput for a line whose derivative is not across q, to 0.01
+  ///     EULER_ANGLE/DERIVATIVE     the sum of the rates of the angles, each about its axis
+  ///     SPIN                       SPIN_ANGLE_VEL z: about the spin axis alone
+  ///     SPIN/NUTATION, .../NUTATION_MOM    SPIN_ANGLE_VEL z + NUTATION_VEL h, with the unit vector h of the
+  ///                                angular momentum, and NUTATION_VEL = 360 deg / NUTATION_PER
   template <Frame A, Frame B, Frame C, class... Given>
   [[nodiscard]] detail::ClaimedPair<A, B, RatesInOne<A, B, C>, Given...> angular_velocities(
       In<C>, const Given&... called) const {
@@ -187,6 +205,9 @@ class VECTRIX_EXPORT AttitudeEphemerisSegment {
   [[nodiscard]] Eigen::Quaterniond quaternion(std::size_t line, bool reversed) const;
   /// 2 q* dq/dt, or in the frame of the first claim 2 dq/dt q*.
   [[nodiscard]] Eigen::Vector3d rate_of_derivative(std::size_t line, bool reversed, bool in_a) const;
+  /// The rate of Euler angles with their derivatives, or of a spin: w_ab in the frame of the first claim, or
+  /// of the second.
+  [[nodiscard]] Eigen::Vector3d rate_of_angles(std::size_t line, bool reversed, bool in_a) const;
   /// w_ab in the frame of the first claim, or of the second.
   [[nodiscard]] std::vector<Eigen::Vector3d> rates(const detail::FrameClaim& a, const detail::FrameClaim& b,
                                                    bool in_a) const;

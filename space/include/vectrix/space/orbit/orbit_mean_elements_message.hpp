@@ -26,8 +26,8 @@ class OrbitMeanElementsReader;
 ///     if there, EPHEMERIS_TYPE 0 or 2, or 3 in version 2.0 (SDP4), and GM 398600.8 km^3/s^2 (WGS-72)
 ///     MEAN_MOTION in rev/day, angles in deg, BSTAR per Earth radius: units may be written, and are checked
 /// text() gives the rest as it is written, also the derivatives of the mean motion, which SGP4 does not use
-/// and some providers divide by 2 and by 6. Keywords that are neither of the standard nor USER_DEFINED_...,
-/// and keywords that are there twice, are refused. Their order is not checked.
+/// and some providers divide by 2 and by 6, and keywords that are not of the standard. One that is nearly of
+/// the standard, so that it may be a slip, and one that is there twice are refused. The order is not checked.
 class VECTRIX_EXPORT OrbitMeanElementsMessage {
  public:
   /// Of one message. The end of the text ends its last line. Throws BadInput with line, column, keyword and

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vectrix/dynamics/craft/craft_numbers.hpp>
+
+namespace vectrix {
+
+/// Where a joint with one axis is at an instant, with its speed and its acceleration: rad, rad/s, rad/s^2 of
+/// what turns; m, m/s, m/s^2 of a slider.
+template <Unit Q, Unit U, Unit A> struct JointMotion {
+  Quantity<Q> coordinate;
+  Quantity<U> speed;
+  Quantity<A> acceleration;
+};
+template <class Q, class U, class A>
+JointMotion(const Quantity<Q>&, const Quantity<U>&, const Quantity<A>&) -> JointMotion<Q, U, A>;
+
+namespace detail {
+
+/// One of a hinge or slider; two of a gimbal.
+template <JointKind kind> struct MotionOfJoint {
+  using Units = JointUnits<kind>;
+  using type = JointMotion<typename Units::coordinate, typename Units::speed, typename Units::acceleration>;
+};
+template <> struct MotionOfJoint<JointKind::gimbal> {
+  using type = std::array<typename MotionOfJoint<JointKind::hinge>::type, 2>;
+};
+
+/// In plain numbers, by axis.
+using JointNumbers = std::array<double, 3>;
+template <class Q, class U, class A>
+std::array<JointNumbers, 1> numbers_of(const JointMotion<Q, U, A>& motion) {
+  return {{{motion.coordinate.value(), motion.speed.value(), motion.acceleration.value()}}};
+}
+template <class Motion> std::array<JointNumbers, 2> numbers_of(const std::array<Motion, 2>& motions) {
+  return {numbers_of(motions[0])[0], numbers_of(motions[1])[0]};
+}
+
+}  // namespace detail
+}  // namespace vectrix

@@ -1,0 +1,87 @@
+#pragma once
+
+#include <concepts>
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <type_traits>
+#include <vectrix/dynamics/craft/forces.hpp>
+#include <vectrix/dynamics/craft/joint_motion.hpp>
+#include <vectrix/dynamics/craft/state.hpp>
+#include <vectrix/dynamics/load/joint_units.hpp>
+
+namespace vectrix {
+namespace detail {
+
+/// What a function of the time gives.
+template <class F> struct GivenMotion { using type = void; };
+template <class F>
+  requires std::invocable < const F&, const Quantity<si::time>
+& > struct GivenMotion<F> {
+  using type = std::remove_cvref_t<std::invoke_result_t<const F&, const Quantity<si::time>&>>;
+};
+template <class C, class B, class Given> constexpr bool is_motion() {
+  if constexpr (C::shape::template has_axes<B>)
+    return std::is_same_v<Given, typename MotionOfJoint<C::shape::template Part<B>::joint>::type>;
+  else
+    return false;
+}
+
+/// One axis of a joint whose motion is given.
+struct GivenAxis {
+  std::string joint;
+  const char *coordinate, *speed, *acceleration;  ///< the symbols of the units
+  std::function<JointNumbers(double t)> motion;
+};
+/// Throws BadInput if speed and acceleration are not the derivatives that they should be, at some times from
+/// `start` to `end`; or if the joint, which has the coordinate q and the speed u, does not start as given.
+VECTRIX_EXPORT void require_motion(const GivenAxis& axis, double start, double end, double q, double u);
+
+}  // namespace detail
+
+/// A joint that moves as a function of time says. Made by prescribed().
+template <CraftType C, class B, class F> struct PrescribedJoint {
+  F motion;
+
+  template <class S> void operator()(const Now<C, S>& now, Forces<C, S>& forces) const {
+    const auto given = motion(now.time());
+    if constexpr (C::shape::template has_joint_of<B, JointKind::gimbal>)
+      forces.drive(of<B>, given[0].acceleration, given[1].acceleration);
+    else
+      forces.drive(of<B>, given.acceleration);
+  }
+
+  /// What a run requires before it starts.
+  void require_run(const CraftState<C>& start, double end) const {
+    using Shape = typename C::shape;
+    using Units = detail::JointUnits<Shape::template Part<B>::joint>;
+    constexpr std::size_t axes = detail::counts_of(Shape::template Part<B>::joint).axes;
+    for (std::size_t i = 0; i < axes; ++i) {
+      const std::string number = axes == 1 ? "" : ", axis " + detail::text(i + 1);
+      detail::require_motion(
+          {detail::on_joint<B>("prescribed") + number, detail::unit_symbol<typename Units::coordinate>,
+           detail::unit_symbol<typename Units::speed>, detail::unit_symbol<typename Units::acceleration>,
+           [this, i](double t) { return detail::numbers_of(motion(t * si::second))[i]; }},
+          start.time().value(), end, start.data()[Shape::template position_at<B> + i],
+          start.data()[Shape::template speed_at<B> + i]);
+    }
+  }
+};
+
+/// The joint of b moves as f(t) says, a JointMotion of a hinge or slider, a std::array of two of a gimbal:
+///     u' = f''(t), whatever acts on it; CraftMotion::holding_effort(of<B>) is what the drive gives for it
+/// Springs and other efforts change only that. f must be smooth between the changes of the scenario. The
+/// numbers of the joint stay in the state and are integrated. A run throws BadInput with the numbers if it
+/// does not start at f and f' to 1e-6 of their largest values, or if f' and f'' are not the derivatives of f
+/// and f' to 1e-5, at five times from its start to its end; and it fails if the joint is also locked.
+template <CraftType C, class B, class F>
+  requires(detail::is_motion<C, B, typename detail::GivenMotion<F>::type>())
+PrescribedJoint<C, B, std::decay_t<F>> prescribed(const C&, Of<B>, const F& motion) {
+  return {motion};
+}
+template <class C, class B, class F, class Given = typename detail::GivenMotion<F>::type>
+  requires(!detail::is_motion<C, B, Given>())
+auto prescribed(  // f(t) of a hinge: JointMotion{rad, rad/s, rad/s^2}, two of a gimbal; slider: m, m/s, m/s^2
+    const C&, Of<B>, const F&) -> Refused = delete;
+
+}  // namespace vectrix

@@ -1,0 +1,307 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vectrix/dynamics/analysis/linearise.hpp>
+#include <vectrix/dynamics/craft/conservation.hpp>
+#include <vectrix/dynamics/craft/named_spacecraft.hpp>
+#include <vectrix/dynamics/load/prescribed.hpp>
+#include <vectrix/dynamics/load/springs.hpp>
+
+#include "craft/random_spacecraft.hpp"
+#include "load/three_parts.hpp"
+
+// Joints whose motion is a given function of time.
+namespace vectrix_test::prescribed_test {
+namespace {
+
+using namespace vectrix;
+using namespace vectrix_test::short_units;
+using vectrix_test::RandomCraft;
+
+constexpr double tolerance = 1e-13;
+constexpr auto rad_s2 = rad_s / s;
+constexpr auto m_s2 = m_s / s;
+
+/// A sin(W (t - t_0)) + q_0 about or along an axis.
+struct Sine {
+  double amplitude, rate, middle = 0.0, epoch = 0.0;
+
+  double phase(double t) const { return rate * (t - epoch); }
+  double q(double t) const { return middle + amplitude * std::sin(phase(t)); }
+  double u(double t) const { return amplitude * rate * std::cos(phase(t)); }
+  double a(double t) const { return -amplitude * rate * rate * std::sin(phase(t)); }
+  auto turning(double t) const { return JointMotion{q(t) * rad, u(t) * rad_s, a(t) * rad_s2}; }
+  auto sliding(double t) const { return JointMotion{q(t) * m, u(t) * m_s, a(t) * m_s2}; }
+};
+auto turning(const Sine& sine) {
+  return [sine](const Quantity<si::time>& t) { return sine.turning(t.value()); };
+}
+
+namespace plane {
+
+using namespace three_parts;
+using three_parts::mass;
+
+const Sat sat;
+constexpr Sine scan{0.4, 3.0};
+constexpr double w_0 = 0.2, J_panel_at_hub = J_rest + J_panel;
+
+Starting start_of_scan() {
+  return {.angle = scan.q(0.0), .rate = scan.u(0.0), .spin = 5.0, .hub_rate = w_0};
+}
+/// A step changes each number by tolerance (1 + |y|) at most; numbers are below ten, steps below a hundred.
+constexpr double run_error = 1e3 * tolerance;
+
+// (J_h + J_p) w + J_p q' is kept, and the wheel keeps its own: so w and the torque of the drive are known.
+TEST(Prescribed, APanelInThePlaneTurnsTheHubBack) {
+  const auto flight = scenario(sat, prescribed(sat, of<Panel>, turning(scan)));
+  const auto run = propagate(flight, start_of(sat, start_of_scan()), until(7.0, tolerance));
+  for (const double t : {0.0, 0.3, 1.7, 4.0, 7.0}) {
+    const auto now = motion_at(flight, run, t * s);
+    const double back = J_panel / J_panel_at_hub;
+    EXPECT_NEAR(now.state().coordinate(of<Panel>).value(), scan.q(t), run_error) << t;
+    EXPECT_NEAR(now.state().speed(of<Panel>).value(), scan.u(t), run_error) << t;
+    const double w = now.now().angular_velocity(of<Hub>, relative_to<Inertial>, in<Hub>).z().value();
+    EXPECT_NEAR(w, w_0 - back * (scan.u(t) - scan.u(0.0)), run_error) << t;
+    const double turned = w_0 * t - back * (scan.q(t) - scan.q(0.0) - scan.u(0.0) * t);
+    const auto R = now.now().rotation(to<Inertial>, from<Hub>).matrix();
+    EXPECT_NEAR(std::remainder(std::atan2(R(1, 0), R(0, 0)) - turned, 2.0 * std::numbers::pi), 0.0, run_error)
+        << t;
+    EXPECT_NEAR(now.holding_effort(of<Panel>).value(), J_panel * J_rest / J_panel_at_hub * scan.a(t),
+                run_error)
+        << t;
+  }
+}
+
+TEST(Prescribed, ASpringOnTheJointChangesTheDriveOnly) {
+  const auto k = 2.0 * N_m / rad;
+  const auto c = 0.3 * N_m / rad_s;
+  const auto start = start_of(sat, {.time = 0.4, .angle = scan.q(0.4), .rate = scan.u(0.4), .hub_rate = w_0});
+  const auto drive = prescribed(sat, of<Panel>, turning(scan));
+  const auto alone = motion(sat, start, drive);
+  const auto sprung =
+      motion(sat, start, spring(sat, of<Panel>, k, 0.0 * rad), drive, damper(sat, of<Panel>, c));
+  EXPECT_EQ(sprung.rates(), alone.rates());
+  const auto added = sprung.holding_effort(of<Panel>) - alone.holding_effort(of<Panel>);
+  EXPECT_NEAR(added.value(), 2.0 * scan.q(0.4) + 0.3 * scan.u(0.4), 1e-15);
+}
+
+// A mass m on a rail: the hub goes back, and the drive gives the force on both.
+TEST(Prescribed, AMassOnItsRailPushesTheHub) {
+  constexpr double all = m_hub + m_panel + m_mass;
+  const Sine to_and_fro{0.5, 2.0};
+  const auto flight = scenario(sat, prescribed(sat, of<Mass>, [&](const Quantity<si::time>& t) {
+                                 return to_and_fro.sliding(t.value());
+                               }));
+  const auto run = propagate(flight, start_of(sat, {.velocity = to_and_fro.u(0.0)}), until(4.0, tolerance));
+  const auto now = motion_at(flight, run, 4.0 * s);
+  EXPECT_NEAR(now.holding_effort(of<Mass>).value(), m_mass * (all - m_mass) / all * to_and_fro.a(4.0),
+              run_error);
+  EXPECT_NEAR(run.at(4.0 * s).hub_motion().velocity.coordinates().x(),
+              -m_mass / all * (to_and_fro.u(4.0) - to_and_fro.u(0.0)), run_error);
+}
+
+template <class F> std::string refusal(const F& f, const Starting& with, double end = 7.0) {
+  const auto run = [&] {
+    (void)propagate(scenario(sat, prescribed(sat, of<Panel>, f)), start_of(sat, with), until(end));
+  };
+  return message<BadInput>(run);
+}
+
+TEST(Prescribed, AStartThatDisagreesIsRefused) {
+  EXPECT_EQ(refusal(turning(scan), {.angle = 0.01, .rate = scan.u(0.0)}),
+            "prescribed on vectrix_test::three_parts::Panel at 0 s: the coordinate is 0 rad, but the run "
+            "starts with 0.01 rad");
+  EXPECT_EQ(refusal(turning(scan), {.time = 1.0, .angle = scan.q(1.0), .rate = -scan.u(1.0)}),
+            "prescribed on vectrix_test::three_parts::Panel at 1 s: the speed is " +
+                detail::text(scan.u(1.0)) + " rad/s, but the run starts with " + detail::text(-scan.u(1.0)) +
+                " rad/s");
+}
+
+TEST(Prescribed, AWrongDerivativeIsRefused) {
+  const auto with = [](double of_speed, double of_acceleration) {
+    return [=](const Quantity<si::time>& t) {
+      auto given = scan.turning(t.value());
+      given.speed = of_speed * given.speed;
+      given.acceleration = of_acceleration * given.acceleration;
+      return given;
+    };
+  };
+  const auto start = [](double of_speed) {
+    return Starting{.angle = scan.q(0.0), .rate = of_speed * scan.u(0.0)};
+  };
+  EXPECT_TRUE(contains(refusal(with(1.001, 1.001), start(1.001)), "rad/s, but the coordinate changes by "));
+  EXPECT_TRUE(contains(refusal(with(1.0, -1.0), start(1.0)), "rad/s^2, but the speed changes by "));
+  EXPECT_TRUE(contains(refusal(with(1.0, 1.0001), start(1.0)), "rad/s^2, but the speed changes by "));
+  EXPECT_TRUE(contains(refusal(with(NAN, 1.0), start(1.0)), "the speed is nan"));
+}
+
+TEST(Prescribed, ALockedJointIsNotDriven) {
+  const auto lock = [](const Now<Sat>&, Forces<Sat>& forces) { forces.lock(of<Panel>); };
+  const auto drive = prescribed(sat, of<Panel>, turning(scan));
+  const auto start = start_of(sat, start_of_scan());
+  const std::string said =
+      "the joint of vectrix_test::three_parts::Panel is driven, and locked or driven again";
+  EXPECT_EQ(message<BadInput>([&] { (void)motion(sat, start, lock, drive); }), said);
+  EXPECT_EQ(message<BadInput>([&] { (void)motion(sat, start, drive, lock); }), said);
+  EXPECT_EQ(message<BadInput>([&] { (void)motion(sat, start, drive, drive); }), said);
+  EXPECT_NO_THROW((void)motion(sat, start, lock, lock));
+}
+
+// A held joint is no freedom of the linear system: its acceleration depends on nothing.
+TEST(Prescribed, AMotionIsLinearisedAboutIt) {
+  const auto still = [](const Quantity<si::time>&) {
+    return JointMotion{0.3 * rad, 0.0 * rad_s, 0.0 * rad_s2};
+  };
+  const auto flight =
+      scenario(sat, prescribed(sat, of<Panel>, still), spring(sat, of<Panel>, 2.0 * N_m / rad, 0.0 * rad));
+  const auto linear = linearise(flight, start_of(sat, {.angle = 0.3, .hub_rate = w_0}));
+  EXPECT_EQ(linear.A.row(linear.speed(of<Panel>)).norm(), 0.0);
+  EXPECT_GT(linear.A.row(linear.speed(of<Mass>)).norm(), 0.0);
+}
+
+}  // namespace plane
+
+namespace space {
+
+using spacecraft_test::axis;
+using spacecraft_test::Gcrf;
+using spacecraft_test::mass;
+using spacecraft_test::moving;
+using spacecraft_test::place;
+using spacecraft_test::rounding_of_craft;
+
+struct Hub : moving_frame {};
+struct Mirror : moving_frame {};
+struct Boom : moving_frame {};
+struct Wheel : named_point {};
+
+/// A mirror on a gimbal, a boom that swings freely, a wheel: of random numbers.
+auto make_scanner(RandomCraft& random) {
+  return spacecraft(body(mass<Hub>(random, 10.0), free_in<Gcrf>),
+                    body(mass<Boom>(random, 2.0), hinge(place<Hub, Boom>(random), axis<Boom>(random))),
+                    body(mass<Mirror>(random, 2.0),
+                         gimbal(place<Boom, Mirror>(random), axis<Mirror>(random), axis<Mirror>(random))),
+                    rotor(of<Wheel>, axis<Hub>(random), 0.01 * kg_m2));
+}
+struct Scanner : decltype(make_scanner(std::declval<RandomCraft&>())) {
+  explicit Scanner(RandomCraft& random) : decltype(make_scanner(random))(make_scanner(random)) {}
+};
+constexpr std::array<Sine, 2> raster{Sine{0.5, 4.0, 0.2, 3.0}, Sine{0.3, 1.5, -0.4, 2.0}};
+auto both_axes(const Quantity<si::time>& t) {
+  return std::array{raster[0].turning(t.value()), raster[1].turning(t.value())};
+}
+CraftState<Scanner> start_of(const Scanner& craft, RandomCraft& random, double t) {
+  return state(craft, t * s, moving<Gcrf, Hub>(random), starts(of<Boom>, 0.3 * rad, -0.2 * rad_s),
+               starts(of<Mirror>, raster[0].q(t) * rad, raster[0].u(t) * rad_s, raster[1].q(t) * rad,
+                      raster[1].u(t) * rad_s),
+               spins(of<Wheel>, 30.0 * rad_s));
+}
+
+// The named craft gives accelerations only: they are the same to the engine.
+TEST(Prescribed, AGimbalHasTheMotionOfTheNamedCraft) {
+  RandomCraft random(20261129);
+  for (int trial = 0; trial < 10; ++trial) {
+    const Scanner craft(random);
+    const NamedSpacecraft same(plain(craft));
+    const auto start = start_of(craft, random, 1.0 + 0.3 * trial);
+    const auto found = motion(craft, start, prescribed(craft, of<Mirror>, both_axes));
+    const auto mirror = frame_name<Mirror>();
+    const auto wanted = same.motion(same.state(start.numbers()), start.time(), {},
+                                    {prescribed(mirror, [](const Quantity<si::time>& t) {
+                                      const auto given = both_axes(t);
+                                      return std::array{given[0].acceleration, given[1].acceleration};
+                                    })});
+    for (std::size_t i = 0; i < Scanner::state_size; ++i) EXPECT_EQ(found.rates()[i], wanted.rates()[i]) << i;
+    const auto drive = found.holding_effort(of<Mirror>);
+    EXPECT_EQ(drive[0], wanted.holding_torque(Of(mirror), 1));
+    EXPECT_EQ(drive[1], wanted.holding_torque(Of(mirror), 2));
+    EXPECT_TRUE(contains(message<BadInput>([&] { (void)wanted.holding_torque(Of(mirror), 3); }),
+                         "its joint has no axis 3"));
+    EXPECT_TRUE(contains(message<BadInput>([&] { (void)wanted.holding_force(Of(mirror)); }),
+                         "a force along an axis on \"" + mirror + "\", whose joint is a gimbal"));
+    EXPECT_NEAR(found.holding_effort(of<Boom>).value(), 0.0, rounding_of_craft);
+  }
+}
+
+// With the torques of the drive as efforts of a free gimbal, it moves as it is told to.
+TEST(Prescribed, TheTorquesOfTheDriveMoveAFreeGimbalAlike) {
+  RandomCraft random(20261130);
+  for (int trial = 0; trial < 10; ++trial) {
+    const Scanner craft(random);
+    const auto start = start_of(craft, random, 1.0 + 0.3 * trial);
+    const auto driven = motion(craft, start, prescribed(craft, of<Mirror>, both_axes));
+    const auto drive = driven.holding_effort(of<Mirror>);
+    const auto pushed = motion(craft, start, [&](const Now<Scanner>&, Forces<Scanner>& forces) {
+      forces.effort(of<Mirror>, drive[0], drive[1]);
+    });
+    for (std::size_t i = 0; i < Scanner::state_size; ++i)
+      EXPECT_NEAR(pushed.rates()[i], driven.rates()[i],
+                  rounding_of_craft * (1.0 + std::abs(driven.rates()[i])))
+          << i;
+  }
+}
+
+// The drive is inside the craft: momentum and angular momentum are kept, and its power is what the energy
+// changes by.
+TEST(Prescribed, ADriveKeepsMomentumAndGivesTheEnergy) {
+  RandomCraft random(20261201);
+  const Scanner craft(random);
+  const auto flight = scenario(craft, prescribed(craft, of<Mirror>, both_axes));
+  constexpr double from = 1.0, until = 3.0;
+  const auto run = propagate(flight, start_of(craft, random, from), three_parts::until(until, tolerance));
+  const double kept = 2.0 * tolerance * static_cast<double>(run.solution().statistics().steps) * 10.0;
+  EXPECT_LE(largest_change(craft, run, [](const Now<Scanner>& now) { return now.momentum(); }), kept);
+  EXPECT_LE(largest_change(craft, run, [](const Now<Scanner>& now) { return now.angular_momentum(); }), kept);
+
+  const auto power = [&](double t) {
+    const auto now = motion_at(flight, run, t * s);
+    const auto drive = now.holding_effort(of<Mirror>);
+    const auto speed = now.state().speed(of<Mirror>);
+    return drive[0].value() * speed[0].value() + drive[1].value() * speed[1].value();
+  };
+  // Simpson's rule: (W h)^4 / 180 of the power, some ten watts, for the harmonics of some 10 rad/s.
+  constexpr int steps = 2000;
+  constexpr double h = (until - from) / steps, of_simpson = 1e-8;
+  double work = 0.0, largest = 0.0;
+  for (int i = 0; i <= steps; ++i) {
+    const double p = power(from + i * h);
+    largest = std::max(largest, std::abs(p));
+    work += h / 3.0 * (i == 0 || i == steps ? 1.0 : i % 2 == 1 ? 4.0 : 2.0) * p;
+  }
+  const auto energy = [&](double t) { return motion_at(flight, run, t * s).energy().value(); };
+  EXPECT_GT(largest, 0.5);
+  EXPECT_NEAR(energy(until) - energy(from), work, of_simpson * largest);
+}
+
+}  // namespace space
+
+// The check of a function knows neither its time scale nor that of the run.
+TEST(Prescribed, ASmoothFunctionIsNotRefused) {
+  for (const double epoch : {0.0, -3.0, 1e4, 8e8})
+    for (const double span : {1e-2, 1.0, 1e3, 1e6})
+      for (const double rate : {1e-5, 1e-2, 1.0, 6.283185307179586, 1e3}) {
+        const Sine sine{0.7, rate, 0.2, epoch};
+        const auto numbers = [&](double off) {
+          return [&sine, off](double t) {
+            return detail::JointNumbers{sine.q(t), sine.u(t), off * sine.a(t)};
+          };
+        };
+        const auto require = [&](double off) {
+          detail::require_motion({"it", "rad", "rad/s", "rad/s^2", numbers(off)}, epoch, epoch + span,
+                                 sine.q(epoch), sine.u(epoch));
+        };
+        EXPECT_NO_THROW(require(1.0)) << epoch << ' ' << span << ' ' << rate;
+        // Where the digits of time resolve the motion.
+        if (std::abs(epoch) < 1e5 && rate * span > 1e-3) {
+          EXPECT_THROW(require(1.01), BadInput) << epoch << ' ' << span << ' ' << rate;
+        }
+      }
+}
+
+}  // namespace
+}  // namespace vectrix_test::prescribed_test
