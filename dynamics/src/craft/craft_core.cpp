@@ -45,6 +45,13 @@ std::vector<double> from_mount(const PlainBody& body, std::vector<double> positi
   return positions;
 }
 
+double size_of_inertia(const PlainSpacecraft& craft) {
+  double size = craft.J_c_h.trace() + craft.mass * craft.r_hc_h.squaredNorm();
+  for (const PlainBody& body : craft.bodies)
+    size += body.J_c_b.trace() + body.mass * (body.r_pb_p.squaredNorm() + body.r_bc_b.squaredNorm());
+  return size;
+}
+
 void refuse_to_hold_twice(const std::string& body) {
   throw BadInput("the joint of " + body + " is driven, and locked or driven again");
 }

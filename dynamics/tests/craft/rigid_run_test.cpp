@@ -113,8 +113,7 @@ TEST_P(RigidRun, counts_seconds_from_any_time) {
 
 // The same motion, in units of 2^-250 kg m^2 and 2^300 s: powers of 2 change no digit.
 TEST_P(RigidRun, tiny_bodies_turn_as_large_ones_until_the_torque_underflows) {
-  const double slow = std::ldexp(1.0, -300);
-  const auto scaled = [&](double size) {
+  const auto scaled = [&](double size, double slow) {
     const Turning craft(tensor(1.0 * size, 2.0 * size, 2.5 * size));
     const auto start =
         start_of(craft, state_at(0.0, Quaterniond(1, 0, 0, 0), slow * Vector3d(0.3, -0.2, 0.5)));
@@ -122,17 +121,21 @@ TEST_P(RigidRun, tiny_bodies_turn_as_large_ones_until_the_torque_underflows) {
     how.absolute_tolerances.rate = 1e-15 * slow * (si::radian / si::second);
     return body_state(propagate(scenario(craft), start, how).at(seconds(10.0 / slow)));
   };
-  const BodyState tiny = scaled(std::ldexp(1.0, -250));
+  const BodyState tiny = scaled(std::ldexp(1.0, -250), std::ldexp(1.0, -300));
   const Turning large(tensor(1.0, 2.0, 2.5));
   const auto start = start_of(large, state_at(0.0, Quaterniond(1, 0, 0, 0), Vector3d(0.3, -0.2, 0.5)));
   const BodyState expected = body_state(propagate(scenario(large), start, until(10.0)).at(seconds(10.0)));
   EXPECT_LE(angle_between(tiny.q_i_from_b.eigen(), expected.q_i_from_b.eigen()), accuracy());
-  try {
-    scaled(std::ldexp(1.0, -500));
-    ADD_FAILURE() << "not refused";
-  } catch (const std::exception& failure) {
-    expect_said(failure, "underflows, J w^2 = ");
-  }
+  const auto underflows = [&](int size, int slow) {
+    try {
+      scaled(std::ldexp(1.0, size), std::ldexp(1.0, slow));
+      ADD_FAILURE() << "not refused: 2^" << size << ", 2^" << slow;
+    } catch (const std::exception& failure) {
+      expect_said(failure, "underflows, J w^2 = ");
+    }
+  };
+  underflows(-500, -300);
+  underflows(0, -545);  // w^2 itself does
 }
 
 /// Kepler's ellipse, by Kepler's equation, together with an attitude that it does not affect.

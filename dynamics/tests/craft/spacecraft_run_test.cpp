@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
+#include <string>
 
 #include <vectrix/dynamics/craft/propagate.hpp>
 #include <vectrix/dynamics/load/springs.hpp>
@@ -56,6 +58,23 @@ TEST(SpacecraftRun, ARunKeepsWhatTheLawsKeep) {
   EXPECT_NEAR(then.energy().value(), now.energy().value(), lost(turned, then.energy().value()));
   EXPECT_LE(change(then.angular_momentum(), now.angular_momentum()),
             lost(turned, then.angular_momentum().coordinates().norm()));
+}
+
+TEST(SpacecraftRun, ARateWhoseTorqueUnderflowsIsRefused) {
+  const Turning craft;
+  const double slow = std::ldexp(1.0, -545);
+  const auto start = state(
+      craft, 0.0 * s,
+      MovingDcm{aligned(to<Gcrf>, from<Hub>),
+                angular_velocity(of<Hub>, relative_to<Gcrf>,
+                                 vector(in<Hub>, 0.1 * slow * rad_s, slow * rad_s, 0.2 * slow * rad_s))},
+      starts(of<Boom>, 0.3 * rad, 0.0 * rad_s), spins(of<WheelOfHub>, 0.0 * rad_s));
+  try {
+    propagate(scenario(craft), start, until(20.0 / slow * s));
+    ADD_FAILURE() << "not refused";
+  } catch (const std::exception& failure) {
+    EXPECT_NE(std::string(failure.what()).find("underflows, J w^2 = "), std::string::npos) << failure.what();
+  }
 }
 
 // A hub of inertia J alone, with a torque that acts from 1 s to 3 s: w = M t / J, exactly.

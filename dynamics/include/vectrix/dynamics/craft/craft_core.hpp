@@ -38,6 +38,10 @@ VECTRIX_EXPORT std::vector<double> quaternion_numbers(const Eigen::Matrix3d& R);
 /// from the mount.
 VECTRIX_EXPORT std::vector<double> from_mount(const PlainBody& body, std::vector<double> positions);
 
+/// The sum of the moments of inertia of all bodies, kg m^2, each with its mass as far off as its own lever
+/// arms are: the order of magnitude of those of the craft.
+VECTRIX_EXPORT double size_of_inertia(const PlainSpacecraft& craft);
+
 VECTRIX_EXPORT void require_finite_time(const CraftCore& core, const char* action, double time);
 /// Throws BadInput with the name of a number that is not finite, or with that of a quaternion whose square is
 /// zero, infinite or without all its digits: no rotation follows from it. Any other norm is accepted.

@@ -36,23 +36,20 @@ struct CraftPropagation {
 
 namespace detail {
 
-/// Throws BadInput if the torque w x J w of a craft of one body underflows, while it turns far enough in the
-/// run for it to matter. Without it the rate would stay constant.
-template <CraftType C> struct GyroscopicTorque {
+/// Throws BadInput if the torque w x J w of a craft underflows, while its hub turns far enough in the run for
+/// it to matter. Without it the rate would stay constant.
+struct GyroscopicTorque {
   const PlainSpacecraft& craft;
   double moments, duration;
 
   void require(const double* w) const {
-    constexpr PartCounts parts = C::shape::total;
-    if constexpr (parts.bodies + parts.rotors + parts.modes == 0) {
-      using Limits = std::numeric_limits<double>;
-      const double square = w[0] * w[0] + w[1] * w[1] + w[2] * w[2], size = moments * square;
-      if (size < Limits::min() / Limits::epsilon()) [[unlikely]] {
-        const double rate = std::sqrt(square);
-        if (rate * duration > Limits::epsilon())
-          throw BadInput("propagate: at the rate " + text(rate) + " rad/s the torque w x J w of " +
-                         craft.hub + " underflows, J w^2 = " + text(size) + " N m");
-      }
+    using Limits = std::numeric_limits<double>;
+    const double square = w[0] * w[0] + w[1] * w[1] + w[2] * w[2], size = moments * square;
+    if (size < Limits::min() / Limits::epsilon()) [[unlikely]] {
+      const double rate = std::hypot(w[0], w[1], w[2]);
+      if (moments > 0.0 && rate * duration > Limits::epsilon())
+        throw BadInput("propagate: at the rate " + text(rate) + " rad/s the torque w x J w of " + craft.hub +
+                       " underflows, J w^2 = " + text(size) + " N m");
     }
   }
 };
@@ -110,8 +107,8 @@ typename detail::TrajectoryOf<C, detail::HeldTypes<Parts...>>::type propagate(
   problem.absolute_tolerances = absolute_tolerances(craft, how.absolute_tolerances);
   problem.method = how.method;
   problem.dense_output = how.dense_output;
-  const detail::GyroscopicTorque<C> gyroscopic{craft, craft.J_c_h.trace(),
-                                               how.end.value() - start.time().value()};
+  const detail::GyroscopicTorque gyroscopic{craft, detail::size_of_inertia(craft),
+                                            how.end.value() - start.time().value()};
   const auto solve = [&](ode::Problem& run, detail::Flight<C, Parts...>& flight) {
     auto rhs = [&flight, gyroscopic](double, double t, auto y, auto ydot) {
       gyroscopic.require(y.data() + 4);
