@@ -140,11 +140,42 @@ TEST(Coning, ShortAndLongIntervalsDoNotDrift) {
             6000 * std::pow(k, 5) / 60 * s * s);
 }
 
+// Steps of two counts, a quarter and three quarters of the step: an interval loses 1/12 of h^4 w x w'' and
+// the like, so that a run has order 3. With 2/3 for c it has order 2.
+TEST(Coning, KeepsItsOrderForUnequalParts) {
+  const Coning wide{0.1, 20.0};
+  const auto error = [&](int steps) {
+    const double h = 1.0 / steps, first = 0.25 * h, second = 0.75 * h;
+    Quaternion<Gcrf, Body> q = wide.attitude(0.0);
+    for (int i = 0; i < steps; ++i)
+      q = advance(q, coning_corrected(wide.count(i * h, first), first * si::second,
+                                      wide.count(i * h + first, second), second * si::second));
+    return log(inverse(before(q)) * wide.attitude(1.0)).angle().value();
+  };
+  EXPECT_GT(error(200) / error(400), 6.5);  // 8 but for higher orders
+}
+
+TEST(Coning, RefusesThreeUnequalParts) {
+  const auto a = motion.count(0.0, 0.01), b = motion.count(0.01, 0.01), c = motion.count(0.02, 0.01);
+  const auto s = si::second;
+  EXPECT_LE(distance(coning_corrected(a, 0.01 * s, b, 0.01 * s, c, 0.01 * s).coordinates(),
+                     coning_corrected(a, b, c).coordinates()),
+            0.0);
+  EXPECT_NE(message<BadInput>([&] {
+              (void)coning_corrected(a, 0.01 * s, b, 0.0101 * s, c, 0.01 * s);
+            }).find("one takes 0.0101 s, the first 0.01 s"),
+            std::string::npos);
+  EXPECT_NE(message<BadInput>([&] { (void)coning_corrected(a, 0.01 * s, b, 0.01 * s, c, 0.02 * s); }), "");
+}
+
 TEST(Coning, EqualIntervalsNeedNoDuration) {
   const double h = 0.01;
   const auto first = motion.count(0.0, h), second = motion.count(h, h);
   EXPECT_LE(distance(coning_corrected_after(first, h * si::second, second, h * si::second).coordinates(),
                      coning_corrected_after(first, second).coordinates()),
+            rounding * second.coordinates().norm());
+  EXPECT_LE(distance(coning_corrected(first, h * si::second, second, h * si::second).coordinates(),
+                     coning_corrected(first, second).coordinates()),
             rounding * second.coordinates().norm());
   for (const double bad : {0.0, -0.01, std::numeric_limits<double>::quiet_NaN()}) {
     EXPECT_NE(message<BadInput>(
@@ -153,6 +184,9 @@ TEST(Coning, EqualIntervalsNeedNoDuration) {
     EXPECT_NE(message<BadInput>(
                   [&] { (void)coning_corrected_after(first, h * si::second, second, bad * si::second); }),
               "");
+    EXPECT_NE(
+        message<BadInput>([&] { (void)coning_corrected(first, bad * si::second, second, h * si::second); }),
+        "");
   }
 }
 

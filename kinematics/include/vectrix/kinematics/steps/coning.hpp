@@ -43,15 +43,33 @@ template <class A, class B, class S> void require_positive_duration(const S& dt,
   }
 }
 
+template <class A, class B, class S, class... Times>
+void require_positive_durations(const char* action, const Times&... dt) {
+  (require_positive_duration<A, B>(S(dt.value()), action), ...);
+}
+/// Of thirds of a step: their correction is off by about as large a part of it.
+inline constexpr double equal_thirds = 1e-3;
+
 }  // namespace detail
 
-// The increment of a step from the angle increments of its parts, which have equal duration.
+// The increment of a step from the angle increments of its parts: of equal duration, or each with its own.
 template <class A, class B, class S>
 Increment<A, B, S> corrected_increment(const AngleIncrement<A, B, S>& first,
                                        const AngleIncrement<A, B, S>& second) {
   const auto& a1 = first.coordinates();
   const auto& a2 = second.coordinates();
   return {detail::trusted, a1 + a2 + S(2) / S(3) * a1.cross(a2)};
+}
+template <class A, class B, class S>
+Increment<A, B, S> corrected_increment(const AngleIncrement<A, B, S>& first, const Quantity<si::time, S>& dt1,
+                                       const AngleIncrement<A, B, S>& second,
+                                       const Quantity<si::time, S>& dt2) {
+  detail::require_positive_durations<A, B, S>("coning_corrected", dt1, dt2);
+  const S share = dt2.value() / dt1.value();  // so that no square underflows
+  const S c = (S(2) + share + S(1) / share) / S(6);
+  const auto& a1 = first.coordinates();
+  const auto& a2 = second.coordinates();
+  return {detail::trusted, a1 + a2 + c * a1.cross(a2)};
 }
 template <class A, class B, class S>
 Increment<A, B, S> corrected_increment(const AngleIncrement<A, B, S>& first,
@@ -62,6 +80,20 @@ Increment<A, B, S> corrected_increment(const AngleIncrement<A, B, S>& first,
   const auto& a3 = third.coordinates();
   return {detail::trusted,
           a1 + a2 + a3 + S(9) / S(20) * a1.cross(a3) + S(27) / S(40) * a2.cross(detail::Column<S>(a3 - a1))};
+}
+template <class A, class B, class S>
+Increment<A, B, S> corrected_increment(const AngleIncrement<A, B, S>& first, const Quantity<si::time, S>& dt1,
+                                       const AngleIncrement<A, B, S>& second,
+                                       const Quantity<si::time, S>& dt2, const AngleIncrement<A, B, S>& third,
+                                       const Quantity<si::time, S>& dt3) {
+  detail::require_positive_durations<A, B, S>("coning_corrected", dt1, dt2, dt3);
+  using std::abs;
+  for (const S& dt : {dt2.value(), dt3.value()})
+    if (!detail::all(abs(dt - dt1.value()) <= detail::number<S>(detail::equal_thirds) * dt1.value()))
+      throw BadInput("coning_corrected(of " + frame_name<B>() + " relative to " + frame_name<A>() +
+                     "): of three counts one takes " + detail::text(dt) + " s, the first " +
+                     detail::text(dt1.value()) + " s; its coefficients are those of equal thirds");
+  return corrected_increment(first, second, third);
 }
 
 namespace detail {
@@ -74,17 +106,19 @@ concept Corrects = requires {
 
 }  // namespace detail
 
-/// The increment of a step from the counts of its two halves or three thirds:
-///     theta = alpha1 + alpha2 + 2/3 alpha1 x alpha2
+/// The increment of a step from the counts of its two or three parts, each with its duration:
+/// coning_corrected(alpha1, dt1, alpha2, dt2). Without durations it is a claim that they are equal.
+///     theta = alpha1 + alpha2 + c alpha1 x alpha2,  c = (h1 + h2)^2 / (6 h1 h2), 2/3 for equal ones
 ///     theta = alpha1 + alpha2 + alpha3 + 9/20 alpha1 x alpha3 + 27/40 alpha2 x (alpha3 - alpha1)
-/// The second has the coefficients with the smallest drift in coning (Miller 1983). The first is of order 4
-/// for a polynomial rate, and also the best two-sample rule in coning (Ignagni 1990).
+/// The first is exact to second order for a linear rate; equal parts have order 4 for a polynomial rate, and
+/// it is then the best two-sample rule in coning (Ignagni 1990). The second has the coefficients with the
+/// smallest drift in coning (Miller 1983). Throws BadInput unless the durations are positive, three equal.
 template <class... Parts> detail::CorrectedOf<Parts...> coning_corrected(const Parts&... alpha) {
   return corrected_increment(alpha...);
 }
 template <class... Parts>
   requires(!detail::Corrects<Parts...>)
-auto coning_corrected(  // two or three angle increments of one b relative to one a
+auto coning_corrected(  // two or three angle increments of one b relative to one a, each with its dt or equal
     const Parts&...) -> Refused = delete;
 
 // The increment of an interval from its angle increment and the one before; equal intervals, or each with its
@@ -99,9 +133,7 @@ template <class A, class B, class S>
 Increment<A, B, S> increment_after(const AngleIncrement<A, B, S>& alpha_before,
                                    const Quantity<si::time, S>& dt_before,
                                    const AngleIncrement<A, B, S>& alpha, const Quantity<si::time, S>& dt) {
-  for (const S& duration : {dt_before.value(), dt.value()}) {
-    detail::require_positive_duration<A, B>(duration, "coning_corrected_after");
-  }
+  detail::require_positive_durations<A, B, S>("coning_corrected_after", dt_before, dt);
   const S share = dt.value() / dt_before.value();  // so that no square underflows
   return {detail::trusted, alpha.coordinates() + share * share / (S(6) * (S(1) + share)) *
                                                      alpha_before.coordinates().cross(alpha.coordinates())};
