@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""docs/refusals.md: what it makes of the messages of the programs, and that it notices what is out of date."""
+"""docs/reference/refusals.md: what it makes of the messages of the programs, and that it notices what is out of date."""
 
 import contextlib
 import io

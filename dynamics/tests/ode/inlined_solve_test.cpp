@@ -145,6 +145,16 @@ TEST_P(InlinedSolve, at_a_pole_names_the_component_and_the_method_for_stiff_prob
     EXPECT_NEAR(failure.time(), 0.5 * std::numbers::pi, 1e-7);
     EXPECT_EQ(failure.flag(), flag::step_too_short);
   }
+  problem.relative_tolerance = 1e-15;
+  try {
+    (void)solve(problem);
+    ADD_FAILURE() << "no failure";
+  } catch (const Failure& failure) {
+    const std::string said = failure.what();
+    EXPECT_NE(said.find("is still too large; the relative tolerance, 1e-15, is near rounding"),
+              std::string::npos)
+        << said;
+  }
 }
 
 TEST_P(InlinedSolve, a_step_that_overflows_is_a_failure) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <span>
 #include <string>
@@ -75,11 +76,15 @@ template <class Table, std::size_t N, SegmentRates<N> F> class InlinedStepper fi
       method_.rates().require_none();
       throw Trouble{flag::rhs_failed, t, "a step from t = " + text(t) + " overflows", nullptr};
     }
-    throw Trouble{flag::step_too_short, t,
-                  "the step fell below " + text(method_.next_step()) + ", and the error of " +
-                      component_name(problem_, method_.worst_component()) +
-                      " is still too large; a stiff problem needs radau_iia_7",
-                  nullptr};
+    constexpr double near_rounding = 100 * std::numeric_limits<double>::epsilon();
+    throw Trouble{
+        flag::step_too_short, t,
+        "the step fell below " + text(method_.next_step()) + ", and the error of " +
+            component_name(problem_, method_.worst_component()) + " is still too large; " +
+            (problem_.relative_tolerance < near_rounding
+                 ? "the relative tolerance, " + text(problem_.relative_tolerance) + ", is near rounding"
+                 : "a stiff problem needs radau_iia_7"),
+        nullptr};
   }
 
   const Problem& problem_;

@@ -74,8 +74,8 @@ class VECTRIX_EXPORT EarthOrientation {
   /// reason if a field is no number, a complete row follows an incomplete one, rows are not a day apart,
   /// UT1-TAI jumps as at a leap second that ERFA does not know, the file ends within a line, or fewer than
   /// four rows are complete; and if dX and dY are nearer to the offsets from IAU 1980, which finals.all has
-  /// in the same columns, than to zero. Between 1981 and 1988 both are a few milliarcsec, as are the errors
-  /// of that time, so that an excerpt of those years alone may be mistaken.
+  /// in the same columns, than to zero. Until 1988 both are a few milliarcsec, as are the errors of that
+  /// time, so that an excerpt of those years alone may be mistaken.
   static EarthOrientation read(const std::filesystem::path& finals2000A);
 
   /// A word for spans without data: the pole at x = y = dX = dY = 0, and UT1-TAI at its value at the start of

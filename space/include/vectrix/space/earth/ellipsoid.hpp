@@ -53,7 +53,8 @@ inline constexpr double flattening = 1.0 / 298.257223563;
 /// The nearest point of the ellipsoid, and the height above it: to rounding at every height and depth. On the
 /// axis the longitude is 0. On the evolute, within 43 km of the centre, several points are nearest; across
 /// the equatorial disc inside it the latitude jumps from north to south, and on the disc it is the northern
-/// one. Throws BadInput for the centre of the Earth, which has no latitude.
+/// one. Throws BadInput for the centre of the Earth, which has no latitude, and for what is not finite or too
+/// far to be squared.
 VECTRIX_EXPORT Geodetic geodetic(const Vector<earth::Itrf, si::length>& r_itrf);
 
 /// The inverse. Throws BadInput if a number is not finite or |latitude| exceeds pi/2.
