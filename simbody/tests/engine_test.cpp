@@ -114,7 +114,8 @@ TEST(SimbodyEngine, forgets_what_a_load_has_thrown) {
   RandomCraft random(27);
   const Craft craft(random);
   const auto start = start_of(craft, random);
-  multibody::Work<double> applied = craft.core()->tree.work();
+  detail::CraftRates<Craft> without_loads(craft);
+  const multibody::Work<double> applied = without_loads.loads(start_time.value(), start.data());
   bool in_simbody = false, breaks = true;
   detail::SimbodyEngine engine(detail::simbody_craft(plain(craft)), SimbodyPair::merson, 1e-3, 1.0,
                                [&](double, const double*, detail::SimbodyLoads& loads) {

@@ -103,7 +103,7 @@ TEST(AttitudeEphemerisMessage, OfASensor) {
       refused,
       "attitude ephemeris message, the segment from line 5 on, line 25: the norm of the quaternion differs "
       "from 1 by " +
-          detail::text(distance) + ", tolerance 1.25e-10; nearest_samples() projects");
+          detail::text(distance) + ", tolerance 1.2e-10; nearest_samples() projects");
 }
 
 TEST(AttitudeEphemerisMessage, OtherFramesAreRefused) {

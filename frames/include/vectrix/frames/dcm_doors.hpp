@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/SVD>
+#include <algorithm>
 #include <cmath>
 #include <vectrix/frames/dcm_chain.hpp>
 #include <vectrix/frames/scalar/sine_cosine.hpp>
@@ -14,7 +15,7 @@ inline constexpr double orthonormality_tolerance = 1e-9;
 /// Largest | |q| - 1 | of a quaternion, and of an axis, that the checked doors accept; numbers printed with
 /// ten digits pass. At |q| = 1 + d the entries of M^T M - I are up to 8 d, and rounding: what one door
 /// accepts, the other accepts converted.
-inline constexpr double unit_norm_tolerance = orthonormality_tolerance / 9;
+inline constexpr double unit_norm_tolerance = 1.2e-10;
 
 /// Smallest determinant, relative to the cube of the largest entry, of a matrix that nearest_dcm() accepts.
 inline constexpr double nearly_singular = 1e-12;
@@ -46,7 +47,8 @@ template <class B, class A, class S>
 template <class B, class A, class S> Dcm<B, A, S> checked_dcm(const Square<S>& entries, const char* door) {
   require_finite<B, A>(entries, door);
   const S error = (entries.transpose() * entries - Square<S>::Identity()).cwiseAbs().maxCoeff();
-  const double tolerance = 9 * door_tolerance<S>(unit_norm_tolerance);
+  const double tolerance =
+      std::max(orthonormality_tolerance, 9 * door_tolerance<S>(0.0));  // 8 of a norm, 1 of rounding
   if (!all(error <= number<S>(tolerance))) {
     throw BadInput(dcm_door<B, A>(door) + "M^T M differs from the identity by " + text(error) +
                    ", tolerance " + text(tolerance) + "; nearest_dcm() projects");
