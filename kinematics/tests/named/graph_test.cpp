@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <boost/units/systems/si/time.hpp>
+
 #include "random_tree.hpp"
 
 using namespace vectrix;
