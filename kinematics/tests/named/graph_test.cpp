@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <boost/units/systems/si/time.hpp>
+
 #include "random_tree.hpp"
 
 using namespace vectrix;
@@ -32,6 +34,15 @@ constexpr auto add_accelerating = [](NamedGraph& graph, NamedFrame a, NamedFrame
 constexpr auto add_static = [](NamedGraph& graph, NamedFrame a, NamedFrame b, const RandomTree::Placed& X) {
   graph.add_edge(static_edge(dcm(To(a), From(b), Motion(X.rotation).R)));
 };
+
+// Its edges are functions of seconds: no other instant, and no plain number.
+template <class Instant>
+concept AnswersAt = requires(const NamedGraph& graph, const Instant& t) {
+  graph.at(t);
+};
+struct Clock {};
+static_assert(AnswersAt<Quantity<si::time>> && !AnswersAt<Clock> && !AnswersAt<double>);
+static_assert(AnswersAt<boost::units::quantity<boost::units::si::time>>);
 
 RC_GTEST_PROP(NamedGraph, RotationsAreTheProductsOfThePath, ()) {
   const RandomTree fixed(most_frames, add_static);

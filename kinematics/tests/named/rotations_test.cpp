@@ -66,6 +66,15 @@ RC_GTEST_PROP(NamedDcm, DoorsAreThoseOfDcm, ()) {
   RC_ASSERT(quaternion_scalar_last(b, a, 1.0, 0.0, 0.0, 0.0).eigen().x() == 1.0);
   RC_ASSERT(refusal([&] { vector<si::length>(In(x.a), Eigen::Vector3d(0, NAN, 1)); }) ==
             R"(vector(in<"a">): the coordinates (0, nan, 1) are not finite)");
+  Eigen::VectorXd column(6);
+  column << x.v1, x.v2;
+  const auto r_a = vector<si::length>(In(x.a), column.segment(3, 3));
+  RC_ASSERT(r_a.coordinates() == x.v2);
+  RC_ASSERT(r_a.x().value() == x.v2[0] && r_a.y().value() == x.v2[1] && r_a.z().value() == x.v2[2]);
+  const auto w = x.w(x.b, x.a, x.c, x.v1);
+  RC_ASSERT(w.x().value() == x.v1[0] && w.y().value() == x.v1[1] && w.z().value() == x.v1[2]);
+  RC_ASSERT(refusal([&] { vector<si::length>(In(x.a), column); }) ==
+            R"(vector(in<"a">): the matrix has 6 x 1 entries, not 3 x 1)");
 }
 
 // What the checked door refuses, the projected one takes, and says how far it moved the numbers.
@@ -97,6 +106,26 @@ RC_GTEST_PROP(NamedQuaternion, TheProjectedDoorsAreThoseOfQuaternion, ()) {
             R"(to "b", from "b": a door takes two frames, and these are one)");
 }
 
+RC_GTEST_PROP(NamedQuaternion, TheDoorsOfEigenAreThoseOfQuaternion, ()) {
+  const Values x;
+  const auto b = To(x.b);
+  const auto a = From(x.a);
+  const Eigen::Quaterniond q(x.R1), far(1.0, 0.1, 0.0, 0.0);
+  const NamedQuaternion q_b_from_a = quaternion(b, a, q);
+  RC_ASSERT(q_b_from_a.to() == x.b && q_b_from_a.from() == x.a);
+  RC_ASSERT(q_b_from_a.eigen().coeffs() == q.coeffs());
+  RC_ASSERT(contains(refusal([&] { quaternion(b, a, far); }),
+                     R"(quaternion(to<"b">, from<"a">): the norm differs)"));
+  RC_ASSERT(contains(refusal([&] { quaternion(b, a, far); }), "; nearest_quaternion() projects"));
+  const NearestNamedQuaternion nearest = nearest_quaternion(b, a, far);
+  const auto expected = nearest_quaternion(to<Body>, from<Gcrf>, far);
+  RC_ASSERT(nearest.quaternion.to() == x.b && nearest.quaternion.from() == x.a);
+  RC_ASSERT(nearest.quaternion.eigen().coeffs() == expected.quaternion.eigen().coeffs());
+  RC_ASSERT(nearest.distance == expected.distance && nearest.distance > 1e-4);
+  RC_ASSERT(refusal([&] { nearest_quaternion(b, a, Eigen::Quaterniond(0.0, 0.0, 0.0, 0.0)); }) ==
+            R"(nearest_quaternion(to<"b">, from<"a">): the norm is 0; a zero quaternion turns nothing)");
+}
+
 RC_GTEST_PROP(NamedDcm, TheDoorsTakeTwoFrames, ()) {
   const Values x;
   const std::string one = R"(to "a", from "a": a door takes two frames, and these are one)";
@@ -106,6 +135,8 @@ RC_GTEST_PROP(NamedDcm, TheDoorsTakeTwoFrames, ()) {
   RC_ASSERT(refusal([&] { aligned(To(x.a), From(x.a)); }) == one);
   RC_ASSERT(refusal([&] { turned_z(To(x.a), From(x.a), 1.0 * si::radian); }) == one);
   RC_ASSERT(refusal([&] { quaternion_scalar_first(To(x.a), From(x.a), 1.0, 0.0, 0.0, 0.0); }) == one);
+  RC_ASSERT(refusal([&] { quaternion(To(x.a), From(x.a), Eigen::Quaterniond::Identity()); }) == one);
+  RC_ASSERT(refusal([&] { nearest_quaternion(To(x.a), From(x.a), Eigen::Quaterniond::Identity()); }) == one);
   const std::string still = R"(of "a" relative to "a": a frame does not move relative to itself)";
   RC_ASSERT(refusal([&] { x.w(x.a, x.a, x.c, x.v1); }) == still);
   RC_ASSERT(refusal([&] { x.alpha(x.a, x.a, x.c, x.v1); }) == still);

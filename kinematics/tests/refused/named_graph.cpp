@@ -7,6 +7,23 @@ struct Gcrf : inertial_frame {};
 struct Body : moving_frame {};
 struct Camera : moving_frame {};
 
+namespace named_graph_at_another_instant {
+// mistake: a run-time graph at an instant of another type, as of a clock; its edges are functions of seconds
+// expect: seconds since an epoch of your choice
+struct Clock {
+  Quantity<si::time> since(const Clock& start) const;
+};
+
+NamedDcm rotation(const NamedGraph& graph, const Clock& now, const Clock& start) {
+  (void)start;
+#ifdef REPAIRED
+  return graph.at(now.since(start)).rotation(To("body"), From("camera"));
+#else
+  return graph.at(now).rotation(To("body"), From("camera"));
+#endif
+}
+}  // namespace named_graph_at_another_instant
+
 namespace named_graph_edge_that_asks {
 // mistake: an edge that asks for the answer of another edge, given to a graph that passes on the time alone
 // expect: Dcm<Body, Camera

@@ -40,12 +40,16 @@ inline std::string described(const NamedDcm& R_b_from_a) {
   return "R" + to_from(R_b_from_a.to(), R_b_from_a.from());
 }
 
+inline std::string are_two(NamedFrame one, NamedFrame other) {
+  return in_quotes(one) + " and " + in_quotes(other) +
+         (one.name() == other.name() ? " are frames of two graphs" : " are two frames");
+}
+
 /// Throws BadInput unless both are the same frame. action() describes the operation and its operands.
 template <class Action> void require_same(NamedFrame one, NamedFrame other, const Action& action) {
   if (one == other) [[likely]]
     return;
-  throw BadInput(action() + ": " + in_quotes(one) + " and " + in_quotes(other) +
-                 (one.name() == other.name() ? " are frames of two graphs" : " are two frames"));
+  throw BadInput(action() + ": " + are_two(one, other));
 }
 
 }  // namespace detail

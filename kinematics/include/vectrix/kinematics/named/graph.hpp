@@ -109,13 +109,19 @@ class NamedGraph {
   }
   template <class Edge, class V = typename Edge::value_type>
     requires(!detail::stands_alone<Edge>)
-  auto add_edge(  // a value, or a function of the time alone: no answers of other edges; in double
+  auto add_edge(  // a value, or a function of seconds alone: no answers of other edges; in double
       const Edge&) -> Refused = delete;
 
-  /// The graph at one instant. Throws BadInput when the time is not finite.
+  /// The graph at one instant, in seconds since an epoch of the caller's choice, one for all edges. Throws
+  /// BadInput when the time is not finite.
   NamedSnapshot at(const Quantity<si::time>& t) const& { return {*core_, t.value()}; }
   NamedSnapshot at(  // the snapshot refers to the graph: give the graph a name first
       const Quantity<si::time>&) const&& = delete;
+  template <class Instant>
+    requires(!std::convertible_to<const Instant&, Quantity<si::time>>)
+  NamedSnapshot at(  // seconds since an epoch of your choice: graph.at(t - t0)
+      const Instant&)
+  const = delete;
 
   /// The frame of that name, or bound to that type. Throws BadInput with the nearest name if there is none.
   NamedFrame frame(std::string_view name) const { return NamedFrame{core_->record(name)}; }

@@ -63,6 +63,12 @@ inline NamedQuaternion quaternion_scalar_last(To<NamedFrame> b, From<NamedFrame>
   });
 }
 
+/// The same of Eigen's quaternion, whose members say where the scalar is.
+inline NamedQuaternion quaternion(To<NamedFrame> b, From<NamedFrame> a, const Eigen::Quaterniond& q) {
+  return detail::named_quaternion(b.frame, a.frame,
+                                  [&](auto to_b, auto from_a) { return quaternion(to_b, from_a, q); });
+}
+
 /// The projected doors: q / |q|, and | |q| - 1 |. Throw BadInput when q is zero or not finite.
 inline NearestNamedQuaternion nearest_quaternion_scalar_first(To<NamedFrame> b, From<NamedFrame> a, double w,
                                                               double x, double y, double z) {
@@ -75,6 +81,12 @@ inline NearestNamedQuaternion nearest_quaternion_scalar_last(To<NamedFrame> b, F
   return detail::nearest_named_quaternion(b.frame, a.frame, [&](auto to_b, auto from_a) {
     return nearest_quaternion_scalar_last(to_b, from_a, x, y, z, w);
   });
+}
+
+inline NearestNamedQuaternion nearest_quaternion(To<NamedFrame> b, From<NamedFrame> a,
+                                                 const Eigen::Quaterniond& q) {
+  return detail::nearest_named_quaternion(
+      b.frame, a.frame, [&](auto to_b, auto from_a) { return nearest_quaternion(to_b, from_a, q); });
 }
 
 inline NamedQuaternion quaternion(const NamedDcm& R_b_from_a) {

@@ -7,6 +7,10 @@ namespace vectrix {
 using NamedAngularVelocity = NamedRelativeVector<si::angular_velocity>;
 using NamedAngularAcceleration = NamedRelativeVector<si::angular_acceleration>;
 
+template <>
+struct detail::ReasonOf<NamedAngularAcceleration, NamedAngularAcceleration>
+    : std::type_identity<reason::transport_term_is_lost> {};
+
 namespace detail {
 
 inline void require_other(NamedFrame b, NamedFrame a) {

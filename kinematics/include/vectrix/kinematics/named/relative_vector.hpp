@@ -21,6 +21,10 @@ template <class U> class OfRelativeTo {
   const Column<double>& coordinates() const& { return vector_.coordinates(); }
   Column<double> coordinates() && { return vector_.coordinates(); }
 
+  Quantity<U> x() const { return vector_.x(); }
+  Quantity<U> y() const { return vector_.y(); }
+  Quantity<U> z() const { return vector_.z(); }
+
  private:
   NamedFrame of_, relative_to_;
   NamedVector<U> vector_;
@@ -42,7 +46,8 @@ template <VectorUnit U> class NamedRelativeVector : public detail::OfRelativeTo<
 };
 
 /// v_ab|o^c, m/s, or a_ab|o^c, m/s^2, of b's origin relative to a's, observed from o: Velocity and
-/// Acceleration for frames known at run time. Their sums chain for one observer.
+/// Acceleration for frames known at run time. Their sums chain, and their differences cancel, for one
+/// observer.
 template <VectorUnit U> class NamedObservedVector : public detail::OfRelativeTo<U> {
  public:
   NamedObservedVector(detail::Trusted key, NamedFrame of, NamedFrame relative_to, NamedFrame observed_from,
@@ -110,6 +115,25 @@ template <class X> ChainedPair<X> require_chain(const X& one, const X& other) {
   return pair;
 }
 
+struct Ends {
+  NamedFrame of, relative_to;
+};
+
+/// The ends of a difference, from which the common one has gone. Throws BadInput unless there is exactly one,
+/// and both operands are expressed in one frame and have one observer.
+template <class X> Ends ends_of_difference(const X& left, const X& right) {
+  const auto action = [&] { return "difference of " + described(left) + " and " + described(right); };
+  require_same(left.in(), right.in(), action);
+  if constexpr (requires { left.observed_from(); })
+    require_same(left.observed_from(), right.observed_from(), action);
+  const bool one_reference = left.relative_to() == right.relative_to();
+  if (one_reference != (left.of() == right.of()))
+    return one_reference ? Ends{left.of(), right.of()} : Ends{right.relative_to(), left.relative_to()};
+  throw BadInput(action() + (one_reference ? ": one pair twice; for two estimates, error_between(x, y)"
+                                           : ": no frame cancels, " + are_two(left.of(), right.of()) + ", " +
+                                                 are_two(left.relative_to(), right.relative_to())));
+}
+
 template <class X> void require_in(const NamedDcm& R_d_from_c, const X& ab_c) {
   require_same(R_d_from_c.from(), ab_c.in(),
                [&] { return "product of " + described(R_d_from_c) + " and " + described(ab_c); });
@@ -117,11 +141,15 @@ template <class X> void require_in(const NamedDcm& R_d_from_c, const X& ab_c) {
 
 }  // namespace detail
 
-// The sum has other frames than its operands: x_ad = x_ab + x_bd.
+// Sums and differences have other frames than their operands: x_ad = x_ab + x_bd.
 template <class U>
 auto operator+=(NamedRelativeVector<U>&, const NamedRelativeVector<U>&) -> Refused = delete;
 template <class U>
 auto operator+=(NamedObservedVector<U>&, const NamedObservedVector<U>&) -> Refused = delete;
+template <class U>
+auto operator-=(NamedRelativeVector<U>&, const NamedRelativeVector<U>&) -> Refused = delete;
+template <class U>
+auto operator-=(NamedObservedVector<U>&, const NamedObservedVector<U>&) -> Refused = delete;
 
 // x_ab^d = R_c^d x_ab^c
 template <class U>
@@ -146,6 +174,35 @@ template <class U>
 NamedObservedVector<U> sum(const NamedObservedVector<U>& one, const NamedObservedVector<U>& other) {
   const auto [ab, bd] = detail::require_chain(one, other);
   return {detail::trusted, bd.of(), ab.relative_to(), ab.observed_from(), ab.vector() + bd.vector()};
+}
+
+// x_bd^c = x_ad^c - x_ab^c, and x_ab^c = x_ad^c - x_bd^c.
+template <class U>
+  requires(!std::same_as<U, si::angular_acceleration>)
+NamedRelativeVector<U> difference(const NamedRelativeVector<U>& left, const NamedRelativeVector<U>& right) {
+  const auto [of, relative_to] = detail::ends_of_difference(left, right);
+  return {detail::trusted, of, relative_to, left.vector() - right.vector()};
+}
+template <class U>
+NamedObservedVector<U> difference(const NamedObservedVector<U>& left, const NamedObservedVector<U>& right) {
+  const auto [of, relative_to] = detail::ends_of_difference(left, right);
+  return {detail::trusted, of, relative_to, left.observed_from(), left.vector() - right.vector()};
+}
+
+/// The error of an estimate of x_ab^c, as a plain vector: its coordinates less those of the reference. Throws
+/// BadInput unless both are of one pair, expressed in one frame, and have one observer.
+template <detail::NamedPair X>
+NamedVector<typename X::unit> error_between(const X& estimate, const X& reference) {
+  using namespace detail;
+  const auto action = [&] {
+    return "error_between(" + described(estimate) + ", " + described(reference) + ")";
+  };
+  require_same(estimate.of(), reference.of(), action);
+  require_same(estimate.relative_to(), reference.relative_to(), action);
+  if constexpr (requires { estimate.observed_from(); })
+    require_same(estimate.observed_from(), reference.observed_from(), action);
+  require_same(estimate.in(), reference.in(), action);
+  return estimate.vector() - reference.vector();
 }
 
 template <detail::NamedPair X> std::ostream& print_framed(std::ostream& out, const X& ab) {

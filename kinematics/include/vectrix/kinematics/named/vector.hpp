@@ -18,6 +18,10 @@ template <VectorUnit U> class NamedVector {
 
   NamedVector operator-() const { return {detail::trusted, in_, -coordinates_}; }
 
+  Quantity<U> x() const { return Quantity<U>::from_value(coordinates_.x()); }
+  Quantity<U> y() const { return Quantity<U>::from_value(coordinates_.y()); }
+  Quantity<U> z() const { return Quantity<U>::from_value(coordinates_.z()); }
+
  private:
   NamedFrame in_;
   detail::Column<double> coordinates_;
@@ -26,14 +30,17 @@ template <VectorUnit U> class NamedVector {
 template <class U> inline constexpr bool detail::is_framed<NamedVector<U>> = true;
 
 /// Claims that the three bare numbers are coordinates in a, in the coherent SI unit U:
-/// vector<si::length>(In(a), m). Throws BadInput when one is not finite.
+/// vector<si::length>(In(a), m), also of a part of a longer column: x.segment(3, 3). Throws BadInput when one
+/// is not finite, or there are not three.
 template <VectorUnit U, class Derived>
-  requires(Derived::SizeAtCompileTime == 3 && std::same_as<typename Derived::Scalar, double>)
+  requires(detail::ThreeNumbers<Derived>&& std::same_as<typename Derived::Scalar, double>)
 NamedVector<U> vector(In<NamedFrame> a, const Eigen::MatrixBase<Derived>& coordinates) {
+  const auto door = [&] { return "vector(in<" + detail::in_quotes(a.frame) + ">): "; };
+  detail::require_size(coordinates, 3, 1, door);
   const detail::Column<double> r = coordinates;
   if (!r.allFinite()) {
-    throw BadInput("vector(in<" + detail::in_quotes(a.frame) + ">): the coordinates (" + detail::text(r.x()) +
-                   ", " + detail::text(r.y()) + ", " + detail::text(r.z()) + ") are not finite");
+    throw BadInput(door() + "the coordinates (" + detail::text(r.x()) + ", " + detail::text(r.y()) + ", " +
+                   detail::text(r.z()) + ") are not finite");
   }
   return {detail::trusted, a.frame, r};
 }
