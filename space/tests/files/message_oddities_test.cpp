@@ -9,7 +9,8 @@
 #include "temporary_file.hpp"
 
 // What files of the field have that no example shows. The numbers, D exponents and time systems that are
-// refused are in the tests of the messages' faults; document types and UTF-16 in xml_messages_test.cpp.
+// refused are in the tests of the messages' faults; document types in xml_faults_test.cpp, UTF-16 in
+// xml_documents_test.cpp.
 namespace vectrix::message_oddities_test {
 namespace {
 
