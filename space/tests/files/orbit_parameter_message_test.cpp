@@ -5,6 +5,7 @@
 
 #include <vectrix/space.hpp>
 
+#include "files/faults.hpp"
 #include "files/replaced.hpp"
 #include "temporary_file.hpp"
 
@@ -79,10 +80,6 @@ MAN_DV_2 = .01683160
 MAN_DV_3 = -.893E-2 [km/s]
 USER_DEFINED_OBJ1_TIME_LASTOB_START = 2020-01-29T13:30:00
 )";
-
-std::string complaint_of(const std::string& text) {
-  return complaint([&] { Message::parse(text); });
-}
 
 // The published number is the mean anomaly of the state, with the keyword of the true one.
 const std::string with_mean_anomaly = replaced(eutelsat, "TRUE_ANOMALY", "MEAN_ANOMALY");
@@ -200,71 +197,67 @@ TEST(OrbitParameterMessage, OfAnOwnState) {
             std::string::npos);
 }
 
-struct Fault {
-  std::string old, by, reason;
-};
-
 TEST(OrbitParameterMessage, EveryFaultHasALineAColumnAndAReason) {
-  const Fault faults[] = {
-      {"3.0", "4.0", "line 1, column 21 (CCSDS_OPM_VERS): '4.0': the versions are 1.0, 2.0, 3.0"},
-      {"3.0", "1.0",
-       "line 32, column 21 (COV_REF_FRAME): 'RTN': the keyword is of version 2.0, the message of "
-       "version 1.0"},
-      {"REF_FRAME         = TOD", "", "the message: there is no REF_FRAME"},
-      {"CENTER_NAME       = EARTH",
-       "CENTER_NAME       =", "line 7, column 20 (CENTER_NAME): '': it is empty"},
-      {"X                 =   6655.9942        [km]", "", "the state vector from line 11 on: there is no X"},
-      {"-40218.5751        [km]", "-40218.5751 [m]",
-       "line 13, column 21 (Y): '-40218.5751 [m]': the unit is [km]"},
-      {"-40218.5751        [km]", "-40218.5751 [ft]",
-       "line 13, column 21 (Y): '-40218.5751 [ft]': the unit is [km]"},
-      {"3.11548208    [km/s]", "3.11548208 [m\xC3\x97s\xE2\x81\xBB\xC2\xB9]",
-       "line 15, column 39: the byte 195 is no printable character of ASCII"},
-      {"3.11548208    [km/s]", "3.11548208D0",
-       "line 15, column 26 (X_DOT): '3.11548208D0': not a finite number"},
-      {"3.11548208    [km/s]", "inf", "line 15, column 26 (X_DOT): 'inf': not a finite number"},
-      {"SOLAR_RAD_AREA    =      10.000        [m**2]", "SOLAR_RAD_AREA    = 10.000 [s]",
-       "line 28, column 21 (SOLAR_RAD_AREA): '10.000 [s]': the unit is [m**2]"},
-      {"1913.000", "-1913", "line 27, column 24 (MASS): '-1913        [kg]': it is negative"},
-      {"132.60 [s]", "-1 [s]", "line 55, column 16 (MAN_DURATION): '-1 [s]': it is negative"},
-      {"1.300", "1.300 [m]", "line 29, column 27 (SOLAR_RAD_COEFF): '1.300 [m]': it has no unit"},
-      {"SEMI_MAJOR_AXIS   =   41399.5123       [km]", "SEMI_MAJOR_AXIS = -41399.5123 [km]",
-       "line 19, column 19 (SEMI_MAJOR_AXIS): '-41399.5123 [km]': semi_latus_rectum: a (1 - e^2) is "
-       "-41381527.754325405 m; it must be finite and positive"},
-      {"0.020842611", "-0.1", "line 20, column 27 (ECCENTRICITY): '-0.1': it is negative"},
-      {"0.117746     [deg]", "190 [deg]",
-       "line 21, column 27 (INCLINATION): '190 [deg]': not in [0, 180] deg"},
-      {"GM                =  398600.4415       [km**3/s**2]", "GM = 0",
-       "line 25, column 6 (GM): '0': it is not positive"},
-      {"GM  ", "MEAN_ANOMALY = 40\nGM  ",
-       "line 25, column 16 (MEAN_ANOMALY): '40': there is a TRUE_ANOMALY, too; the elements have one "
-       "anomaly"},
-      {"TRUE_ANOMALY      =      41.922339     [deg]\n", "",
-       "the Keplerian elements from line 19 on: there is no TRUE_ANOMALY"},
-      {"6.782421679971363e-04", "-6.782421679971363e-04",
-       "line 35, column 21 (CY_Y): '-6.782421679971363e-04': a variance that is negative"},
-      {"CZ_DOT_Y          = -4.989496988610662e-07\n", "",
-       "the covariance from line 32 on: there is no CZ_DOT_Y"},
-      {"MAN_EPOCH_IGNITION = 2006-154T04:00:00Z", "",
-       "line 55, column 16 (MAN_DURATION): '132.60 [s]': the manoeuvre begins with MAN_EPOCH_IGNITION"},
-      {"2006-154T04", "2006-366T04",
-       "line 54, column 22 (MAN_EPOCH_IGNITION): '2006-366T04:00:00Z': epoch '2006-366T04:00:00Z' in UTC: "
-       "there is "
-       "no such day"},
-      {"DRAG_COEFF ", "DRAG_COEF ",
-       "line 31, column 26 (DRAG_COEF): '2.300': the keyword is not of the standard, but nearly DRAG_COEFF"}};
-  for (const auto& [old, by, reason] : faults)
-    EXPECT_EQ(complaint_of(replaced(eutelsat, old, by)), "orbit parameter message, " + reason) << by;
-  EXPECT_EQ(complaint_of(eutelsat.substr(0, eutelsat.find("COMMENT  State"))),
+  expect_faults<Message>(
+      eutelsat, "orbit parameter message",
+      {{"3.0", "4.0", "line 1, column 21 (CCSDS_OPM_VERS): '4.0': the versions are 1.0, 2.0, 3.0"},
+       {"3.0", "1.0",
+        "line 32, column 21 (COV_REF_FRAME): 'RTN': the keyword is of version 2.0, the message of "
+        "version 1.0"},
+       {"REF_FRAME         = TOD", "", "the message: there is no REF_FRAME"},
+       {"CENTER_NAME       = EARTH",
+        "CENTER_NAME       =", "line 7, column 20 (CENTER_NAME): '': it is empty"},
+       {"X                 =   6655.9942        [km]", "", "the state vector from line 11 on: there is no X"},
+       {"-40218.5751        [km]", "-40218.5751 [m]",
+        "line 13, column 21 (Y): '-40218.5751 [m]': the unit is [km]"},
+       {"-40218.5751        [km]", "-40218.5751 [ft]",
+        "line 13, column 21 (Y): '-40218.5751 [ft]': the unit is [km]"},
+       {"3.11548208    [km/s]", "3.11548208 [m\xC3\x97s\xE2\x81\xBB\xC2\xB9]",
+        "line 15, column 39: the byte 195 is no printable character of ASCII"},
+       {"3.11548208    [km/s]", "3.11548208D0",
+        "line 15, column 26 (X_DOT): '3.11548208D0': not a finite number"},
+       {"3.11548208    [km/s]", "inf", "line 15, column 26 (X_DOT): 'inf': not a finite number"},
+       {"SOLAR_RAD_AREA    =      10.000        [m**2]", "SOLAR_RAD_AREA    = 10.000 [s]",
+        "line 28, column 21 (SOLAR_RAD_AREA): '10.000 [s]': the unit is [m**2]"},
+       {"1913.000", "-1913", "line 27, column 24 (MASS): '-1913        [kg]': it is negative"},
+       {"132.60 [s]", "-1 [s]", "line 55, column 16 (MAN_DURATION): '-1 [s]': it is negative"},
+       {"1.300", "1.300 [m]", "line 29, column 27 (SOLAR_RAD_COEFF): '1.300 [m]': it has no unit"},
+       {"SEMI_MAJOR_AXIS   =   41399.5123       [km]", "SEMI_MAJOR_AXIS = -41399.5123 [km]",
+        "line 19, column 19 (SEMI_MAJOR_AXIS): '-41399.5123 [km]': semi_latus_rectum: a (1 - e^2) is "
+        "-41381527.754325405 m; it must be finite and positive"},
+       {"0.020842611", "-0.1", "line 20, column 27 (ECCENTRICITY): '-0.1': it is negative"},
+       {"0.117746     [deg]", "190 [deg]",
+        "line 21, column 27 (INCLINATION): '190 [deg]': not in [0, 180] deg"},
+       {"GM                =  398600.4415       [km**3/s**2]", "GM = 0",
+        "line 25, column 6 (GM): '0': it is not positive"},
+       {"GM  ", "MEAN_ANOMALY = 40\nGM  ",
+        "line 25, column 16 (MEAN_ANOMALY): '40': there is a TRUE_ANOMALY, too; the elements have one "
+        "anomaly"},
+       {"TRUE_ANOMALY      =      41.922339     [deg]\n", "",
+        "the Keplerian elements from line 19 on: there is no TRUE_ANOMALY"},
+       {"6.782421679971363e-04", "-6.782421679971363e-04",
+        "line 35, column 21 (CY_Y): '-6.782421679971363e-04': a variance that is negative"},
+       {"CZ_DOT_Y          = -4.989496988610662e-07\n", "",
+        "the covariance from line 32 on: there is no CZ_DOT_Y"},
+       {"MAN_EPOCH_IGNITION = 2006-154T04:00:00Z", "",
+        "line 55, column 16 (MAN_DURATION): '132.60 [s]': the manoeuvre begins with MAN_EPOCH_IGNITION"},
+       {"2006-154T04", "2006-366T04",
+        "line 54, column 22 (MAN_EPOCH_IGNITION): '2006-366T04:00:00Z': epoch '2006-366T04:00:00Z' in UTC: "
+        "there is "
+        "no such day"},
+       {"DRAG_COEFF ", "DRAG_COEF ",
+        "line 31, column 26 (DRAG_COEF): '2.300': the keyword is not of the standard, but nearly "
+        "DRAG_COEFF"}});
+  EXPECT_EQ(complaint_of<Message>(eutelsat.substr(0, eutelsat.find("COMMENT  State"))),
             "orbit parameter message: there are no data");
-  EXPECT_EQ(complaint_of(replaced(
+  EXPECT_EQ(complaint_of<Message>(replaced(
                 replaced(eutelsat.substr(0, eutelsat.find("COMMENT  State")), "UTC", "UTC\nMASS = 1"), "3.0",
                 "1.0")),
             "orbit parameter message: there is no state vector");
   const std::string hyperbola =
       replaced(replaced(eutelsat, "  41399.5123", "-41399.5123"), "0.020842611", "2");
-  EXPECT_EQ(complaint_of(hyperbola), "nothing was thrown");
-  EXPECT_EQ(complaint_of(replaced(hyperbola, "41.922339     [deg]", "130 [deg]")),
+  EXPECT_EQ(complaint_of<Message>(hyperbola), "nothing was thrown");
+  EXPECT_EQ(complaint_of<Message>(replaced(hyperbola, "41.922339     [deg]", "130 [deg]")),
             "orbit parameter message, line 24, column 26 (TRUE_ANOMALY): '130 [deg]': elements: the true "
             "anomaly is "
             "2.2689280275926285 rad, not inside the asymptotes of the orbit");
