@@ -62,7 +62,7 @@ std::string as_oldest() {
 }
 const std::string oldest = as_oldest();
 
-const auto mars = called<MarsInertial>("TOD", "MARS");
+const auto mars_claim = called<MarsInertial>("TOD", "MARS");
 
 // What all versions have.
 void expect_orbit(const Message& message, const std::string& version) {
@@ -74,7 +74,7 @@ void expect_orbit(const Message& message, const std::string& version) {
   EXPECT_EQ(metadata.interpolation, "HERMITE");
   EXPECT_EQ(metadata.interpolation_degree, 3);
   EXPECT_EQ(segment.comments(), std::vector<std::string>{"of the data"});
-  const auto samples = segment.samples<MarsInertial, Ship>(mars);
+  const auto samples = segment.samples<MarsInertial, Ship>(mars_claim);
   ASSERT_EQ(samples.size(), 2U);
   EXPECT_EQ(samples[0].time, tai("1996-12-18T12:00:00.331"));
   EXPECT_EQ(samples[1].time, tai("1996-12-18T12:01:00.331"));
@@ -87,7 +87,7 @@ void expect_orbit(const Message& message, const std::string& version) {
 // What version 1.0 does not have.
 void expect_newer_parts(const Segment& segment) {
   EXPECT_EQ(segment.ref_frame_epoch(), tai("2000-01-01T11:58:55.816"));
-  const auto accelerations = segment.accelerations<MarsInertial, Ship>(mars);
+  const auto accelerations = segment.accelerations<MarsInertial, Ship>(mars_claim);
   ASSERT_EQ(accelerations.size(), 2U);
   EXPECT_EQ(accelerations[0].coordinates(), Eigen::Vector3d(1.0, -5e-4, 1.5));
   EXPECT_EQ(accelerations[1].coordinates(), Eigen::Vector3d(2.0, 2.0, -3.0));
