@@ -13,10 +13,11 @@
 namespace vectrix::xml_messages_test {
 namespace {
 
-const std::string oldest_rates_kvn =
-    replaced(replaced(replaced(replaced(rates_kvn, "VERS = 2.0", "VERS = 1.0"), "/ANGVEL", "/RATE"),
-                      "ANGVEL_FRAME", "RATE_FRAME"),
-             "TIME_SYSTEM", "ATTITUDE_DIR = A2B\nQUATERNION_TYPE = LAST\nTIME_SYSTEM");
+std::string oldest_rates_kvn() {
+  return replaced(replaced(replaced(replaced(rates_kvn, "VERS = 2.0", "VERS = 1.0"), "/ANGVEL", "/RATE"),
+                           "ANGVEL_FRAME", "RATE_FRAME"),
+                  "TIME_SYSTEM", "ATTITUDE_DIR = A2B\nQUATERNION_TYPE = LAST\nTIME_SYSTEM");
+}
 
 template <class Message> void expect_to_read_back(const std::string& kvn) {
   const auto message = Message::parse(kvn);
@@ -34,7 +35,7 @@ TEST(XmlMessages, WrittenReadBackToTheLastDigit) {
       replaced(replaced(attitude_kvn, "= QUATERNION\n", "= QUATERNION/DERIVATIVE\n"),
                "2021-04-15T13:31:20.0 .8 .6 0 0\n2021-04-15T13:31:21.0 .8 0 .6 0",
                "2021-04-15T13:31:20.0 .8 .6 0 0 1 2 3 4");
-  for (const std::string& text : {attitude_kvn, rates_kvn, oldest_rates_kvn, derivative, oldest_derivative,
+  for (const std::string& text : {attitude_kvn, rates_kvn, oldest_rates_kvn(), derivative, oldest_derivative,
                                   replaced(attitude_kvn, "312", "ZXZ")})
     expect_to_read_back<AttitudeEphemerisMessage>(text);
   const std::string second = orbit_kvn.substr(orbit_kvn.find("META_START"));
@@ -52,7 +53,7 @@ TEST(XmlMessages, WrittenReadBackToTheLastDigit) {
 
 TEST(XmlMessages, AreWrittenAsTheStandardHasThem) {
   EXPECT_EQ(
-      AttitudeEphemerisMessage::parse(replaced(oldest_rates_kvn, "ORIGINATOR =", "ORIGINATOR = A & B <C>"))
+      AttitudeEphemerisMessage::parse(replaced(oldest_rates_kvn(), "ORIGINATOR =", "ORIGINATOR = A & B <C>"))
           .xml(),
       R"(<?xml version="1.0" encoding="UTF-8"?>
 <aem id="CCSDS_AEM_VERS" version="1.0">
