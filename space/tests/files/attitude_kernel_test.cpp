@@ -12,7 +12,7 @@ namespace {
 struct Lro : moving_frame {};
 struct MapCam : moving_frame {};
 
-const std::filesystem::path data = source / "space/tests/data";
+const std::filesystem::path data = std::filesystem::path{VECTRIX_SOURCE_DIR} / "space/tests/data";
 
 constexpr double rounding = 1e-14;
 
