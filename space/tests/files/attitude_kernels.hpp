@@ -21,7 +21,6 @@ struct Ctim : moving_frame {};
 struct Body : moving_frame {};
 struct Craft : moving_frame {};
 
-inline const std::filesystem::path source = VECTRIX_SOURCE_DIR;
 inline const std::filesystem::path examples = std::filesystem::path{VECTRIX_SOURCE_DIR} / "examples/data";
 
 // A clock of 100 ticks a second from 2000 on, in TT.
