@@ -99,10 +99,12 @@ detail::SimbodyEngine simbody(const PlainSpacecraft& craft) {
   none.forces.resize(craft.bodies.size() + 1);
   none.torques.resize(craft.bodies.size() + 1);
   none.efforts.resize(craft.bodies.size());
-  none.locked_joints.resize(craft.bodies.size());
+  none.given.resize(craft.bodies.size());
+  none.locked_links.resize(craft.bodies.size());
+  none.driven_links.resize(craft.bodies.size());
   none.motors.resize(craft.rotors.size());
   none.locked_rotors.resize(craft.rotors.size());
-  return {detail::simbody_craft("trees", craft), SimbodyPair::merson, 1e-3, 1.0,
+  return {detail::simbody_craft(craft), SimbodyPair::merson, 1e-3, 1.0,
           [none](double, const double*, detail::SimbodyLoads& loads) { loads = none; }};
 }
 
