@@ -193,25 +193,11 @@ struct DrawnFlight {
     }
     return out.str();
   }
-  static constexpr const char* scenario = R"(version = 1
-title = "T"
-[attitude]
-file = "drawn.csv"
-time = { column = "t", scale = "UTC" }
-[attitude.quaternion]
-columns = ["a", "b", "c", "d"]
-scalar = "last"
-maps = { from = "body", to = "GCRF" }
-[[measure]]
-name = "off-Sun"
-axis = "z of body"
-target = "sun"
-correction = "geometric"
-[[require]]
-measure = "off-Sun"
-absolute = "2 arcmin"
-percent = "90 %"
-[[require]]
+  static std::string scenario() {
+    return with(with(ScenarioFolder::plain, "a.csv", "drawn.csv"),
+                "absolute = \"0.5 deg\"\npercent = \"95 %\"\n",
+                "absolute = \"2 arcmin\"\npercent = \"90 %\"\n") +
+           R"([[require]]
 measure = "off-Sun"
 relative = "2 arcmin"
 window = "60 s"
@@ -230,6 +216,7 @@ kind = "random"
 standard_deviations = "[40, 40, 0] arcsec"
 correlation_time = "30 s"
 )";
+  }
 };
 
 class OfADrawnFlight : public ::testing::Test {
@@ -246,7 +233,7 @@ class OfADrawnFlight : public ::testing::Test {
 
 // 667 correlation times, and 327 windows: of each half as many are taken as independent.
 TEST_F(OfADrawnFlight, TheDataAreAsTheBudgetSays) {
-  const Replayed found = flown(DrawnFlight::scenario, 20000);
+  const Replayed found = flown(DrawnFlight::scenario(), 20000);
   const auto budgets = found.budgets();
   ASSERT_EQ(budgets.size(), 3U);
   const double four_deviations = 4.0 * std::sqrt(0.9 * 0.1 / 160.0);
@@ -276,7 +263,7 @@ TEST_F(OfADrawnFlight, TheDataAreAsTheBudgetSays) {
 // If it is asked for, a budget is the limit of a requirement: here one that was too small, and one that was
 // not.
 TEST_F(OfADrawnFlight, ABudgetMayBeRequired) {
-  const std::string small = with(DrawnFlight::scenario, "[40, 40, 0]", "[20, 20, 0]");
+  const std::string small = with(DrawnFlight::scenario(), "[40, 40, 0]", "[20, 20, 0]");
   const auto required = [&](const std::string& text) {
     return flown(with(with(text, "absolute = \"2 arcmin\"", "budget = \"absolute\""),
                       "relative = \"2 arcmin\"", "budget = \"relative\""));
@@ -300,15 +287,15 @@ TEST_F(OfADrawnFlight, ABudgetMayBeRequired) {
 
 // One that is only shown leaves the verdict as it is.
 TEST_F(OfADrawnFlight, ABudgetAloneIsNoRequirement) {
-  const Replayed found = flown(with(DrawnFlight::scenario, "[40, 40, 0]", "[1, 1, 0]"));
+  const Replayed found = flown(with(DrawnFlight::scenario(), "[40, 40, 0]", "[1, 1, 0]"));
   EXPECT_TRUE(found.fulfilled(0));
   EXPECT_TRUE(says(found.budgets()[0].remark, "the data exceed the budget"));
-  const Replayed large = flown(with(DrawnFlight::scenario, "[40, 40, 0]", "[90, 90, 0]"));
+  const Replayed large = flown(with(DrawnFlight::scenario(), "[40, 40, 0]", "[90, 90, 0]"));
   EXPECT_EQ(large.budgets()[0].remark, "within the budget; the budget exceeds what is required");
 }
 
 TEST_F(OfADrawnFlight, ABudgetThatIsNoSmallTurnIsRefused) {
-  const Replayed found = flown(with(DrawnFlight::scenario, "[40, 40, 0] arcsec", "[20, 20, 0] deg"));
+  const Replayed found = flown(with(DrawnFlight::scenario(), "[40, 40, 0] arcsec", "[20, 20, 0] deg"));
   EXPECT_EQ(
       complaint([&] { (void)found.budgets(); }, found.folder->file("s.toml")),
       "FILE:15:1: the budget of this requirement: half_cone(): the half-angle is above 0.5 rad; the law "
