@@ -14,23 +14,13 @@ using spacecraft_test::Gcrf;  // not those of the library
 
 /// `Transposed`: the boom's joint has its frame transposed, the mistake that a comparison must see.
 inline auto make_craft(RandomCraft& random, bool transposed = false) {
-  auto X_h_from_boom = place<Hub, Boom>(random);
-  if (transposed)
-    X_h_from_boom.rotation =
-        dcm(to<Hub>, from<Boom>, Eigen::Matrix3d(X_h_from_boom.rotation.matrix().transpose()));
-  return spacecraft(body(mass<Hub>(random, 10.0), free_in<Gcrf>),
-                    body(mass<Boom>(random, 3.0), hinge(X_h_from_boom, axis<Boom>(random))),
-                    rotor(of<WheelOfBoom>, axis<Boom>(random), 0.01 * kg_m2),
-                    body(mass<Antenna>(random, 10.0),
-                         gimbal(place<Boom, Antenna>(random), axis<Antenna>(random), axis<Antenna>(random))),
-                    modes(of<Blanket>, on<Antenna>, mode<Antenna>(random), mode<Antenna>(random)),
-                    body(mass<Mass>(random, 3.0), slider(place<Hub, Mass>(random), axis<Mass>(random))),
-                    body(mass<Gyro>(random, 3.0), ball(place<Boom, Gyro>(random))),
-                    mount(place<Antenna, Camera>(random)),
-                    body(mass<Box>(random, 3.0), fixed_joint(place<Mass, Box>(random))),
-                    modes(of<Tank>, on<Hub>, mode<Hub>(random)),
-                    body(mass<Probe>(random, 3.0), free_joint(place<Box, Probe>(random))),
-                    rotor(of<WheelOfHub>, axis<Hub>(random), 0.01 * kg_m2));
+  return spacecraft_test::make_craft(random, [&](RandomCraft& draws) {
+    auto X_h_from_boom = place<Hub, Boom>(draws);
+    if (transposed)
+      X_h_from_boom.rotation =
+          dcm(to<Hub>, from<Boom>, Eigen::Matrix3d(X_h_from_boom.rotation.matrix().transpose()));
+    return X_h_from_boom;
+  });
 }
 struct Craft : decltype(make_craft(std::declval<RandomCraft&>())) {
   explicit Craft(RandomCraft random, bool transposed = false)

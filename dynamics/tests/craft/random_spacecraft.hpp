@@ -48,10 +48,11 @@ template <Frame B> FlexibleMode<B> mode(RandomCraft& random) {
           random.between(0.0, 0.1)};
 }
 
-/// Every kind of joint, in a tree; rotors and modes on the hub and on a body; a mount.
-inline auto make_craft(RandomCraft& random) {
+/// Every kind of joint, in a tree; rotors and modes on the hub and on a body; a mount. `place_of_boom` draws
+/// where the boom hangs on the hub.
+template <class Place> auto make_craft(RandomCraft& random, const Place& place_of_boom) {
   return spacecraft(body(mass<Hub>(random, 10.0), free_in<Gcrf>),
-                    body(mass<Boom>(random, 3.0), hinge(place<Hub, Boom>(random), axis<Boom>(random))),
+                    body(mass<Boom>(random, 3.0), hinge(place_of_boom(random), axis<Boom>(random))),
                     rotor(of<WheelOfBoom>, axis<Boom>(random), 0.01 * kg_m2),
                     body(mass<Antenna>(random, 10.0),
                          gimbal(place<Boom, Antenna>(random), axis<Antenna>(random), axis<Antenna>(random))),
@@ -63,6 +64,9 @@ inline auto make_craft(RandomCraft& random) {
                     modes(of<Tank>, on<Hub>, mode<Hub>(random)),
                     body(mass<Probe>(random, 3.0), free_joint(place<Box, Probe>(random))),
                     rotor(of<WheelOfHub>, axis<Hub>(random), 0.01 * kg_m2));
+}
+inline auto make_craft(RandomCraft& random) {
+  return make_craft(random, place<Hub, Boom>);
 }
 using RandomBase = decltype(make_craft(std::declval<RandomCraft&>()));
 struct Every : RandomBase {
