@@ -211,7 +211,7 @@ TEST(Lockable, AStartThatIsLockedAndMovesFails) {
     from(0.25);
     FAIL();
   } catch (const std::runtime_error& error) {
-    EXPECT_NE(std::string(error.what()).find("Panel is locked and moves at the start, 0.25"),
+    EXPECT_NE(std::string(error.what()).find("Panel is locked and moves at the start, 0.25 rad/s"),
               std::string::npos)
         << error.what();
   }

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <span>
+#include <string>
 #include <tuple>
 #include <vectrix/dynamics/craft/craft_scenario.hpp>
 #include <vectrix/dynamics/load/joint_units.hpp>
@@ -28,6 +30,17 @@ template <class C, class On> constexpr bool can_stand() {
     return false;
 }
 
+/// With its unit; of a free joint the last three speeds are m/s.
+template <class C, class On> std::string largest_speed(const double* y) {
+  const auto speeds = speeds_of<C, On>(y);
+  const auto most = std::max_element(speeds.begin(), speeds.end(),
+                                     [](double u, double v) { return std::abs(u) < std::abs(v); });
+  bool slides = most - speeds.begin() >= 3;
+  if constexpr (!C::shape::template has_rotor<On>)
+    slides = slides || C::shape::template Part<On>::joint == JointKind::slider;
+  return text(*most) + (slides ? " m/s" : " rad/s");
+}
+
 }  // namespace detail
 
 /// A joint or a rotor that can be locked. Made by lockable().
@@ -42,7 +55,7 @@ template <CraftType C, class On> struct LockableJoint {
     const auto at_first = [](const Now<C>& now, const State& state) {
       if (state.locked && detail::is_moving<C, On>(now.data()))
         throw BadInput("lockable: " + frame_name<On>() + " is locked and moves at the start, " +
-                       detail::text(detail::speeds_of<C, On>(now.data()).front()));
+                       detail::largest_speed<C, On>(now.data()));
       return state;
     };
     return std::tuple{held(initial), load, at_start(at_first), detail::Stands<On, State>{}};
