@@ -134,7 +134,9 @@ TEST(SimbodyRun, sticks_and_slips_as_ours) {
   expect_close(found);
   ASSERT_TRUE(found.events());
   EXPECT_GT(ours.events().size(), 1U);
-  EXPECT_EQ(theirs.at(20.0 * s).speed(of<Boom>).value(), ours.at(20.0 * s).speed(of<Boom>).value());
+  for (double t = 1.0; t <= 20.0; t += 0.5)
+    EXPECT_EQ(theirs.at(t * s).speed(of<Boom>).value() == 0.0, ours.at(t * s).speed(of<Boom>).value() == 0.0)
+        << t;
 }
 
 template <class F> std::string message_of(const F& run) {

@@ -170,16 +170,22 @@ TEST(PropagateWithSimbody, does_not_follow_a_hub_without_a_place) {
 }
 
 // In a long segment the angle of a fast wheel has millions of radians: its rounding, 4e-10 rad here, must not
-// be an error of the step.
+// be an error of the step. The turn is smooth, and the hub so light that the rounding of the wheel's
+// gyroscopic torque does not matter either: then hardly a step is refused.
 TEST(PropagateWithSimbody, does_not_shorten_its_steps_for_a_fast_wheel) {
-  RandomCraft random(10);
-  const auto craft = spacecraft(body(mass<Hub>(random, 10.0), turning_in<Gcrf>),
-                                rotor(of<WheelOfHub>, axis<Hub>(random), 1e-5 * kg_m2));
-  const auto start =
-      state(craft, 0.0 * s, moving<Gcrf, Hub>(random).turning, spins(of<WheelOfHub>, 1e5 * rad_s));
+  const auto craft = spacecraft(
+      body(
+          mass_properties(10.0 * si::kilogram, coincident(of<CentreOfMassOf<Hub>>, relative_to<Hub>, in<Hub>),
+                          inertia_from_principal_moments(in<Hub>, 1.0 * kg_m2, 1.3 * kg_m2, 1.5 * kg_m2)),
+          turning_in<Gcrf>),
+      rotor(of<WheelOfHub>, unit_z(in<Hub>), 1e-5 * kg_m2));
+  const MovingDcm turning{
+      aligned(to<Gcrf>, from<Hub>),
+      angular_velocity(of<Hub>, relative_to<Gcrf>, vector(in<Hub>, 0.1 * rad_s, -0.2 * rad_s, 0.3 * rad_s))};
+  const auto start = state(craft, 0.0 * s, turning, spins(of<WheelOfHub>, 1e5 * rad_s));
   const auto flown = propagate_with_simbody(scenario(craft), start, {.end = 30.0 * s, .accuracy = 1e-11});
   const auto done = flown.solution().statistics();
-  EXPECT_LT(100 * done.error_test_failures, done.steps);
+  EXPECT_LT(200 * done.error_test_failures, done.steps);
 }
 
 }  // namespace

@@ -25,10 +25,17 @@ template <class Call> std::size_t allocations_of(const Call& call) {
   return vectrix_test::allocations() - before;
 }
 
-// The counter sees what it should: an Eigen matrix of run-time size.
+// The counter sees what it should: an Eigen matrix of run-time size. It is made at a place that the compiler
+// does not know, as it may leave out what it can follow.
+Eigen::VectorXd* volatile kept;
+std::string* volatile kept_text;
 TEST(Allocations, AreCounted) {
-  EXPECT_EQ(allocations_of([] { return Eigen::VectorXd::Zero(5).eval(); }), 1U);
-  EXPECT_EQ(allocations_of([] { return std::string(100, ' '); }), 1U);
+  Eigen::VectorXd numbers;
+  std::string text;
+  kept = &numbers;
+  kept_text = &text;
+  EXPECT_EQ(allocations_of([] { return (*kept = Eigen::VectorXd::Zero(5).eval()).data(); }), 1U);
+  EXPECT_EQ(allocations_of([] { return (*kept_text = std::string(100, ' ')).data(); }), 1U);
 }
 
 template <class U, Frame F> Vector<F, U> vector_in(double x, double y, double z) {
