@@ -33,7 +33,7 @@ namespace detail {
 
 template <class Typed> NamedQuaternion named_quaternion(NamedFrame b, NamedFrame a, const Typed& typed) {
   return through_door(b, a, [&] {
-    return NamedQuaternion{trusted, b, a, typed(vectrix::to<FirstNamed>, vectrix::from<SecondNamed>).eigen()};
+    return NamedQuaternion{trusted, b, a, typed(vectrix::to<Some<'b'>>, vectrix::from<Some<'a'>>).eigen()};
   });
 }
 template <class Typed>
@@ -91,7 +91,7 @@ inline NearestNamedQuaternion nearest_quaternion(To<NamedFrame> b, From<NamedFra
 
 inline NamedQuaternion quaternion(const NamedDcm& R_b_from_a) {
   using namespace detail;
-  const Dcm<FirstNamed, SecondNamed> R{trusted, R_b_from_a.matrix()};
+  const Dcm<Some<'b'>, Some<'a'>> R{trusted, R_b_from_a.matrix()};
   return {trusted, R_b_from_a.to(), R_b_from_a.from(), quaternion(R).eigen()};
 }
 inline NamedDcm dcm(const NamedQuaternion& q_b_from_a) {

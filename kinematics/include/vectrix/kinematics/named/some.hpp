@@ -1,0 +1,68 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <vectrix/kinematics/named/frame.hpp>
+
+namespace vectrix {
+
+/// A type that stands for one frame known at run time, while a typed law is used:
+/// Dcm<Some<'b'>, Some<'a'>>. The letters are a to z.
+template <char letter> struct Some : moving_frame {};
+
+namespace detail {
+
+inline std::string are_two(NamedFrame one, NamedFrame other) {
+  return in_quotes(one) + " and " + in_quotes(other) +
+         (one.name() == other.name() ? " are frames of two graphs" : " are two frames");
+}
+
+inline void replace_all(std::string& text, const std::string& word, const std::string& by) {
+  for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + by.size()))
+    text.replace(at, word.size(), by);
+}
+
+/// The frames for which the letters stand while one law is used.
+class Lent {
+ public:
+  /// A letter that has a frame already keeps it; if the other differs, it is counted.
+  void give(char letter, NamedFrame frame) {
+    const FrameRecord*& place = records_[static_cast<std::size_t>(letter - 'a')];
+    if (place == nullptr) {
+      place = &frame.record();
+    } else if (place != &frame.record() && clashes_++ == 0) {
+      one_ = place;
+      other_ = &frame.record();
+    }
+  }
+  NamedFrame operator[](char letter) const {
+    return NamedFrame{*records_[static_cast<std::size_t>(letter - 'a')]};
+  }
+  /// How often a letter would need two frames.
+  int clashes() const { return clashes_; }
+  std::string first_clash() const { return are_two(NamedFrame{*one_}, NamedFrame{*other_}); }
+
+  /// A text about the letters, with the frames in their places.
+  std::string named(std::string text) const {
+    for (char letter = 'a'; letter <= 'z'; ++letter)
+      if (const FrameRecord* record = records_[static_cast<std::size_t>(letter - 'a')])
+        replace_all(text, std::string{"Some<'"} + letter + "'>", in_quotes(record->name));
+    return text;
+  }
+  /// make(), which uses a typed law or door. In its errors the frames replace the letters.
+  template <class Make> auto call(const Make& make) const {
+    try {
+      return make();
+    } catch (const BadInput& error) {
+      throw BadInput(named(error.what()));
+    }
+  }
+
+ private:
+  std::array<const FrameRecord*, 26> records_{};
+  int clashes_ = 0;
+  const FrameRecord *one_ = nullptr, *other_ = nullptr;
+};
+
+}  // namespace detail
+}  // namespace vectrix
