@@ -1,5 +1,6 @@
 #pragma once
 
+#include <vector>
 #include <vectrix/kinematics/named/named.hpp>
 
 namespace vectrix {
@@ -18,6 +19,8 @@ concept HasForm = requires {
 template <class Operand, class Given>
 inline constexpr bool takes =
     std::same_as<Operand, Given> || std::same_as<typename NamedFor<FormOf<Operand>>::type, Given>;
+template <class Operand, class Given>
+inline constexpr bool takes<std::vector<Operand>, std::vector<Given>> = takes<Operand, Given>;
 template <class L, class... Given> inline constexpr bool law_takes = false;
 template <class... Operands, class... Given>
   requires(sizeof...(Operands) == sizeof...(Given))
@@ -29,6 +32,9 @@ template <char... letters, class Frames> void lend(Lent& lent, FrameList<Some<le
 }
 template <class Operand, class Given> void lend(Lent& lent, const Given& given) {
   if constexpr (HasForm<Given>) lend(lent, typename FramesIn<Operand>::type{}, Naming<Given>::frames(given));
+}
+template <class Operands, class Given> void lend(Lent& lent, const std::vector<Given>& given) {
+  for (const Given& one : given) lend<typename Operands::value_type>(lent, one);
 }
 
 /// What carries the frames of a typed value, named.
@@ -43,6 +49,20 @@ template <class Typed> auto named_value(const Lent& lent, const Typed& x) {
   }
 }
 
+template <class Operand> struct Relabel<std::vector<Operand>> {
+  template <class Given> static std::vector<Operand> of(const std::vector<Given>& given) {
+    std::vector<Operand> typed;
+    typed.reserve(given.size());
+    for (const Given& one : given) typed.push_back(relabelled<Operand>(one));
+    return typed;
+  }
+};
+
+/// Each part of a result with several.
+template <class... Typed> auto named_value(const Lent& lent, const std::tuple<Typed...>& parts) {
+  return std::apply([&](const auto&... part) { return std::tuple(named_value(lent, part)...); }, parts);
+}
+
 /// The type as the compiler writes it, without the scalar: Twist<Some<'a'>, Some<'b'>, At<Some<'b'>>, ...
 template <class T> std::string type_text() {
   const std::string_view signature = __PRETTY_FUNCTION__;
@@ -51,18 +71,38 @@ template <class T> std::string type_text() {
   replace_all(text, ", double", "");
   return text;
 }
-template <class Form> std::string described(const Named<Form>& x) {
-  Lent lent;
-  lend<Form>(lent, x);
-  return lent.named(type_text<Form>());
-}
 template <class U> std::string described(const NamedVector<U>& r) {
   return "a vector in " + in_quotes(r.in());
 }
+inline std::string described(const NamedQuaternion& q) {
+  return "q" + to_from(q.to(), q.from());
+}
+inline std::string described(To<NamedFrame> b) {
+  return "to " + in_quotes(b.frame);
+}
+inline std::string described(From<NamedFrame> a) {
+  return "from " + in_quotes(a.frame);
+}
+inline std::string described(Of<NamedFrame> b) {
+  return "of " + in_quotes(b.frame);
+}
+inline std::string described(RelativeTo<NamedFrame> a) {
+  return "relative to " + in_quotes(a.frame);
+}
+inline std::string described(ObservedFrom<NamedFrame> a) {
+  return "observed from " + in_quotes(a.frame);
+}
+inline std::string described(In<NamedFrame> c) {
+  return "in " + in_quotes(c.frame);
+}
 template <class Given> void describe(std::string& list, const char* between, const Given& given) {
   if constexpr (requires { described(given); }) {
-    if (!list.empty()) list += between;
-    list += described(given);
+    list += (list.empty() ? "" : between) + described(given);
+  } else if constexpr (HasForm<Given>) {
+    using Form = typename Naming<Given>::form;
+    Lent lent;
+    lend<Form>(lent, given);
+    list += (list.empty() ? "" : between) + lent.named(type_text<Form>());
   }
 }
 /// "rate(R to "a" from "b", w of "b" ...)", "product of R to "a" from "b" and ...".
@@ -73,8 +113,9 @@ template <class... Given> std::string action_text(std::string_view word, const G
   return std::string{word} + (is_operation ? " of " + list : "(" + list + ")");
 }
 
-template <template <class> class Word> std::string frame_in(const Word<NamedFrame>& word) {
-  return in_quotes(word.frame);
+template <class Given>
+void describe(std::string& list, const char* between, const std::vector<Given>& given) {
+  if (!given.empty()) describe(list, between, given.front());
 }
 template <class... Given> void require_door(const Given&...) {}
 template <class... Given> void require_door(To<NamedFrame> b, From<NamedFrame> a, const Given&...) {
@@ -134,6 +175,17 @@ auto typed_law(std::string_view name, const Word& word, const Given&... given) {
 }
 
 namespace detail {
+
+/// The letters of the laws below, by the names of the frames in them.
+namespace letters {
+using A = Some<'a'>;
+using B = Some<'b'>;
+using C = Some<'c'>;
+using D = Some<'d'>;
+using P = Some<'p'>;
+using Q = Some<'q'>;
+using S = Some<'s'>;
+}  // namespace letters
 
 template <class X> using FormOfNamed = typename Naming<X>::form;
 

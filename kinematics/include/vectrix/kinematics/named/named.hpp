@@ -86,11 +86,18 @@ template <class Form> class Named {
 
   auto operator-() const { return read([](const Form& x) { return -x; }); }
 
+  /// Of a function of time, such as a Slerp: its value at t.
+  template <class T> auto operator()(const T& t) const {
+    return read([&](const Form& x) { return x(t); });
+  }
+
   auto coordinates() const { return value_.coordinates(); }
   auto matrix() const { return value_.matrix(); }
   auto eigen() const { return value_.eigen(); }
   auto scalar_first() const { return value_.scalar_first(); }
   auto angle() const { return value_.angle(); }
+  auto rotation() const { return value_.rotation(); }
+  auto translation() const { return value_.translation(); }
   auto first() const { return value_.first(); }
   auto second() const { return value_.second(); }
   auto third() const { return value_.third(); }
@@ -157,10 +164,15 @@ template <class U> struct Naming<NamedVector<U>> {
   }
 };
 
-template <template <class> class Word> struct NamedFor<Word<Some<'a'>>> : std::type_identity<Word<NamedFrame>> {};
-template <template <class> class Word> struct Naming<Word<NamedFrame>> {
-  using form = Word<Some<'a'>>;
-  static std::array<NamedFrame, 1> frames(const Word<NamedFrame>& word) { return {word.frame}; }
+// To(b), Of(b), ...
+template <template <class> class W>
+  requires std::derived_from<W<NamedFrame>, Word<NamedFrame>>
+struct NamedFor<W<Some<'a'>>> : std::type_identity<W<NamedFrame>> {};
+template <template <class> class W>
+  requires std::derived_from<W<NamedFrame>, Word<NamedFrame>>
+struct Naming<W<NamedFrame>> {
+  using form = W<Some<'a'>>;
+  static std::array<NamedFrame, 1> frames(const W<NamedFrame>& word) { return {word.frame}; }
 };
 
 template <class X, class Form> struct NamingOfPair {
