@@ -4,38 +4,44 @@
 
 namespace vectrix {
 
-// The algebra of frames/vector.hpp, frames/relative_vector.hpp and attitude/quaternion.hpp for frames known at
-// run time: the same laws and errors. Two frames where one is needed throw BadInput that names both.
+// The algebra of frames/vector.hpp, frames/relative_vector.hpp and attitude/quaternion.hpp for frames known
+// at run time: the same laws and errors. Two frames where one is needed throw BadInput that names both.
 
 // k r^a and r^a / k
 template <class U> NamedVector<U> product(double k, const NamedVector<U>& r_a) {
-  return detail::of_one("product", [&](const auto& r) { return k * r; }, r_a);
+  return detail::of_one(
+      "product", [&](const auto& r) { return k * r; }, r_a);
 }
 template <class U> NamedVector<U> product(const NamedVector<U>& r_a, double k) {
-  return detail::of_one("product", [&](const auto& r) { return r * k; }, r_a);
+  return detail::of_one(
+      "product", [&](const auto& r) { return r * k; }, r_a);
 }
 template <class U> NamedVector<U> quotient(const NamedVector<U>& r_a, double k) {
-  return detail::of_one("quotient", [&](const auto& r) { return r / k; }, r_a);
+  return detail::of_one(
+      "quotient", [&](const auto& r) { return r / k; }, r_a);
 }
 template <class V, class U>
 NamedVector<unit_of_scaled_vector<unit_product<V, U>, U>> product(const Quantity<V>& k,
                                                                   const NamedVector<U>& r_a) {
-  return detail::of_one("product", [&](const auto& r) { return k * r; }, r_a);
+  return detail::of_one(
+      "product", [&](const auto& r) { return k * r; }, r_a);
 }
 template <class V, class U>
 NamedVector<unit_of_scaled_vector<unit_product<U, V>, U>> product(const NamedVector<U>& r_a,
                                                                   const Quantity<V>& k) {
-  return detail::of_one("product", [&](const auto& r) { return r * k; }, r_a);
+  return detail::of_one(
+      "product", [&](const auto& r) { return r * k; }, r_a);
 }
 template <class V, class U>
 NamedVector<unit_of_scaled_vector<unit_quotient<U, V>, U>> quotient(const NamedVector<U>& r_a,
                                                                     const Quantity<V>& k) {
-  return detail::of_one("quotient", [&](const auto& r) { return r / k; }, r_a);
+  return detail::of_one(
+      "quotient", [&](const auto& r) { return r / k; }, r_a);
 }
 // k w_ab^c with a gain k, as of a damper
-template <detail::GainOfRate V>
-auto product(const Quantity<V>& k, const NamedAngularVelocity& w_ab) {
-  return detail::of_one("product", [&](const auto& w) { return k * w; }, w_ab);
+template <detail::GainOfRate V> auto product(const Quantity<V>& k, const NamedAngularVelocity& w_ab) {
+  return detail::of_one(
+      "product", [&](const auto& w) { return k * w; }, w_ab);
 }
 
 // r . s and r x s, also with a rate
@@ -98,13 +104,16 @@ Quantity<si::angle> angle_of(const NamedVector<U>& r_a, const NamedVector<V>& s_
 
 /// |r|^2, |r| and r / |r|, with the errors of the typed ones; the first two also of a vector of two frames.
 template <detail::AnyNamedVector X> auto squared_norm(const X& r_a) {
-  return detail::of_one("squared_norm", [](const auto& r) { return squared_norm(r); }, plain(r_a));
+  return detail::of_one(
+      "squared_norm", [](const auto& r) { return squared_norm(r); }, plain(r_a));
 }
 template <detail::AnyNamedVector X> auto norm(const X& r_a) {
-  return detail::of_one("norm", [](const auto& r) { return norm(r); }, plain(r_a));
+  return detail::of_one(
+      "norm", [](const auto& r) { return norm(r); }, plain(r_a));
 }
 template <class U> NamedVector<si::dimensionless> direction(const NamedVector<U>& r_a) {
-  return detail::of_one("direction", [](const auto& r) { return direction(r); }, r_a);
+  return detail::of_one(
+      "direction", [](const auto& r) { return direction(r); }, r_a);
 }
 /// The zero vector of a frame, and the unit vectors along its axes.
 template <VectorUnit U> NamedVector<U> zero(In<NamedFrame> a) {
@@ -126,8 +135,7 @@ inline NamedQuaternion product(const NamedQuaternion& q_c_from_b, const NamedQua
   return typed_law<Law<Quaternion<C, B>, Quaternion<B, A>>>(
       "product", [](const auto& q, const auto& p) { return q * p; }, q_c_from_b, q_b_from_a);
 }
-template <class U>
-NamedVector<U> product(const NamedQuaternion& q_b_from_a, const NamedVector<U>& r_a) {
+template <class U> NamedVector<U> product(const NamedQuaternion& q_b_from_a, const NamedVector<U>& r_a) {
   using namespace detail::letters;
   return typed_law<Law<Quaternion<B, A>, Vector<A, U>>>(
       "product", [](const auto& q, const auto& r) { return q * r; }, q_b_from_a, r_a);
@@ -144,7 +152,8 @@ inline NamedAngularAcceleration product(const NamedQuaternion& q_d_from_c,
       "product", [](const auto& q, const auto& alpha) { return q * alpha; }, q_d_from_c, alpha_ab_c);
 }
 inline NamedQuaternion inverse(const NamedQuaternion& q_b_from_a) {
-  return detail::of_one("inverse", [](const auto& q) { return inverse(q); }, q_b_from_a);
+  return detail::of_one(
+      "inverse", [](const auto& q) { return inverse(q); }, q_b_from_a);
 }
 
 /// Turns a vector, within a, by the rotation that turns frame a onto frame b: r2^a = R_b^a r1^a.

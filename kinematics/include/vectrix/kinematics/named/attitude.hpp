@@ -20,8 +20,7 @@ using NamedRotationVector = Named<RotationVector<Some<'a'>, Some<'b'>>>;
 using NamedAxisAngle = Named<AxisAngle<Some<'a'>, Some<'b'>>>;
 using NamedGibbsVector = Named<GibbsVector<Some<'a'>, Some<'b'>>>;
 using NamedModifiedRodrigues = Named<ModifiedRodrigues<Some<'a'>, Some<'b'>>>;
-template <EulerSequence Sequence>
-using NamedEulerAngles = Named<EulerAngles<Sequence, Some<'a'>, Some<'b'>>>;
+template <EulerSequence Sequence> using NamedEulerAngles = Named<EulerAngles<Sequence, Some<'a'>, Some<'b'>>>;
 
 namespace detail {
 
@@ -98,13 +97,16 @@ NamedEulerAngles<Sequence> euler_angles(Sequence sequence, Of<NamedFrame> b, Rel
 
 // Of R_b^a or q_b^a
 template <detail::NamedRotation R> NamedRotationVector log(const R& R_a_from_b) {
-  return detail::of_one("log", [](const auto& x) { return log(x); }, R_a_from_b);
+  return detail::of_one(
+      "log", [](const auto& x) { return log(x); }, R_a_from_b);
 }
 template <detail::NamedRotation R> NamedAxisAngle axis_angle(const R& R_a_from_b) {
-  return detail::of_one("axis_angle", [](const auto& x) { return axis_angle(x); }, R_a_from_b);
+  return detail::of_one(
+      "axis_angle", [](const auto& x) { return axis_angle(x); }, R_a_from_b);
 }
 template <detail::NamedRotation R> NamedGibbsVector gibbs_vector(const R& R_a_from_b) {
-  return detail::of_one("gibbs_vector", [](const auto& x) { return gibbs_vector(x); }, R_a_from_b);
+  return detail::of_one(
+      "gibbs_vector", [](const auto& x) { return gibbs_vector(x); }, R_a_from_b);
 }
 template <detail::NamedRotation R> NamedModifiedRodrigues modified_rodrigues(const R& R_a_from_b) {
   return detail::of_one(
@@ -120,18 +122,22 @@ NamedEulerAngles<Sequence> euler_angles(Sequence sequence, const R& R_a_from_b) 
 template <detail::NamedParameters X>
   requires(!std::same_as<X, NamedRotationVector>)
 NamedDcm dcm(const X& x_ab) {
-  return detail::of_one("dcm", [](const auto& x) { return dcm(x); }, x_ab);
+  return detail::of_one(
+      "dcm", [](const auto& x) { return dcm(x); }, x_ab);
 }
 template <detail::NamedParameters X>
   requires(!std::same_as<X, NamedRotationVector>)
 NamedQuaternion quaternion(const X& x_ab) {
-  return detail::of_one("quaternion", [](const auto& x) { return quaternion(x); }, x_ab);
+  return detail::of_one(
+      "quaternion", [](const auto& x) { return quaternion(x); }, x_ab);
 }
 inline NamedDcm exp(const NamedRotationVector& theta_ab) {
-  return detail::of_one("exp", [](const auto& theta) { return exp(theta); }, theta_ab);
+  return detail::of_one(
+      "exp", [](const auto& theta) { return exp(theta); }, theta_ab);
 }
 inline NamedQuaternion exp_quaternion(const NamedRotationVector& theta_ab) {
-  return detail::of_one("exp_quaternion", [](const auto& theta) { return exp_quaternion(theta); }, theta_ab);
+  return detail::of_one(
+      "exp_quaternion", [](const auto& theta) { return exp_quaternion(theta); }, theta_ab);
 }
 
 struct SwitchedNamedRodrigues {
@@ -153,10 +159,12 @@ inline auto shadow_rate(const NamedModifiedRodrigues& sigma_ab,
 
 /// The Jacobians of SO(3), and of SE(3) for a screw, as bare matrices.
 template <class Form> auto left_jacobian(const Named<Form>& theta_ab) {
-  return detail::of_one("left_jacobian", [](const auto& x) { return left_jacobian(x); }, theta_ab);
+  return detail::of_one(
+      "left_jacobian", [](const auto& x) { return left_jacobian(x); }, theta_ab);
 }
 template <class Form> auto right_jacobian(const Named<Form>& theta_ab) {
-  return detail::of_one("right_jacobian", [](const auto& x) { return right_jacobian(x); }, theta_ab);
+  return detail::of_one(
+      "right_jacobian", [](const auto& x) { return right_jacobian(x); }, theta_ab);
 }
 template <class Form> auto inverse_left_jacobian(const Named<Form>& theta_ab) {
   return detail::of_one(
@@ -193,7 +201,8 @@ NamedAngularVelocity attitude_velocity(const X& x_ab, const detail::NamedRateOf<
   using Form = detail::FormOfNamed<X>;
   using Rate = detail::FormOfRate<Form>;
   return typed_law<Law<Form, Rate, In<B>>, Law<Form, Rate, In<A>>>(
-      "angular_velocity_from", [](const auto&... x) { return angular_velocity_from(x...); }, x_ab, xdot_ab, c);
+      "angular_velocity_from", [](const auto&... x) { return angular_velocity_from(x...); }, x_ab, xdot_ab,
+      c);
 }
 template <detail::NamedAttitude X>
 NamedAngularAcceleration attitude_acceleration(const X& x_ab, const detail::NamedRateOf<X>& xdot_ab,
@@ -211,7 +220,8 @@ NamedAngularAcceleration attitude_acceleration(const X& x_ab, const detail::Name
 // The checked doors for derivatives in numbers
 template <detail::NamedParameters X, class Derived>
 detail::NamedRateOf<X> parameter_rate(const X& x_ab, const Eigen::MatrixBase<Derived>& numbers) {
-  return detail::of_one("parameter_rate", [&](const auto& x) { return parameter_rate(x, numbers); }, x_ab);
+  return detail::of_one(
+      "parameter_rate", [&](const auto& x) { return parameter_rate(x, numbers); }, x_ab);
 }
 template <detail::NamedParameters X, class Derived>
 detail::NamedSecondRateOf<X> second_parameter_rate(const X& x_ab, const Eigen::MatrixBase<Derived>& numbers) {
@@ -220,7 +230,8 @@ detail::NamedSecondRateOf<X> second_parameter_rate(const X& x_ab, const Eigen::M
 }
 template <class Derived>
 detail::NamedRateOf<NamedDcm> dcm_rate(const NamedDcm& R_a_from_b, const Eigen::MatrixBase<Derived>& matrix) {
-  return detail::of_one("dcm_rate", [&](const auto& R) { return dcm_rate(R, matrix); }, R_a_from_b);
+  return detail::of_one(
+      "dcm_rate", [&](const auto& R) { return dcm_rate(R, matrix); }, R_a_from_b);
 }
 template <class Derived>
 auto dcm_second_rate(const NamedDcm& R_a_from_b, const detail::NamedRateOf<NamedDcm>& Rdot_a_from_b,
@@ -257,8 +268,8 @@ inline auto quaternion_second_rate_scalar_last(const NamedQuaternion& q_a_from_b
 
 // Rdot_b^a r^b
 template <class U>
-NamedVector<unit_of_vector_quotient<U, si::time>> product(
-    const detail::NamedRateOf<NamedDcm>& Rdot_a_from_b, const NamedVector<U>& r_b) {
+NamedVector<unit_of_vector_quotient<U, si::time>> product(const detail::NamedRateOf<NamedDcm>& Rdot_a_from_b,
+                                                          const NamedVector<U>& r_b) {
   using namespace detail::letters;
   return typed_law<Law<DcmRate<A, B>, Vector<B, U>>>(
       "product", [](const auto& Rdot, const auto& r) { return Rdot * r; }, Rdot_a_from_b, r_b);

@@ -12,7 +12,8 @@ template <VectorUnit U> using NamedCovariance = Named<Covariance<Some<'a'>, U>>;
 template <VectorUnit U, detail::Matrix3x3d Matrix>
 NamedCovariance<U> covariance(In<NamedFrame> a, const Matrix& P_a) {
   using namespace detail::letters;
-  return typed_law<Law<In<A>>>("covariance", [&](const auto& in_a) { return covariance<U>(in_a, P_a); }, a);
+  return typed_law<Law<In<A>>>(
+      "covariance", [&](const auto& in_a) { return covariance<U>(in_a, P_a); }, a);
 }
 template <VectorUnit U, detail::Matrix3x3d Matrix>
 NamedCovariance<U> trust_covariance(In<NamedFrame> a, const Matrix& P_a) {

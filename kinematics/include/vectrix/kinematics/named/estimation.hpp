@@ -165,15 +165,16 @@ inline NamedAttitudeFit wahba(To<NamedFrame> b, From<NamedFrame> a,
 /// A rotation with a weight for mean_rotation(), which takes a list of these, or of NamedDcm or
 /// NamedQuaternion with equal weights.
 template <detail::NamedRotation R> NamedWeightedRotation weighted(const R& R_b_from_a, double weight) {
-  return detail::of_one("weighted", [&](const auto& x) { return weighted(x, weight); }, R_b_from_a);
+  return detail::of_one(
+      "weighted", [&](const auto& x) { return weighted(x, weight); }, R_b_from_a);
 }
 template <class Given>
   requires(detail::NamedRotation<Given> || std::same_as<Given, NamedWeightedRotation>)
 NamedMeanRotation mean_rotation(To<NamedFrame> b, From<NamedFrame> a, const std::vector<Given>& rotations) {
   using namespace detail::letters;
-  using Typed = std::conditional_t<std::same_as<Given, NamedDcm>, Dcm<B, A>,
-                                   std::conditional_t<std::same_as<Given, NamedQuaternion>, Quaternion<B, A>,
-                                                      WeightedRotation<B, A>>>;
+  using Typed = std::conditional_t<
+      std::same_as<Given, NamedDcm>, Dcm<B, A>,
+      std::conditional_t<std::same_as<Given, NamedQuaternion>, Quaternion<B, A>, WeightedRotation<B, A>>>;
   const auto [rotation, scatter, agreement] = detail::of_list<Typed>(
       "mean_rotation",
       [](const auto&... x) {

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <sstream>
+#include <string_view>
 #include <vector>
-#include <vectrix/kinematics/named/named.hpp>
+#include <vectrix/kinematics/named/forms.hpp>
 
 namespace vectrix {
 
@@ -26,7 +28,8 @@ template <class... Operands, class... Given>
   requires(sizeof...(Operands) == sizeof...(Given))
 inline constexpr bool law_takes<Law<Operands...>, Given...> = (takes<Operands, Given> && ...);
 
-template <char... letters, class Frames> void lend(Lent& lent, FrameList<Some<letters>...>, const Frames& frames) {
+template <char... letters, class Frames>
+void lend(Lent& lent, FrameList<Some<letters>...>, const Frames& frames) {
   std::size_t i = 0;
   (lent.give(letters, frames[i++]), ...);
 }
@@ -69,6 +72,7 @@ template <class T> std::string type_text() {
   const auto begin = signature.find("T = ") + 4;
   std::string text = short_name(signature.substr(begin, signature.find_first_of(";]", begin) - begin));
   replace_all(text, ", double", "");
+  replace_all(text, " >", ">");
   return text;
 }
 template <class U> std::string described(const NamedVector<U>& r) {
@@ -171,7 +175,7 @@ template <class... Laws, class Word, class... Given>
 auto typed_law(std::string_view name, const Word& word, const Given&... given) {
   detail::require_door(given...);
   return detail::Fitting<std::tuple<>, std::tuple<Laws...>, Given...>::type::use(nullptr, name, word,
-                                                                                given...);
+                                                                                 given...);
 }
 
 namespace detail {

@@ -18,46 +18,8 @@ struct NamedPointMotion {
 /// d/dt|_a r^c of a vector in the unit U: Derivative for frames known at run time.
 template <VectorUnit U> using NamedDerivative = Named<Derivative<Some<'a'>, Some<'b'>, U>>;
 
-template <> inline constexpr bool detail::is_framed<NamedMovingDcm> = true;
-template <> inline constexpr bool detail::is_framed<NamedAcceleratingDcm> = true;
-template <> inline constexpr bool detail::is_framed<NamedMovingTransform> = true;
-template <> inline constexpr bool detail::is_framed<NamedAcceleratingTransform> = true;
-
 namespace detail {
 
-// Values of several parts: how typed ones are made of named ones, and back.
-template <class A, class B> struct Relabel<MovingDcm<A, B>> {
-  static MovingDcm<A, B> of(const NamedMovingDcm& x) {
-    return {relabelled<Dcm<A, B>>(x.rotation()),
-            relabelled<AngularVelocity<A, B, In<B>>>(x.angular_velocity())};
-  }
-};
-template <class A, class B> struct Relabel<AcceleratingDcm<A, B>> {
-  static AcceleratingDcm<A, B> of(const NamedAcceleratingDcm& x) {
-    return {relabelled<Dcm<A, B>>(x.rotation()),
-            relabelled<AngularVelocity<A, B, In<B>>>(x.angular_velocity()),
-            relabelled<AngularAcceleration<A, B, In<B>>>(x.angular_acceleration())};
-  }
-};
-template <class B, class A> struct Relabel<Transform<B, A>> {
-  static Transform<B, A> of(const NamedTransform& X) {
-    return {relabelled<Dcm<B, A>>(X.rotation()), relabelled<Displacement<B, A, In<B>>>(X.translation())};
-  }
-};
-template <class A, class B> struct Relabel<MovingTransform<A, B>> {
-  static MovingTransform<A, B> of(const NamedMovingTransform& x) {
-    return {relabelled<MovingDcm<A, B>>(x.turning()), relabelled<Displacement<A, B, In<A>>>(x.translation()),
-            relabelled<Velocity<A, B, ObservedFrom<A>, In<A>>>(x.velocity())};
-  }
-};
-template <class A, class B> struct Relabel<AcceleratingTransform<A, B>> {
-  static AcceleratingTransform<A, B> of(const NamedAcceleratingTransform& x) {
-    return {relabelled<AcceleratingDcm<A, B>>(x.turning()),
-            relabelled<Displacement<A, B, In<A>>>(x.translation()),
-            relabelled<Velocity<A, B, ObservedFrom<A>, In<A>>>(x.velocity()),
-            relabelled<Acceleration<A, B, ObservedFrom<A>, In<A>>>(x.acceleration())};
-  }
-};
 template <class P, class Q, class A> struct Relabel<PointMotion<P, Q, A>> {
   static PointMotion<P, Q, A> of(const NamedPointMotion& x) {
     return {relabelled<Displacement<P, Q, In<A>>>(x.position),
@@ -70,62 +32,6 @@ template <class A, class C, class U> struct Relabel<Derivative<A, C, U>> {
   }
 };
 
-using TwoFrames = std::array<NamedFrame, 2>;
-template <> struct NamedFor<MovingDcm<Some<'a'>, Some<'b'>>> : std::type_identity<NamedMovingDcm> {};
-template <> struct Naming<NamedMovingDcm> {
-  using form = MovingDcm<Some<'a'>, Some<'b'>>;
-  static TwoFrames frames(const NamedMovingDcm& x) { return Naming<NamedDcm>::frames(x.rotation()); }
-  template <class Typed> static NamedMovingDcm make(const TwoFrames& f, const Typed& x) {
-    return {trusted, Naming<NamedDcm>::make(f, x.rotation),
-            Naming<NamedAngularVelocity>::make({f[0], f[1], f[1]}, x.angular_velocity)};
-  }
-};
-template <>
-struct NamedFor<AcceleratingDcm<Some<'a'>, Some<'b'>>> : std::type_identity<NamedAcceleratingDcm> {};
-template <> struct Naming<NamedAcceleratingDcm> {
-  using form = AcceleratingDcm<Some<'a'>, Some<'b'>>;
-  static TwoFrames frames(const NamedAcceleratingDcm& x) { return Naming<NamedDcm>::frames(x.rotation()); }
-  template <class Typed> static NamedAcceleratingDcm make(const TwoFrames& f, const Typed& x) {
-    return {trusted, Naming<NamedMovingDcm>::make(f, x),
-            Naming<NamedAngularAcceleration>::make({f[0], f[1], f[1]}, x.angular_acceleration)};
-  }
-};
-template <> struct NamedFor<Transform<Some<'a'>, Some<'b'>>> : std::type_identity<NamedTransform> {};
-template <> struct Naming<NamedTransform> {
-  using form = Transform<Some<'a'>, Some<'b'>>;
-  static TwoFrames frames(const NamedTransform& X) { return Naming<NamedDcm>::frames(X.rotation()); }
-  template <class Typed> static NamedTransform make(const TwoFrames& f, const Typed& X) {
-    return {trusted, Naming<NamedDcm>::make(f, X.rotation), X.translation.coordinates()};
-  }
-};
-template <>
-struct NamedFor<MovingTransform<Some<'a'>, Some<'b'>>> : std::type_identity<NamedMovingTransform> {};
-template <> struct Naming<NamedMovingTransform> {
-  using form = MovingTransform<Some<'a'>, Some<'b'>>;
-  static TwoFrames frames(const NamedMovingTransform& x) {
-    return Naming<NamedMovingDcm>::frames(x.turning());
-  }
-  template <class Typed> static NamedMovingTransform make(const TwoFrames& f, const Typed& x) {
-    return {Naming<NamedMovingDcm>::make(f, x.turning),
-            Naming<NamedDisplacement>::make({f[0], f[1], f[0]}, x.translation),
-            Naming<NamedVelocity>::make({f[0], f[1], f[0], f[0]}, x.velocity)};
-  }
-};
-template <>
-struct NamedFor<AcceleratingTransform<Some<'a'>, Some<'b'>>>
-    : std::type_identity<NamedAcceleratingTransform> {};
-template <> struct Naming<NamedAcceleratingTransform> {
-  using form = AcceleratingTransform<Some<'a'>, Some<'b'>>;
-  static TwoFrames frames(const NamedAcceleratingTransform& x) {
-    return Naming<NamedAcceleratingDcm>::frames(x.turning());
-  }
-  template <class Typed> static NamedAcceleratingTransform make(const TwoFrames& f, const Typed& x) {
-    return {Naming<NamedAcceleratingDcm>::make(f, x.turning),
-            Naming<NamedDisplacement>::make({f[0], f[1], f[0]}, x.translation),
-            Naming<NamedVelocity>::make({f[0], f[1], f[0], f[0]}, x.velocity),
-            Naming<NamedAcceleration>::make({f[0], f[1], f[0], f[0]}, x.acceleration)};
-  }
-};
 template <>
 struct NamedFor<PointMotion<Some<'a'>, Some<'b'>, Some<'c'>>> : std::type_identity<NamedPointMotion> {};
 template <> struct Naming<NamedPointMotion> {
@@ -133,8 +39,7 @@ template <> struct Naming<NamedPointMotion> {
   static std::array<NamedFrame, 3> frames(const NamedPointMotion& x) {
     return {x.position.relative_to(), x.position.of(), x.velocity.observed_from()};
   }
-  template <class Typed>
-  static NamedPointMotion make(const std::array<NamedFrame, 3>& f, const Typed& x) {
+  template <class Typed> static NamedPointMotion make(const std::array<NamedFrame, 3>& f, const Typed& x) {
     return {Naming<NamedDisplacement>::make({f[0], f[1], f[2]}, x.position),
             Naming<NamedVelocity>::make({f[0], f[1], f[2], f[2]}, x.velocity)};
   }
@@ -149,8 +54,7 @@ template <class X>
 concept NamedMotion = NamedTurning<X> || NamedPlacedMotion<X>;
 /// A motion of b relative to a, and one of d relative to b.
 template <template <class, class, class> class Motion>
-using ChainOfMotions =
-    Law<Motion<Some<'a'>, Some<'b'>, double>, Motion<Some<'b'>, Some<'d'>, double>>;
+using ChainOfMotions = Law<Motion<Some<'a'>, Some<'b'>, double>, Motion<Some<'b'>, Some<'d'>, double>>;
 
 }  // namespace detail
 
@@ -173,29 +77,36 @@ inline NamedAcceleratingTransform product(const NamedAcceleratingTransform& ab,
       "product", [](const auto& x, const auto& y) { return x * y; }, ab, bd);
 }
 template <detail::NamedMotion X> X inverse(const X& ab) {
-  return detail::of_one("inverse", [](const auto& x) { return inverse(x); }, ab);
+  return detail::of_one(
+      "inverse", [](const auto& x) { return inverse(x); }, ab);
 }
 
 /// The motion without its accelerations; the rotation and the position alone.
 inline NamedMovingDcm without_acceleration(const NamedAcceleratingDcm& ab) {
-  return detail::of_one("without_acceleration", [](const auto& x) { return without_acceleration(x); }, ab);
+  return detail::of_one(
+      "without_acceleration", [](const auto& x) { return without_acceleration(x); }, ab);
 }
 inline NamedMovingTransform moving_transform_of(const NamedAcceleratingTransform& ab) {
-  return detail::of_one("moving_transform_of", [](const auto& x) { return moving_transform_of(x); }, ab);
+  return detail::of_one(
+      "moving_transform_of", [](const auto& x) { return moving_transform_of(x); }, ab);
 }
 template <detail::NamedPlacedMotion X> NamedTransform transform_of(const X& ab) {
-  return detail::of_one("transform_of", [](const auto& x) { return transform_of(x); }, ab);
+  return detail::of_one(
+      "transform_of", [](const auto& x) { return transform_of(x); }, ab);
 }
 
 /// Claims that a and b have the same origin at all times: r_ab = 0, and with a rate v_ab|a = 0, a_ab|a = 0.
 inline NamedTransform coincident(const NamedDcm& R_a_from_b) {
-  return detail::of_one("coincident", [](const auto& R) { return coincident(R); }, R_a_from_b);
+  return detail::of_one(
+      "coincident", [](const auto& R) { return coincident(R); }, R_a_from_b);
 }
 inline NamedMovingTransform coincident(const NamedMovingDcm& turning) {
-  return detail::of_one("coincident", [](const auto& x) { return coincident(x); }, turning);
+  return detail::of_one(
+      "coincident", [](const auto& x) { return coincident(x); }, turning);
 }
 inline NamedAcceleratingTransform coincident(const NamedAcceleratingDcm& turning) {
-  return detail::of_one("coincident", [](const auto& x) { return coincident(x); }, turning);
+  return detail::of_one(
+      "coincident", [](const auto& x) { return coincident(x); }, turning);
 }
 
 /// Claims that the vectors are the position and the velocity of q relative to p, observed from a.
@@ -232,8 +143,7 @@ template <class U, class C0>
 NamedDerivative<U> transported(ObservedFrom<NamedFrame> a, const Named<Derivative<Some<'a'>, C0, U>>& rdot_c,
                                const NamedVector<U>& r_c, const NamedAngularVelocity& w_ab_c) {
   using namespace detail::letters;
-  return typed_law<
-      Law<ObservedFrom<A>, Derivative<B, C, U>, Vector<C, U>, AngularVelocity<A, B, In<C>>>>(
+  return typed_law<Law<ObservedFrom<A>, Derivative<B, C, U>, Vector<C, U>, AngularVelocity<A, B, In<C>>>>(
       "transport", [](const auto&... x) { return transport(x...); }, a, rdot_c, r_c, w_ab_c);
 }
 inline NamedVelocity transported(ObservedFrom<NamedFrame> a, const NamedVelocity& v_pq_b_c,
@@ -248,9 +158,9 @@ inline NamedAcceleration transported(ObservedFrom<NamedFrame> a, const NamedAcce
                                      const NamedAngularAcceleration& alpha_ab_c,
                                      const NamedAngularVelocity& w_ab_c) {
   using namespace detail::letters;
-  return typed_law<Law<ObservedFrom<A>, Acceleration<P, Q, ObservedFrom<B>, In<C>>,
-                       Velocity<P, Q, ObservedFrom<B>, In<C>>, Displacement<P, Q, In<C>>,
-                       AngularAcceleration<A, B, In<C>>, AngularVelocity<A, B, In<C>>>>(
+  return typed_law<
+      Law<ObservedFrom<A>, Acceleration<P, Q, ObservedFrom<B>, In<C>>, Velocity<P, Q, ObservedFrom<B>, In<C>>,
+          Displacement<P, Q, In<C>>, AngularAcceleration<A, B, In<C>>, AngularVelocity<A, B, In<C>>>>(
       "transport", [](const auto&... x) { return transport(x...); }, a, a_pq_b_c, v_pq_b_c, r_pq_c,
       alpha_ab_c, w_ab_c);
 }

@@ -1,9 +1,11 @@
 #pragma once
 
-#include <sstream>
-#include <vectrix/kinematics/named/quaternion.hpp>
-#include <vectrix/kinematics/named/transform.hpp>
-#include <vectrix/kinematics/points/moving_transform.hpp>
+#include <array>
+#include <concepts>
+#include <tuple>
+#include <vectrix/frames/operators.hpp>
+#include <vectrix/frames/trusted.hpp>
+#include <vectrix/kinematics/named/some.hpp>
 
 namespace vectrix {
 namespace detail {
@@ -84,7 +86,9 @@ template <class Form> class Named {
   /// The numbers, with letters for the frames. The frames are no longer checked.
   const Form& value() const { return value_; }
 
-  auto operator-() const { return read([](const Form& x) { return -x; }); }
+  auto operator-() const {
+    return read([](const Form& x) { return -x; });
+  }
 
   /// Of a function of time, such as a Slerp: its value at t.
   template <class T> auto operator()(const T& t) const {
@@ -102,15 +106,33 @@ template <class Form> class Named {
   auto second() const { return value_.second(); }
   auto third() const { return value_.third(); }
   auto distance_from_singularity() const { return value_.distance_from_singularity(); }
-  auto in_reference() const { return read([](const Form& x) { return x.in_reference(); }); }
-  auto in_turned() const { return read([](const Form& x) { return x.in_turned(); }); }
-  auto rotation_vector() const { return read([](const Form& x) { return x.rotation_vector(); }); }
-  auto shadow() const { return read([](const Form& x) { return x.shadow(); }); }
-  auto vector() const { return read([](const Form& x) { return x.vector(); }); }
-  auto angular_velocity() const { return read([](const Form& x) { return x.angular_velocity(); }); }
-  auto velocity() const { return read([](const Form& x) { return x.velocity(); }); }
-  auto angular_acceleration() const { return read([](const Form& x) { return x.angular_acceleration(); }); }
-  auto velocity_rate() const { return read([](const Form& x) { return x.velocity_rate(); }); }
+  auto in_reference() const {
+    return read([](const Form& x) { return x.in_reference(); });
+  }
+  auto in_turned() const {
+    return read([](const Form& x) { return x.in_turned(); });
+  }
+  auto rotation_vector() const {
+    return read([](const Form& x) { return x.rotation_vector(); });
+  }
+  auto shadow() const {
+    return read([](const Form& x) { return x.shadow(); });
+  }
+  auto vector() const {
+    return read([](const Form& x) { return x.vector(); });
+  }
+  auto angular_velocity() const {
+    return read([](const Form& x) { return x.angular_velocity(); });
+  }
+  auto velocity() const {
+    return read([](const Form& x) { return x.velocity(); });
+  }
+  auto angular_acceleration() const {
+    return read([](const Form& x) { return x.angular_acceleration(); });
+  }
+  auto velocity_rate() const {
+    return read([](const Form& x) { return x.velocity_rate(); });
+  }
 
  private:
   template <class Read> auto read(const Read& part) const;
@@ -138,78 +160,6 @@ template <class Form> struct Naming<Named<Form>> {
 template <class To, class Form> To relabelled(const Named<Form>& x) {
   return relabelled<To>(x.value());
 }
-
-template <> struct NamedFor<Dcm<Some<'a'>, Some<'b'>>> : std::type_identity<NamedDcm> {};
-template <> struct Naming<NamedDcm> {
-  using form = Dcm<Some<'a'>, Some<'b'>>;
-  static std::array<NamedFrame, 2> frames(const NamedDcm& R) { return {R.to(), R.from()}; }
-  template <class Typed> static NamedDcm make(const std::array<NamedFrame, 2>& f, const Typed& R) {
-    return {trusted, f[0], f[1], R.matrix()};
-  }
-};
-template <> struct NamedFor<Quaternion<Some<'a'>, Some<'b'>>> : std::type_identity<NamedQuaternion> {};
-template <> struct Naming<NamedQuaternion> {
-  using form = Quaternion<Some<'a'>, Some<'b'>>;
-  static std::array<NamedFrame, 2> frames(const NamedQuaternion& q) { return {q.to(), q.from()}; }
-  template <class Typed> static NamedQuaternion make(const std::array<NamedFrame, 2>& f, const Typed& q) {
-    return {trusted, f[0], f[1], q.eigen()};
-  }
-};
-template <class U> struct NamedFor<Vector<Some<'a'>, U>> : std::type_identity<NamedVector<U>> {};
-template <class U> struct Naming<NamedVector<U>> {
-  using form = Vector<Some<'a'>, U>;
-  static std::array<NamedFrame, 1> frames(const NamedVector<U>& r) { return {r.in()}; }
-  template <class Typed> static NamedVector<U> make(const std::array<NamedFrame, 1>& f, const Typed& r) {
-    return {trusted, f[0], r.coordinates()};
-  }
-};
-
-// To(b), Of(b), ...
-template <template <class> class W>
-  requires std::derived_from<W<NamedFrame>, Word<NamedFrame>>
-struct NamedFor<W<Some<'a'>>> : std::type_identity<W<NamedFrame>> {};
-template <template <class> class W>
-  requires std::derived_from<W<NamedFrame>, Word<NamedFrame>>
-struct Naming<W<NamedFrame>> {
-  using form = W<Some<'a'>>;
-  static std::array<NamedFrame, 1> frames(const W<NamedFrame>& word) { return {word.frame}; }
-};
-
-template <class X, class Form> struct NamingOfPair {
-  using form = Form;
-  static std::array<NamedFrame, 3> frames(const X& ab) { return {ab.relative_to(), ab.of(), ab.in()}; }
-  template <class Typed> static X make(const std::array<NamedFrame, 3>& f, const Typed& ab) {
-    return {trusted, f[1], f[0], {trusted, f[2], ab.coordinates()}};
-  }
-};
-template <template <class, class, class, class> class X>
-using PairForm = X<Some<'a'>, Some<'b'>, In<Some<'c'>>, double>;
-template <> struct NamedFor<PairForm<AngularVelocity>> : std::type_identity<NamedAngularVelocity> {};
-template <>
-struct Naming<NamedAngularVelocity> : NamingOfPair<NamedAngularVelocity, PairForm<AngularVelocity>> {};
-template <> struct NamedFor<PairForm<AngularAcceleration>> : std::type_identity<NamedAngularAcceleration> {};
-template <>
-struct Naming<NamedAngularAcceleration>
-    : NamingOfPair<NamedAngularAcceleration, PairForm<AngularAcceleration>> {};
-template <> struct NamedFor<PairForm<Displacement>> : std::type_identity<NamedDisplacement> {};
-template <> struct Naming<NamedDisplacement> : NamingOfPair<NamedDisplacement, PairForm<Displacement>> {};
-
-template <class X, class Form> struct NamingOfObserved {
-  using form = Form;
-  static std::array<NamedFrame, 4> frames(const X& x) {
-    return {x.relative_to(), x.of(), x.observed_from(), x.in()};
-  }
-  template <class Typed> static X make(const std::array<NamedFrame, 4>& f, const Typed& x) {
-    return {trusted, f[1], f[0], f[2], {trusted, f[3], x.coordinates()}};
-  }
-};
-template <template <class, class, class, class, class> class X>
-using ObservedForm = X<Some<'a'>, Some<'b'>, ObservedFrom<Some<'c'>>, In<Some<'d'>>, double>;
-template <> struct NamedFor<ObservedForm<Velocity>> : std::type_identity<NamedVelocity> {};
-template <> struct Naming<NamedVelocity> : NamingOfObserved<NamedVelocity, ObservedForm<Velocity>> {};
-template <> struct NamedFor<ObservedForm<Acceleration>> : std::type_identity<NamedAcceleration> {};
-template <>
-struct Naming<NamedAcceleration> : NamingOfObserved<NamedAcceleration, ObservedForm<Acceleration>> {};
 
 }  // namespace detail
 }  // namespace vectrix

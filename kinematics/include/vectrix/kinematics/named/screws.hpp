@@ -54,8 +54,8 @@ template <class A> struct Relabel<ScrewAxis<A>> {
 
 }  // namespace detail
 
-/// V_ab(p)^c, its derivative, xi_ab and its derivative: Twist, TwistRate, Screw and ScrewRate for frames known
-/// at run time.
+/// V_ab(p)^c, its derivative, xi_ab and its derivative: Twist, TwistRate, Screw and ScrewRate for frames
+/// known at run time.
 using NamedTwist = Named<detail::TwistAt<Some<'a'>, Some<'b'>, Some<'c'>, Some<'d'>>>;
 using NamedTwistRate = Named<detail::TwistRateAt<Some<'a'>, Some<'b'>, Some<'c'>, Some<'d'>>>;
 using NamedScrew = Named<Screw<Some<'a'>, Some<'b'>>>;
@@ -71,8 +71,7 @@ template <> struct detail::NamedFor<ScrewAxis<Some<'a'>>> : std::type_identity<N
 template <> struct detail::Naming<NamedScrewAxis> {
   using form = ScrewAxis<Some<'a'>>;
   static std::array<NamedFrame, 1> frames(const NamedScrewAxis& axis) { return {axis.direction.in()}; }
-  template <class Typed>
-  static NamedScrewAxis make(const std::array<NamedFrame, 1>& f, const Typed& axis) {
+  template <class Typed> static NamedScrewAxis make(const std::array<NamedFrame, 1>& f, const Typed& axis) {
     return {Naming<NamedVector<si::dimensionless>>::make(f, axis.direction),
             Naming<NamedVector<si::length>>::make(f, axis.place), axis.angle, axis.advance};
   }
@@ -89,18 +88,21 @@ inline NamedTwist twist(At<NamedFrame> p, const NamedAngularVelocity& w_ab_c,
 inline NamedTwistRate twist_rate(const NamedTwist& V_ab, const NamedAngularAcceleration& alpha_ab_c,
                                  const NamedVector<si::acceleration>& a_c) {
   using namespace detail::letters;
-  return typed_law<Law<detail::TwistAt<A, B, P, C>, AngularAcceleration<A, B, In<C>>,
-                       Vector<C, si::acceleration>>>(
+  return typed_law<
+      Law<detail::TwistAt<A, B, P, C>, AngularAcceleration<A, B, In<C>>, Vector<C, si::acceleration>>>(
       "twist_rate", [](const auto&... x) { return twist_rate(x...); }, V_ab, alpha_ab_c, a_c);
 }
 inline NamedTwist twist_of(const NamedMovingTransform& X_a_from_b) {
-  return detail::of_one("twist_of", [](const auto& X) { return twist_of(X); }, X_a_from_b);
+  return detail::of_one(
+      "twist_of", [](const auto& X) { return twist_of(X); }, X_a_from_b);
 }
 inline NamedTwist twist_of(const NamedAcceleratingTransform& X_a_from_b) {
-  return detail::of_one("twist_of", [](const auto& X) { return twist_of(X); }, X_a_from_b);
+  return detail::of_one(
+      "twist_of", [](const auto& X) { return twist_of(X); }, X_a_from_b);
 }
 inline NamedTwistRate twist_rate_of(const NamedAcceleratingTransform& X_a_from_b) {
-  return detail::of_one("twist_rate_of", [](const auto& X) { return twist_rate_of(X); }, X_a_from_b);
+  return detail::of_one(
+      "twist_rate_of", [](const auto& X) { return twist_rate_of(X); }, X_a_from_b);
 }
 
 // V_ad = V_ab + V_bd; V_bd = V_ad - V_ab, V_ab = V_ad - V_bd, at one point
@@ -181,10 +183,12 @@ inline NamedAcceleration point_acceleration(Of<NamedFrame> q, const NamedTwist& 
 
 /// ad of a twist or a screw, Ad of a transform, as bare 6x6 matrices.
 template <class Form> auto ad(const Named<Form>& V_ab) {
-  return detail::of_one("ad", [](const auto& V) { return ad(V); }, V_ab);
+  return detail::of_one(
+      "ad", [](const auto& V) { return ad(V); }, V_ab);
 }
 inline auto adjoint(const NamedTransform& X_b_from_a) {
-  return detail::of_one("adjoint", [](const auto& X) { return adjoint(X); }, X_b_from_a);
+  return detail::of_one(
+      "adjoint", [](const auto& X) { return adjoint(X); }, X_b_from_a);
 }
 
 /// Claims that theta and rho are xi_ab, both expressed in a or both in b; of their derivatives likewise.
@@ -209,13 +213,16 @@ inline NamedScrew screw_along(Of<NamedFrame> b, RelativeTo<NamedFrame> a, const 
       "screw_along", [](const auto&... x) { return screw_along(x...); }, b, a, axis);
 }
 inline NamedScrewAxis screw_axis(const NamedScrew& xi_ab) {
-  return detail::of_one("screw_axis", [](const auto& xi) { return screw_axis(xi); }, xi_ab);
+  return detail::of_one(
+      "screw_axis", [](const auto& xi) { return screw_axis(xi); }, xi_ab);
 }
 inline NamedTransform exp(const NamedScrew& xi_ab) {
-  return detail::of_one("exp", [](const auto& xi) { return exp(xi); }, xi_ab);
+  return detail::of_one(
+      "exp", [](const auto& xi) { return exp(xi); }, xi_ab);
 }
 inline NamedScrew log(const NamedTransform& X_a_from_b) {
-  return detail::of_one("log", [](const auto& X) { return log(X); }, X_a_from_b);
+  return detail::of_one(
+      "log", [](const auto& X) { return log(X); }, X_a_from_b);
 }
 
 // twist_from(xi_ab, xidot_ab, In(c)) and rate(xi_ab, V_ab), with c = b or a

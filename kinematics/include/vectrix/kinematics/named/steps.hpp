@@ -67,28 +67,28 @@ inline NearestNamedDcm nearest_dcm(const NamedFirstOrderAttitude& M_a_from_b) {
   return nearest_dcm(To(M_a_from_b.frames()[0]), From(M_a_from_b.frames()[1]), M_a_from_b.matrix());
 }
 
-// coning_corrected(...) of two or three counts, and coning_corrected_after(before, now), of equal durations or
-// each with its own
+// coning_corrected(...) of two or three counts, and coning_corrected_after(before, now), of equal durations
+// or each with its own
 namespace detail {
 
 template <class X> struct CountOrTime : std::type_identity<X> {};
-template <> struct CountOrTime<NamedAngleIncrement> : std::type_identity<AngleIncrement<Some<'a'>, Some<'b'>>> {};
+template <>
+struct CountOrTime<NamedAngleIncrement> : std::type_identity<AngleIncrement<Some<'a'>, Some<'b'>>> {};
 template <class... Parts>
 concept NamedCounts = (std::same_as<Parts, NamedAngleIncrement> || ...) &&
-    ((std::same_as<Parts, NamedAngleIncrement> || std::same_as<Parts, Quantity<si::time>>)&&...);
+                      ((std::same_as<Parts, NamedAngleIncrement> ||
+                        std::same_as<Parts, Quantity<si::time>>)&&...);
 
 }  // namespace detail
 template <class... Parts>
-  requires detail::NamedCounts<Parts...>
-NamedIncrement corrected_increment(const Parts&... parts) {
-  return typed_law<Law<typename detail::CountOrTime<Parts>::type...>>(
-      "coning_corrected", [](const auto&... x) { return coning_corrected(x...); }, parts...);
-}
+  requires detail::NamedCounts<Parts...> NamedIncrement corrected_increment(const Parts&... parts) {
+    return typed_law<Law<typename detail::CountOrTime<Parts>::type...>>(
+        "coning_corrected", [](const auto&... x) { return coning_corrected(x...); }, parts...);
+  }
 template <class... Parts>
-  requires detail::NamedCounts<Parts...>
-NamedIncrement increment_after(const Parts&... parts) {
-  return typed_law<Law<typename detail::CountOrTime<Parts>::type...>>(
-      "coning_corrected_after", [](const auto&... x) { return coning_corrected_after(x...); }, parts...);
-}
+  requires detail::NamedCounts<Parts...> NamedIncrement increment_after(const Parts&... parts) {
+    return typed_law<Law<typename detail::CountOrTime<Parts>::type...>>(
+        "coning_corrected_after", [](const auto&... x) { return coning_corrected_after(x...); }, parts...);
+  }
 
 }  // namespace vectrix

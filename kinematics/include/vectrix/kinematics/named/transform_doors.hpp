@@ -58,7 +58,7 @@ NamedTransform trust_transform(To<NamedFrame> b, From<NamedFrame> a, const Matri
 inline Eigen::Matrix4d homogeneous_matrix(const NamedTransform& X_b_from_a) {
   using namespace detail;
   const Displacement<Some<'b'>, Some<'a'>, In<Some<'b'>>> r_ba_b{trusted,
-                                                                     X_b_from_a.translation().coordinates()};
+                                                                 X_b_from_a.translation().coordinates()};
   return homogeneous_matrix(Transform<Some<'b'>, Some<'a'>>{
       Dcm<Some<'b'>, Some<'a'>>{trusted, X_b_from_a.rotation().matrix()}, r_ba_b});
 }
