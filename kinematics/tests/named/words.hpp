@@ -66,7 +66,7 @@ class Words {
     RC_ASSERT(named_error == with_names(typed_error));
     if (!typed_error.empty()) return;
     require_same(std::apply(word, operands), word(x...));
-    swap_frames(word, operands, std::index_sequence_for<Typed...>{});
+    if (swaps_) swap_frames(word, operands, std::index_sequence_for<Typed...>{});
   }
 
   template <class X> auto named(const X& x) const {
@@ -86,6 +86,10 @@ class Words {
   NamedFrame other = graph.add_frame("other", FrameMotion::moving);
 
  private:
+  // The frames do not depend on the numbers: once in ten draws is enough.
+  static inline int made_ = 0;
+  bool swaps_ = made_++ % 10 == 0;
+
   static std::string with_names(std::string text) {
     for (const auto& [type, name] :
          {std::pair(frame_name<A>(), "\"a\""), std::pair(frame_name<B>(), "\"b\""),

@@ -28,10 +28,9 @@ template <class... Operands, class... Given>
   requires(sizeof...(Operands) == sizeof...(Given))
 inline constexpr bool law_takes<Law<Operands...>, Given...> = (takes<Operands, Given> && ...);
 
-template <char... letters, class Frames>
-void lend(Lent& lent, FrameList<Some<letters>...>, const Frames& frames) {
+template <class... Fs, class Frames> void lend(Lent& lent, FrameList<Fs...>, const Frames& frames) {
   std::size_t i = 0;
-  (lent.give(letters, frames[i++]), ...);
+  (lent.give<Fs>(frames[i++]), ...);
 }
 template <class Operand, class Given> void lend(Lent& lent, const Given& given) {
   if constexpr (HasForm<Given>) lend(lent, typename FramesIn<Operand>::type{}, Naming<Given>::frames(given));
@@ -45,10 +44,9 @@ template <class Typed> auto named_value(const Lent& lent, const Typed& x) {
   if constexpr (frames_in<Typed> == 0) {
     return x;
   } else {
-    return [&]<char... letters>(FrameList<Some<letters>...>) {
-      return Naming<typename NamedFor<FormOf<Typed>>::type>::make({lent[letters]...}, x);
-    }
-    (typename FramesIn<Typed>::type{});
+    return [&]<class... Fs>(FrameList<Fs...>) {
+      return Naming<typename NamedFor<FormOf<Typed>>::type>::make({lent[LetterOf<Fs>::value]...}, x);
+    }(typename FramesIn<Typed>::type{});
   }
 }
 
@@ -109,17 +107,16 @@ template <class Given> void describe(std::string& list, const char* between, con
     list += (list.empty() ? "" : between) + lent.named(type_text<Form>());
   }
 }
+template <class Given>
+void describe(std::string& list, const char* between, const std::vector<Given>& given) {
+  if (!given.empty()) describe(list, between, given.front());
+}
 /// "rate(R to "a" from "b", w of "b" ...)", "product of R to "a" from "b" and ...".
 template <class... Given> std::string action_text(std::string_view word, const Given&... given) {
   const bool is_operation = word == "product" || word == "sum" || word == "difference";
   std::string list;
   (describe(list, is_operation ? " and " : ", ", given), ...);
   return std::string{word} + (is_operation ? " of " + list : "(" + list + ")");
-}
-
-template <class Given>
-void describe(std::string& list, const char* between, const std::vector<Given>& given) {
-  if (!given.empty()) describe(list, between, given.front());
 }
 template <class... Given> void require_door(const Given&...) {}
 template <class... Given> void require_door(To<NamedFrame> b, From<NamedFrame> a, const Given&...) {
@@ -129,10 +126,6 @@ template <class... Given> void require_door(Of<NamedFrame> b, RelativeTo<NamedFr
   if (b.frame == a.frame)
     throw BadInput("of " + in_quotes(b.frame) + " relative to " + in_quotes(a.frame) +
                    ": a door takes two, and these are one");
-}
-template <class Sequence, class... Given>
-void require_door(const Sequence&, Of<NamedFrame> b, RelativeTo<NamedFrame> a, const Given&... given) {
-  require_door(b, a, given...);
 }
 
 /// word(given...) by the first of the laws whose frames go together.
@@ -172,11 +165,17 @@ struct Fitting<std::tuple<Done...>, std::tuple<L, Rest...>, Given...>
 ///     using A = Some<'a'>; using B = Some<'b'>;
 ///     typed_law<Law<Dcm<A, B>, AngularVelocity<A, B, In<B>>>>("rate", word, R_a_from_b, w_ab_b)
 template <class... Laws, class Word, class... Given>
+  requires(detail::law_takes<Laws, Given...> || ...)
 auto typed_law(std::string_view name, const Word& word, const Given&... given) {
   detail::require_door(given...);
   return detail::Fitting<std::tuple<>, std::tuple<Laws...>, Given...>::type::use(nullptr, name, word,
                                                                                  given...);
 }
+
+template <class... Laws, class Word, class... Given>
+  requires(!(detail::law_takes<Laws, Given...> || ...))
+auto typed_law(  // a Law with the types of these operands, in their order; each frame is a Some<'a'>
+    std::string_view, const Word&, const Given&...) -> Refused = delete;
 
 namespace detail {
 

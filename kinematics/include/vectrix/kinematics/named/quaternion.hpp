@@ -17,6 +17,8 @@ class NamedQuaternion {
   /// The bare quaternion; Eigen stores the scalar last and constructs with the scalar first.
   const Eigen::Quaterniond& eigen() const& { return value_; }
   Eigen::Quaterniond eigen() && { return value_; }
+  std::array<double, 4> scalar_first() const { return {value_.w(), value_.x(), value_.y(), value_.z()}; }
+  std::array<double, 4> scalar_last() const { return {value_.x(), value_.y(), value_.z(), value_.w()}; }
 
  private:
   NamedFrame to_, from_;

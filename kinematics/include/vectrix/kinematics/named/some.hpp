@@ -2,15 +2,33 @@
 
 #include <array>
 #include <string>
+#include <type_traits>
 #include <vectrix/kinematics/named/frame.hpp>
 
 namespace vectrix {
 
-/// A type that stands for one frame known at run time, while a typed law is used:
-/// Dcm<Some<'b'>, Some<'a'>>. The letters are a to z.
-template <char letter> struct Some : moving_frame {};
+namespace detail {
+
+template <char letter> inline constexpr bool is_letter = letter >= 'a' && letter <= 'z';
+
+}  // namespace detail
+
+/// Types that stand for one frame known at run time while a typed law is used: Dcm<Some<'b'>, Some<'a'>>. The
+/// frame of the second must be inertial. The letters are a to z.
+template <char letter>
+  requires detail::is_letter<letter>
+struct Some : moving_frame {
+};
+template <char letter>
+  requires detail::is_letter<letter>
+struct SomeInertial : inertial_frame {
+};
 
 namespace detail {
+
+template <class F> struct LetterOf;
+template <char letter> struct LetterOf<Some<letter>> : std::integral_constant<char, letter> {};
+template <char letter> struct LetterOf<SomeInertial<letter>> : std::integral_constant<char, letter> {};
 
 inline std::string are_two(NamedFrame one, NamedFrame other) {
   return in_quotes(one) + " and " + in_quotes(other) +
@@ -26,6 +44,11 @@ inline void replace_all(std::string& text, const std::string& word, const std::s
 class Lent {
  public:
   /// A letter that has a frame already keeps it; if the other differs, it is counted.
+  template <class F> void give(NamedFrame frame) {
+    if (InertialFrame<F> && frame.motion() != FrameMotion::inertial)
+      throw BadInput(in_quotes(frame) + " is a moving frame; the law needs an inertial one");
+    give(LetterOf<F>::value, frame);
+  }
   void give(char letter, NamedFrame frame) {
     const FrameRecord*& place = records_[static_cast<std::size_t>(letter - 'a')];
     if (place == nullptr) {
@@ -36,7 +59,10 @@ class Lent {
     }
   }
   NamedFrame operator[](char letter) const {
-    return NamedFrame{*records_[static_cast<std::size_t>(letter - 'a')]};
+    const FrameRecord* record = records_[static_cast<std::size_t>(letter - 'a')];
+    if (record == nullptr)
+      throw BadInput(std::string{"no operand says which frame '"} + letter + "' of the result is");
+    return NamedFrame{*record};
   }
   /// How often a letter would need two frames.
   int clashes() const { return clashes_; }
@@ -46,7 +72,8 @@ class Lent {
   std::string named(std::string text) const {
     for (char letter = 'a'; letter <= 'z'; ++letter)
       if (const FrameRecord* record = records_[static_cast<std::size_t>(letter - 'a')])
-        replace_all(text, std::string{"Some<'"} + letter + "'>", in_quotes(record->name));
+        for (const char* type : {"Some<'", "SomeInertial<'"})
+          replace_all(text, std::string{type} + letter + "'>", in_quotes(record->name));
     return text;
   }
   /// make(), which uses a typed law or door. In its errors the frames replace the letters.
