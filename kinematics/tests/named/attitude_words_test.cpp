@@ -81,7 +81,8 @@ RC_GTEST_PROP(NamedAttitude, RotationsOfParametersAreThoseOfTypes, ()) {
 
 RC_GTEST_PROP(NamedAttitude, DoorsAreThoseOfTypes, ()) {
   const Words words;
-  const auto v_a = vector_in<si::dimensionless>(in<A>), v_b = vector_in<si::dimensionless>(in<B>);
+  const auto v_a = vector_in<si::dimensionless>(in<A>);
+  const auto v_b = vector_in<si::dimensionless>(in<B>);
   const auto theta = [](const auto&... x) { return rotation_vector(x...); };
   words.agree(theta, of<B>, relative_to<A>, vector_in<si::angle>(in<A>));
   words.agree(theta, of<B>, relative_to<A>, vector_in<si::angle>(in<B>));
@@ -96,7 +97,8 @@ RC_GTEST_PROP(NamedAttitude, DoorsAreThoseOfTypes, ()) {
               unit_z(in<A>));
   words.agree(
       [](const auto&... x) {
-        return euler_angles(extrinsic<3, 2, 1>, x..., 0.1 * si::radian, 0.2 * si::radian, NAN * si::radian);
+        return euler_angles(extrinsic<3, 2, 1>, x..., 0.1 * si::radian, 0.2 * si::radian,
+                            no_number * si::radian);
       },
       of<B>, relative_to<A>);
   const NamedFrame a = words.graph.frame("a");

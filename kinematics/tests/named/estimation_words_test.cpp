@@ -16,7 +16,8 @@ RC_GTEST_PROP(NamedCovariance, LawsAreThoseOfTypes, ()) {
   const Eigen::Vector3d v = *triple(), u = *triple();
   const Eigen::Matrix3d square = v * v.transpose() + u * u.transpose() + Eigen::Matrix3d::Identity();
   words.agree([&](const auto& in_a) { return covariance<si::length>(in_a, square); }, in<A>);
-  words.agree([&](const auto& in_a) { return covariance<si::length>(in_a, Eigen::Matrix3d(-square)); }, in<A>);
+  words.agree([&](const auto& in_a) { return covariance<si::length>(in_a, Eigen::Matrix3d(-square)); },
+              in<A>);
   words.agree([&](const auto& in_a) { return trust_covariance<si::length>(in_a, square); }, in<A>);
   const auto spread = [&](const auto& in_a) {
     return covariance_from_standard_deviations(in_a, v.x() * si::metre, v.y() * si::metre, v.z() * si::metre);
@@ -51,7 +52,8 @@ RC_GTEST_PROP(NamedEstimation, AttitudesOfDirectionsAreThoseOfTypes, ()) {
   words.agree(by_two, to<B>, from<A>, first);
   words.agree(best, to<B>, from<A>, first);
   words.agree(sure, to<B>, from<A>, first);
-  words.agree(best, to<B>, from<A>, std::vector{weighted_observation(b1, a1, 1.0), weighted_observation(b2, a2, 3.0)});
+  words.agree(best, to<B>, from<A>,
+              std::vector{weighted_observation(b1, a1, 1.0), weighted_observation(b2, a2, 3.0)});
   words.agree(best, to<B>, from<A>, std::vector<Observation<B, A>>{});
 }
 
@@ -95,7 +97,7 @@ RC_GTEST_PROP(NamedStep, StepsAreThoseOfTypes, ()) {
   words.agree([&](const auto& x) { return turned_by(x, dt); }, w);
   words.agree(step, R, w);
   words.agree(step, q, w);
-  words.agree([](const auto&... x) { return exponential_step(x..., NAN * si::second); }, R, w);
+  words.agree([](const auto&... x) { return exponential_step(x..., no_number * si::second); }, R, w);
   words.agree([&](const auto&... x) { return first_order_step(x..., dt); }, R, w);
   words.agree([](const auto& x) { return nearest_dcm(x).dcm; }, first_order_step(R, w, dt));
   words.agree([](const auto&... x) { return angle_increment(x...); }, of<B>, relative_to<A>,

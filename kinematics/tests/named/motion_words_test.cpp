@@ -47,6 +47,12 @@ RC_GTEST_PROP(NamedMotion, PointsAreThoseOfTypes, ()) {
               v);
   const auto motion = point_motion(of<Q>, relative_to<A>, observed_from<A>, r, v);
   const auto a = acceleration(of<Q>, relative_to<A>, observed_from<A>, vector_in<si::acceleration>(in<A>));
+  const auto later = point_motion(of<Q>, relative_to<A>, observed_from<A>, vector_in<si::length>(in<A>),
+                                  vector_in<si::velocity>(in<A>));
+  const auto between = [](const auto&... x) { return hermite(x..., 2.0 * si::second, 0.3 * si::second); };
+  words.agree(between, motion, later);
+  words.agree([](const auto&... x) { return hermite(x..., 2.0 * si::second, 3.0 * si::second); }, motion,
+              motion);
   words.agree([](const auto&... x) { return parallel(x...); }, motion);
   words.agree([](const auto&... x) { return parallel(x...); }, motion, a);
 }

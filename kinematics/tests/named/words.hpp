@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <limits>
 #include <sstream>
 #include <tuple>
 #include <utility>
@@ -19,6 +21,8 @@ struct C : moving_frame {};
 struct D : moving_frame {};
 struct P : moving_frame {};
 struct Q : moving_frame {};
+
+inline constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 
 template <class U, class F> Vector<F, U> vector_in(In<F> f) {
   return vector<U>(f, *triple());

@@ -76,6 +76,9 @@ template <> struct Naming<NamedSample> {
   static std::array<NamedFrame, 2> frames(const NamedSample& sample) {
     return Naming<NamedQuaternion>::frames(sample.q_a_from_b);
   }
+  template <class Typed> static NamedSample make(const std::array<NamedFrame, 2>& f, const Typed& sample) {
+    return {sample.time, Naming<NamedQuaternion>::make(f, sample.q_a_from_b)};
+  }
 };
 
 /// wahba() or mean_rotation(): a word of to, from and a list of X_b_from_a, which gives a tuple.

@@ -4,6 +4,7 @@
 #include <vectrix/kinematics/points/coincident.hpp>
 #include <vectrix/kinematics/points/derivative.hpp>
 #include <vectrix/kinematics/points/parallel.hpp>
+#include <vectrix/kinematics/samples/hermite.hpp>
 
 namespace vectrix {
 
@@ -117,6 +118,13 @@ inline NamedPointMotion point_motion(Of<NamedFrame> q, RelativeTo<NamedFrame> p,
   return typed_law<
       Law<Of<Q>, RelativeTo<P>, ObservedFrom<A>, Vector<A, si::length>, Vector<A, si::velocity>>>(
       "point_motion", [](const auto&... x) { return point_motion(x...); }, q, p, a, r_pq_a, v_pq_a);
+}
+/// The motion at t in a step h, by the cubic through its start and its end.
+inline NamedPointMotion hermite(const NamedPointMotion& start, const NamedPointMotion& end,
+                                const Quantity<si::time>& h, const Quantity<si::time>& t) {
+  using namespace detail::letters;
+  return typed_law<Law<PointMotion<P, Q, A>, PointMotion<P, Q, A>>>(
+      "hermite", [&](const auto&... x) { return hermite(x..., h, t); }, start, end);
 }
 /// Claims that the axes of q are parallel to those of a at all times: the motion of a point as a frame's.
 inline NamedMovingTransform parallel(const NamedPointMotion& motion) {
