@@ -54,18 +54,6 @@ NamedVector<si::length> turned(const NamedDcm& R_body_from_camera, const NamedVe
 }
 }  // namespace named_law_of_other_operands
 
-namespace named_vector_of_bare_numbers {
-// mistake: three numbers without a unit, in a frame of a file
-// expect: one SI vector unit for all: 1.0 . si::metre
-auto position(NamedFrame camera) {
-#ifdef REPAIRED
-  return vector(In(camera), 1.0 * si::metre, 2.0 * si::metre, 3.0 * si::metre);
-#else
-  return vector(In(camera), 1.0, 2.0, 3.0);
-#endif
-}
-}  // namespace named_vector_of_bare_numbers
-
 namespace named_velocity_in_metres {
 // mistake: a velocity between frames of a file, made of a position
 // expect: NamedVector<(vectrix::)?si::length>

@@ -129,6 +129,17 @@ inline NamedVector<si::dimensionless> unit_z(In<NamedFrame> a) {
   return {detail::trusted, a.frame, detail::Column<double>::UnitZ()};
 }
 
+// chain(alpha_ab_c, alpha_bd_c, w_ab_c, w_bd_c)
+inline NamedAngularAcceleration chained(const NamedAngularAcceleration& alpha_ab_c,
+                                        const NamedAngularAcceleration& alpha_bd_c,
+                                        const NamedAngularVelocity& w_ab_c,
+                                        const NamedAngularVelocity& w_bd_c) {
+  using namespace detail::letters;
+  return typed_law<Law<AngularAcceleration<A, B, In<C>>, AngularAcceleration<B, D, In<C>>,
+                       AngularVelocity<A, B, In<C>>, AngularVelocity<B, D, In<C>>>>(
+      "chain", [](const auto&... x) { return chain(x...); }, alpha_ab_c, alpha_bd_c, w_ab_c, w_bd_c);
+}
+
 // q_a^c = q_b^c q_a^b, r^b = q_a^b r^a (q_a^b)*, and the same of w and alpha
 inline NamedQuaternion product(const NamedQuaternion& q_c_from_b, const NamedQuaternion& q_b_from_a) {
   using namespace detail::letters;

@@ -125,7 +125,7 @@ template <class... Given> void require_door(To<NamedFrame> b, From<NamedFrame> a
 template <class... Given> void require_door(Of<NamedFrame> b, RelativeTo<NamedFrame> a, const Given&...) {
   if (b.frame == a.frame)
     throw BadInput("of " + in_quotes(b.frame) + " relative to " + in_quotes(a.frame) +
-                   ": a door takes two, and these are one");
+                   ": a door takes two frames, and these are one");
 }
 
 /// word(given...) by the first of the laws whose frames go together.
