@@ -37,7 +37,10 @@ RC_GTEST_PROP(NamedEstimation, AttitudesOfDirectionsAreThoseOfTypes, ()) {
   };
   const auto [b1, a1] = seen(unit_x(in<B>));
   const auto [b2, a2] = seen(unit_y(in<B>));
-  words.agree([](const auto& r_b, const auto& r_a) { return observation(r_b, r_a, sigma, -1.0); }, b1, a1);
+  words.agree([](const auto&... x) { return observation(x..., sigma, 2.0).measured(); }, b1, a1);
+  words.agree([](const auto&... x) { return observation(x..., sigma, 2.0).reference(); }, b1, a1);
+  words.agree([](const auto&... x) { return observation(x..., sigma, -1.0).weight(); }, b1, a1);
+  words.agree([](const auto&... x) { return observation(x..., -sigma).deviation(); }, b1, a1);
   words.agree([](const auto&... x) { return triad(x...); }, to<B>, from<A>, b1, a1, b2, a2);
   const std::vector first{observation(b1, a1, sigma), observation(b2, a2, sigma, 2.0)};
   const auto by_two = [](const auto& b, const auto& a, const auto& list) {
@@ -67,7 +70,9 @@ RC_GTEST_PROP(NamedEstimation, MeansOfRotationsAreThoseOfTypes, ()) {
   words.agree(mean, to<B>, from<A>, std::vector{R, S});
   words.agree(mean, to<B>, from<A>, std::vector{quaternion(R), quaternion(S)});
   words.agree(mean, to<B>, from<A>, std::vector{weighted(R, 2.0), weighted(quaternion(S), 3.0)});
-  words.agree([](const auto& x) { return weighted(x, -1.0); }, R);
+  words.agree([](const auto& b, const auto& a,
+                 const auto& x) { return mean_rotation(b, a, std::vector{weighted(x, -1.0)}).agreement; },
+              to<B>, from<A>, R);
 }
 
 RC_GTEST_PROP(NamedEstimation, MotionOfSamplesIsThatOfTypes, ()) {

@@ -66,7 +66,7 @@ RC_GTEST_PROP(TypedLaw, MakesAFunctionOfTime, ()) {
         return Slerp{start, p, end, q};
       },
       words.named(q0), words.named(q1));
-  RC_ASSERT(words.graph.typed<Dcm<A, B>>(slerp(now).rotation()).matrix() == typed.rotation.matrix());
+  RC_ASSERT(words.graph.typed(to<A>, from<B>, slerp(now).rotation()).matrix() == typed.rotation.matrix());
   RC_ASSERT(slerp(now).angular_velocity().coordinates() == typed.angular_velocity.coordinates());
   RC_ASSERT(message<BadInput>([&] { slerp(5.0 * si::second); }) ==
             R"(Slerp of "b" relative to "a": the time 5 s is outside [1 s, 4 s])");

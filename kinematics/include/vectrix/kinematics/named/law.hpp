@@ -19,8 +19,8 @@ concept HasForm = requires {
 
 /// Whether the operand of a law can be this value: the same quantity, or a number of this type.
 template <class Operand, class Given>
-inline constexpr bool takes =
-    std::same_as<Operand, Given> || std::same_as<typename NamedFor<FormOf<Operand>>::type, Given>;
+inline constexpr bool takes = std::same_as<Operand, Given> || std::same_as<Named<Operand>, Given> ||
+                              std::same_as<typename NamedFor<FormOf<Operand>>::type, Given>;
 template <class Operand, class Given>
 inline constexpr bool takes<std::vector<Operand>, std::vector<Given>> = takes<Operand, Given>;
 template <class L, class... Given> inline constexpr bool law_takes = false;
@@ -45,7 +45,13 @@ template <class Typed> auto named_value(const Lent& lent, const Typed& x) {
     return x;
   } else {
     return [&]<class... Fs>(FrameList<Fs...>) {
-      return Naming<typename NamedFor<FormOf<Typed>>::type>::make({lent[LetterOf<Fs>::value]...}, x);
+      using Form = FormOf<Typed>;
+      using X = typename NamedFor<Form>::type;
+      if constexpr (std::same_as<X, Named<Form>> && !Relabels<Form, Typed>) {
+        return Named<Typed>{trusted, {lent[LetterOf<Fs>::value]...}, x};
+      } else {
+        return Naming<X>::make({lent[LetterOf<Fs>::value]...}, x);
+      }
     }(typename FramesIn<Typed>::type{});
   }
 }

@@ -48,17 +48,32 @@ template <class T> using FormOf = typename Lettered<T, 'a'>::type;
 
 /// Makes a To with the numbers of x, a value of the same quantity between other frames. Claims the frames.
 template <class To> struct Relabel {
-  template <class X> static To of(const X& x) {
-    if constexpr (requires { x.matrix(); }) {
-      return To(trusted, x.matrix());
-    } else if constexpr (requires { x.eigen(); }) {
-      return To(trusted, [&] { return x.eigen(); });
-    } else if constexpr (requires { x.coordinates(); }) {
-      return To(trusted, x.coordinates());
-    } else {
-      return To{};  // of<B>: a word without numbers
+  template <class X>
+    requires requires(const X& x) {
+      x.matrix();
     }
+  static To of(const X& x) { return To(trusted, x.matrix()); }
+  template <class X>
+    requires requires(const X& x) {
+      x.eigen();
+    }
+  static To of(const X& x) {
+    return To(trusted, [&] { return x.eigen(); });
   }
+  template <class X>
+    requires requires(const X& x) {
+      x.coordinates();
+    }
+  static To of(const X& x) { return To(trusted, x.coordinates()); }
+  // of<B>: a word without numbers
+  template <class X>
+    requires std::is_empty_v<To>
+  static To of(const X&) { return To{}; }
+};
+/// Other types, such as a function of time, keep their letters.
+template <class To, class X>
+concept Relabels = std::same_as<To, X> || requires(const X& x) {
+  Relabel<To>::of(x);
 };
 template <class To, class X> To relabelled(const X& x) {
   if constexpr (std::same_as<To, X>) {
@@ -100,6 +115,14 @@ template <class Form> class Named {
   auto eigen() const { return value_.eigen(); }
   auto scalar_first() const { return value_.scalar_first(); }
   auto angle() const { return value_.angle(); }
+  auto weight() const { return value_.weight(); }
+  auto deviation() const { return value_.deviation(); }
+  auto measured() const {
+    return read([](const Form& x) { return x.measured(); });
+  }
+  auto reference() const {
+    return read([](const Form& x) { return x.reference(); });
+  }
   auto rotation() const { return value_.rotation(); }
   auto translation() const { return value_.translation(); }
   auto first() const { return value_.first(); }
