@@ -7,7 +7,7 @@ namespace named_words {
 namespace {
 
 RC_GTEST_PROP(NamedAlgebra, OfVectorsIsThatOfTypes, ()) {
-  const Words words;
+  const Words words(sometimes());
   const auto r = vector_in<si::length>(in<A>), s = vector_in<si::length>(in<A>);
   const auto F = vector_in<si::force>(in<A>);
   const auto w = any_rate(of<C>, relative_to<B>, in<A>);
@@ -45,7 +45,7 @@ RC_GTEST_PROP(NamedAlgebra, OfVectorsIsThatOfTypes, ()) {
 }
 
 RC_GTEST_PROP(NamedAlgebra, OfQuaternionsIsThatOfTypes, ()) {
-  const Words words;
+  const Words words(sometimes());
   const auto q = quaternion(any_rotation(to<C>, from<B>));
   const auto product = [](const auto& x, const auto& y) { return x * y; };
   words.agree(product, q, quaternion(any_rotation(to<B>, from<A>)));
@@ -60,7 +60,7 @@ RC_GTEST_PROP(NamedAlgebra, OfQuaternionsIsThatOfTypes, ()) {
 }
 
 RC_GTEST_PROP(NamedAlgebra, ClaimsOfZeroAndUnitVectorsAreThoseOfTypes, ()) {
-  const Words words;
+  const Words words(sometimes());
   words.agree([](const auto& in_a) { return zero<si::length>(in_a); }, in<A>);
   words.agree([](const auto& in_a) { return unit_x(in_a); }, in<A>);
   words.agree([](const auto& in_a) { return unit_y(in_a); }, in<A>);

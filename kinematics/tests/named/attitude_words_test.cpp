@@ -37,7 +37,7 @@ Dcm<A, B> tame_rotation() {
 }
 
 RC_GTEST_PROP(NamedAttitude, ParametersOfARotationAreThoseOfTypes, ()) {
-  const Words words;
+  const Words words(sometimes());
   const auto R = any_rotation(to<A>, from<B>);
   const auto q = quaternion(R);
   const auto all = [&](const auto& word) {
@@ -53,7 +53,7 @@ RC_GTEST_PROP(NamedAttitude, ParametersOfARotationAreThoseOfTypes, ()) {
 }
 
 RC_GTEST_PROP(NamedAttitude, RotationsOfParametersAreThoseOfTypes, ()) {
-  const Words words;
+  const Words words(sometimes());
   const auto v = vector_in<si::dimensionless>(in<A>);
   const auto theta = rotation_vector(of<B>, relative_to<A>, vector_in<si::angle>(in<A>));
   const auto to_dcm = [](const auto& x) { return dcm(x); };
@@ -80,7 +80,7 @@ RC_GTEST_PROP(NamedAttitude, RotationsOfParametersAreThoseOfTypes, ()) {
 }
 
 RC_GTEST_PROP(NamedAttitude, DoorsAreThoseOfTypes, ()) {
-  const Words words;
+  const Words words(sometimes());
   const auto v_a = vector_in<si::dimensionless>(in<A>);
   const auto v_b = vector_in<si::dimensionless>(in<B>);
   const auto theta = [](const auto&... x) { return rotation_vector(x...); };
@@ -107,7 +107,7 @@ RC_GTEST_PROP(NamedAttitude, DoorsAreThoseOfTypes, ()) {
 }
 
 RC_GTEST_PROP(NamedAttitude, DerivativesAreThoseOfTypes, ()) {
-  const Words words;
+  const Words words(sometimes());
   const auto R = tame_rotation();
   agree_on_derivatives(words, R);
   agree_on_derivatives(words, quaternion(R));
@@ -117,7 +117,7 @@ RC_GTEST_PROP(NamedAttitude, DerivativesAreThoseOfTypes, ()) {
 }
 
 RC_GTEST_PROP(NamedAttitude, DerivativesInNumbersAreThoseOfTypes, ()) {
-  const Words words;
+  const Words words(sometimes());
   const Eigen::Vector3d v = *triple();
   const auto R = tame_rotation();
   const auto q = quaternion(R);
@@ -141,7 +141,7 @@ RC_GTEST_PROP(NamedAttitude, DerivativesInNumbersAreThoseOfTypes, ()) {
 }
 
 RC_GTEST_PROP(NamedAttitude, ShadowsAndJacobiansAreThoseOfTypes, ()) {
-  const Words words;
+  const Words words(sometimes());
   const auto sigma = modified_rodrigues(of<B>, relative_to<A>, vector_in<si::dimensionless>(in<A>));
   words.agree([](const auto& x) { return switch_to_shadow(x).parameters; }, sigma);
   words.agree([](const auto& x) { return switch_to_shadow(x).switched; }, sigma);

@@ -16,7 +16,7 @@ template <class X, class Y> AcceleratingTransform<X, Y> any_motion(Of<Y> y, Rela
 }
 
 RC_GTEST_PROP(NamedMotion, ProductsAndInversesAreThoseOfTypes, ()) {
-  const Words words;
+  const Words words(sometimes());
   const auto ab = any_motion(of<B>, relative_to<A>);
   const auto bd = any_motion(of<D>, relative_to<B>);
   const auto product = [](const auto& x, const auto& y) { return x * y; };
@@ -40,7 +40,7 @@ RC_GTEST_PROP(NamedMotion, ProductsAndInversesAreThoseOfTypes, ()) {
 }
 
 RC_GTEST_PROP(NamedMotion, PointsAreThoseOfTypes, ()) {
-  const Words words;
+  const Words words(sometimes());
   const auto r = vector_in<si::length>(in<A>);
   const auto v = vector_in<si::velocity>(in<A>);
   words.agree([](const auto&... x) { return point_motion(x...); }, of<Q>, relative_to<P>, observed_from<A>, r,
@@ -58,7 +58,7 @@ RC_GTEST_PROP(NamedMotion, PointsAreThoseOfTypes, ()) {
 }
 
 RC_GTEST_PROP(NamedMotion, ObserversAreThoseOfTypes, ()) {
-  const Words words;
+  const Words words(sometimes());
   const auto w = any_rate(of<B>, relative_to<A>, in<C>);
   const auto alpha = any_change(of<B>, relative_to<A>, in<C>);
   const auto r = any_place(of<Q>, relative_to<P>, in<C>);

@@ -21,7 +21,7 @@ template <class Y, class X> Transform<Y, X> any_transform(To<Y> y, From<X> x) {
 }
 
 RC_GTEST_PROP(NamedTwist, LawsAreThoseOfTypes, ()) {
-  const Words words;
+  const Words words(sometimes());
   const auto V_ab = any_twist(of<B>, relative_to<A>, at<P>, in<C>);
   const auto V_bd = any_twist(of<D>, relative_to<B>, at<P>, in<C>);
   const auto V_ad = any_twist(of<D>, relative_to<A>, at<P>, in<C>);
@@ -46,7 +46,7 @@ RC_GTEST_PROP(NamedTwist, LawsAreThoseOfTypes, ()) {
 }
 
 RC_GTEST_PROP(NamedTwist, DerivativesAreThoseOfTypes, ()) {
-  const Words words;
+  const Words words(sometimes());
   const auto V_ab = any_twist(of<B>, relative_to<A>, at<P>, in<C>);
   const auto V_bd = any_twist(of<D>, relative_to<B>, at<P>, in<C>);
   const auto Vdot_ab = any_twist_rate(V_ab), Vdot_ab_2 = any_twist_rate(V_ab);
@@ -76,7 +76,7 @@ RC_GTEST_PROP(NamedTwist, DerivativesAreThoseOfTypes, ()) {
 }
 
 RC_GTEST_PROP(NamedScrew, LawsAreThoseOfTypes, ()) {
-  const Words words;
+  const Words words(sometimes());
   const auto screws = [](const auto&... x) { return screw(x...); };
   words.agree(screws, of<B>, relative_to<A>, vector_in<si::angle>(in<A>), vector_in<si::length>(in<A>));
   words.agree(screws, of<B>, relative_to<A>, vector_in<si::angle>(in<B>), vector_in<si::length>(in<B>));

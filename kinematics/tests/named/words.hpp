@@ -48,10 +48,15 @@ template <class X> std::string text_of(const X& x) {
   return out.str();
 }
 
+/// Whether to swap frames in this draw. Refusals do not depend on the numbers: one draw in ten is enough.
+inline bool sometimes() {
+  return *rc::gen::inRange(0, 10) == 0;
+}
+
 /// A graph whose frames are bound to the types above, and one frame more.
 class Words {
  public:
-  Words() {
+  explicit Words(bool swaps = true) : swaps_(swaps) {
     graph.add_frame<A>("a");
     graph.add_frame<B>("b");
     graph.add_frame<C>("c");
@@ -90,9 +95,7 @@ class Words {
   NamedFrame other = graph.add_frame("other", FrameMotion::moving);
 
  private:
-  // The frames do not depend on the numbers: once in ten draws is enough.
-  static inline int made_ = 0;
-  bool swaps_ = made_++ % 10 == 0;
+  bool swaps_;
 
   static std::string with_names(std::string text) {
     for (const auto& [type, name] :
@@ -120,6 +123,9 @@ class Words {
   template <class X> static void add_frames(std::vector<NamedFrame>& list, const X& x) {
     if constexpr (detail::HasForm<X>)
       for (const NamedFrame frame : detail::Naming<X>::frames(x)) list.push_back(frame);
+  }
+  template <class X> static void add_frames(std::vector<NamedFrame>& list, const std::vector<X>& all) {
+    for (const X& x : all) add_frames(list, x);
   }
   template <class Word, class Operands, std::size_t... i>
   void swap_frames(const Word& word, const Operands& operands, std::index_sequence<i...>) const {
