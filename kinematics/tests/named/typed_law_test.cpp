@@ -44,6 +44,18 @@ TEST(TypedLaw, TellsTheFramesOfTwoGraphsApart) {
             R"(cross(a vector in "a", a vector in "a"): "a" and "a" are frames of two graphs)");
 }
 
+// A product of typed rotations has a type of its own until it is stored.
+RC_GTEST_PROP(TypedLaw, NamesAProductOfRotations, ()) {
+  const Words words(sometimes());
+  const auto R = any_rotation(to<C>, from<B>), S = any_rotation(to<B>, from<A>);
+  words.agree([](const auto& x, const auto& y) { return x * y; }, R, S);
+  const NamedDcm product = words.graph.named(R * S);
+  RC_ASSERT(words.graph.typed(to<C>, from<A>, product).matrix() == Dcm<C, A>(R * S).matrix());
+  const NamedDcm by_law = typed_law<Law<Dcm<X, Y>, Dcm<Y, Some<'z'>>>>(
+      "product", [](const auto& x, const auto& y) { return x * y; }, words.named(R), words.named(S));
+  RC_ASSERT(by_law.matrix() == product.matrix() && by_law.from() == product.from());
+}
+
 TEST(TypedLaw, RefusesAResultWhoseFrameNoOperandHas) {
   const Words words;
   const auto first = [](const std::vector<Vector<X, si::length>>&) { return zero<si::length>(in<X>); };

@@ -116,7 +116,7 @@ class Words {
     if constexpr (detail::frames_in<Typed> == 0) {
       RC_ASSERT(text_of(x) == text_of(typed));
     } else {
-      RC_ASSERT(text_of(graph.typed<Typed>(x)) == text_of(typed));
+      RC_ASSERT(text_of(graph.typed<detail::Evaluated<Typed>>(x)) == text_of(typed));
       RC_ASSERT(text_of(x) == with_names(text_of(typed)));
     }
   }

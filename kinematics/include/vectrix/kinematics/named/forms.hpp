@@ -17,6 +17,11 @@ template <> inline constexpr bool detail::is_framed<NamedAcceleratingTransform> 
 
 namespace detail {
 
+// A product of rotations that is not stored yet is a rotation.
+template <class B, class A, std::size_t N, class S>
+struct FramesIn<DcmChain<B, A, N, S>> : FramesIn<Dcm<B, A, S>> {};
+template <class B, class A, std::size_t N, class S, char next>
+struct Lettered<DcmChain<B, A, N, S>, next> : Lettered<Dcm<B, A, S>, next> {};
 template <> struct NamedFor<Dcm<Some<'a'>, Some<'b'>>> : std::type_identity<NamedDcm> {};
 template <> struct Naming<NamedDcm> {
   using form = Dcm<Some<'a'>, Some<'b'>>;
