@@ -3,7 +3,8 @@
 
 #include "words.hpp"
 
-namespace named_words {
+namespace named_algebra_test {
+using namespace named_words;
 namespace {
 
 RC_GTEST_PROP(NamedAlgebra, OfVectorsIsThatOfTypes, ()) {
@@ -90,4 +91,4 @@ TEST(NamedAlgebra, TheZeroVectorHasNoDirection) {
 }
 
 }  // namespace
-}  // namespace named_words
+}  // namespace named_algebra_test

@@ -5,7 +5,8 @@
 
 #include "words.hpp"
 
-namespace named_words {
+namespace named_attitude_words_test {
+using namespace named_words;
 namespace {
 
 /// The derivatives of an attitude of b relative to a, and back, in either frame.
@@ -158,4 +159,4 @@ RC_GTEST_PROP(NamedAttitude, ShadowsAndJacobiansAreThoseOfTypes, ()) {
 }
 
 }  // namespace
-}  // namespace named_words
+}  // namespace named_attitude_words_test

@@ -6,7 +6,8 @@
 
 #include "words.hpp"
 
-namespace named_words {
+namespace named_estimation_words_test {
+using namespace named_words;
 namespace {
 
 constexpr auto sigma = 0.01 * si::radian;
@@ -117,4 +118,4 @@ RC_GTEST_PROP(NamedStep, StepsAreThoseOfTypes, ()) {
 }
 
 }  // namespace
-}  // namespace named_words
+}  // namespace named_estimation_words_test

@@ -5,7 +5,8 @@
 
 #include "words.hpp"
 
-namespace named_words {
+namespace named_motion_words_test {
+using namespace named_words;
 namespace {
 
 template <class X, class Y> AcceleratingTransform<X, Y> any_motion(Of<Y> y, RelativeTo<X> x) {
@@ -79,4 +80,4 @@ RC_GTEST_PROP(NamedMotion, ObserversAreThoseOfTypes, ()) {
 }
 
 }  // namespace
-}  // namespace named_words
+}  // namespace named_motion_words_test

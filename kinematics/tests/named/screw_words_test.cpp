@@ -5,7 +5,8 @@
 
 #include "words.hpp"
 
-namespace named_words {
+namespace named_screw_words_test {
+using namespace named_words;
 namespace {
 
 template <class X, class Y, class Z, class W>
@@ -112,4 +113,4 @@ RC_GTEST_PROP(NamedScrew, LawsAreThoseOfTypes, ()) {
 }
 
 }  // namespace
-}  // namespace named_words
+}  // namespace named_screw_words_test

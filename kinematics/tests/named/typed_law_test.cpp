@@ -6,7 +6,8 @@
 
 #include "words.hpp"
 
-namespace named_words {
+namespace typed_law_test {
+using namespace named_words;
 namespace {
 
 using I = SomeInertial<'i'>;
@@ -87,4 +88,4 @@ RC_GTEST_PROP(TypedLaw, MakesAFunctionOfTime, ()) {
 }
 
 }  // namespace
-}  // namespace named_words
+}  // namespace typed_law_test
