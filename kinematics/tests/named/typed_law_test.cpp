@@ -48,10 +48,12 @@ TEST(TypedLaw, TellsTheFramesOfTwoGraphsApart) {
 // A product of typed rotations has a type of its own until it is stored.
 RC_GTEST_PROP(TypedLaw, NamesAProductOfRotations, ()) {
   const Words words(sometimes());
-  const auto R = any_rotation(to<C>, from<B>), S = any_rotation(to<B>, from<A>);
+  const auto R = any_rotation(to<C>, from<B>);
+  const auto S = any_rotation(to<B>, from<A>);
+  const Dcm<C, A> stored = R * S;
   words.agree([](const auto& x, const auto& y) { return x * y; }, R, S);
   const NamedDcm product = words.graph.named(R * S);
-  RC_ASSERT(words.graph.typed(to<C>, from<A>, product).matrix() == Dcm<C, A>(R * S).matrix());
+  RC_ASSERT(words.graph.typed(to<C>, from<A>, product).matrix() == stored.matrix());
   const NamedDcm by_law = typed_law<Law<Dcm<X, Y>, Dcm<Y, Some<'z'>>>>(
       "product", [](const auto& x, const auto& y) { return x * y; }, words.named(R), words.named(S));
   RC_ASSERT(by_law.matrix() == product.matrix() && by_law.from() == product.from());

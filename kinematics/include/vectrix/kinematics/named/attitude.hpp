@@ -20,6 +20,10 @@ using NamedRotationVector = Named<RotationVector<Some<'a'>, Some<'b'>>>;
 using NamedAxisAngle = Named<AxisAngle<Some<'a'>, Some<'b'>>>;
 using NamedGibbsVector = Named<GibbsVector<Some<'a'>, Some<'b'>>>;
 using NamedModifiedRodrigues = Named<ModifiedRodrigues<Some<'a'>, Some<'b'>>>;
+using NamedDcmRate = Named<DcmRate<Some<'a'>, Some<'b'>>>;
+using NamedDcmSecondRate = Named<DcmSecondRate<Some<'a'>, Some<'b'>>>;
+using NamedQuaternionRate = Named<QuaternionRate<Some<'a'>, Some<'b'>>>;
+using NamedQuaternionSecondRate = Named<QuaternionSecondRate<Some<'a'>, Some<'b'>>>;
 template <EulerSequence Sequence> using NamedEulerAngles = Named<EulerAngles<Sequence, Some<'a'>, Some<'b'>>>;
 
 namespace detail {
@@ -229,46 +233,46 @@ detail::NamedSecondRateOf<X> second_parameter_rate(const X& x_ab, const Eigen::M
       "second_parameter_rate", [&](const auto& x) { return second_parameter_rate(x, numbers); }, x_ab);
 }
 template <class Derived>
-detail::NamedRateOf<NamedDcm> dcm_rate(const NamedDcm& R_a_from_b, const Eigen::MatrixBase<Derived>& matrix) {
+NamedDcmRate dcm_rate(const NamedDcm& R_a_from_b, const Eigen::MatrixBase<Derived>& matrix) {
   return detail::of_one(
       "dcm_rate", [&](const auto& R) { return dcm_rate(R, matrix); }, R_a_from_b);
 }
 template <class Derived>
-auto dcm_second_rate(const NamedDcm& R_a_from_b, const detail::NamedRateOf<NamedDcm>& Rdot_a_from_b,
-                     const Eigen::MatrixBase<Derived>& matrix) {
+NamedDcmSecondRate dcm_second_rate(const NamedDcm& R_a_from_b, const NamedDcmRate& Rdot_a_from_b,
+                                   const Eigen::MatrixBase<Derived>& matrix) {
   using namespace detail::letters;
   return typed_law<Law<Dcm<A, B>, DcmRate<A, B>>>(
       "dcm_second_rate", [&](const auto&... x) { return dcm_second_rate(x..., matrix); }, R_a_from_b,
       Rdot_a_from_b);
 }
-inline auto quaternion_rate_scalar_first(const NamedQuaternion& q_a_from_b, double w, double x, double y,
-                                         double z) {
+inline NamedQuaternionRate quaternion_rate_scalar_first(const NamedQuaternion& q_a_from_b, double w, double x,
+                                                        double y, double z) {
   return detail::of_one(
       "quaternion_rate_scalar_first",
       [&](const auto& q) { return quaternion_rate_scalar_first(q, w, x, y, z); }, q_a_from_b);
 }
-inline auto quaternion_rate_scalar_last(const NamedQuaternion& q_a_from_b, double x, double y, double z,
-                                        double w) {
+inline NamedQuaternionRate quaternion_rate_scalar_last(const NamedQuaternion& q_a_from_b, double x, double y,
+                                                       double z, double w) {
   return quaternion_rate_scalar_first(q_a_from_b, w, x, y, z);
 }
-inline auto quaternion_second_rate_scalar_first(const NamedQuaternion& q_a_from_b,
-                                                const detail::NamedRateOf<NamedQuaternion>& qdot_a_from_b,
-                                                double w, double x, double y, double z) {
+inline NamedQuaternionSecondRate quaternion_second_rate_scalar_first(const NamedQuaternion& q_a_from_b,
+                                                                     const NamedQuaternionRate& qdot_a_from_b,
+                                                                     double w, double x, double y, double z) {
   using namespace detail::letters;
   return typed_law<Law<Quaternion<A, B>, QuaternionRate<A, B>>>(
       "quaternion_second_rate_scalar_first",
       [&](const auto&... qs) { return quaternion_second_rate_scalar_first(qs..., w, x, y, z); }, q_a_from_b,
       qdot_a_from_b);
 }
-inline auto quaternion_second_rate_scalar_last(const NamedQuaternion& q_a_from_b,
-                                               const detail::NamedRateOf<NamedQuaternion>& qdot_a_from_b,
-                                               double x, double y, double z, double w) {
+inline NamedQuaternionSecondRate quaternion_second_rate_scalar_last(const NamedQuaternion& q_a_from_b,
+                                                                    const NamedQuaternionRate& qdot_a_from_b,
+                                                                    double x, double y, double z, double w) {
   return quaternion_second_rate_scalar_first(q_a_from_b, qdot_a_from_b, w, x, y, z);
 }
 
 // Rdot_b^a r^b
 template <class U>
-NamedVector<unit_of_vector_quotient<U, si::time>> product(const detail::NamedRateOf<NamedDcm>& Rdot_a_from_b,
+NamedVector<unit_of_vector_quotient<U, si::time>> product(const NamedDcmRate& Rdot_a_from_b,
                                                           const NamedVector<U>& r_b) {
   using namespace detail::letters;
   return typed_law<Law<DcmRate<A, B>, Vector<B, U>>>(
