@@ -223,7 +223,7 @@ namespace vector_of_bare_numbers {
 // mistake: three numbers without a unit
 // expect: F = Body
 // expect: X = double
-// expect: one SI vector unit
+// expect: one SI vector unit for all: 1.0 . si::metre
 auto position() {
 #ifdef REPAIRED
   return vector(in<Body>, 1.0 * si::metre, 2.0 * si::metre, 3.0 * si::metre);
@@ -249,7 +249,7 @@ auto torque() {
 namespace vector_of_kilometres {
 // mistake: kilometres given for metres
 // expect: F = Gcrf
-// expect: one SI vector unit for all: convert<U>
+// expect: one SI vector unit for all: .* or convert<U>
 auto position() {
 #ifdef REPAIRED
   const auto zero = 0.0 * si::metre;

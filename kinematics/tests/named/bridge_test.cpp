@@ -214,7 +214,8 @@ TEST_F(NamedBridgeErrors, AValueOfOtherFramesIsNotTyped) {
   const auto v = vector<si::angular_velocity>(In(body), Eigen::Vector3d(1, 2, 3));
   expect(typed_error(Gcrf_, "gcrf", "body"), [&] { graph.typed(in<Gcrf>, v); });
   const auto w = angular_velocity(Of(body), RelativeTo(gcrf), v);
-  expect(typed_error(Gcrf_, "gcrf", "body"), [&] { graph.typed(of<Gcrf>, relative_to<Body>, in<Body>, w); });
+  expect(typed_error(Body_, "body", "gcrf"), [&] { graph.typed(of<Gcrf>, relative_to<Body>, in<Body>, w); });
+  expect(typed_error(Gcrf_, "gcrf", "body"), [&] { graph.typed(of<Gcrf>, relative_to<Gcrf>, in<Body>, w); });
   expect(typed_error(Body_, "body", "gcrf"), [&] { graph.typed(of<Body>, relative_to<Body>, in<Body>, w); });
   expect(typed_error(Gcrf_, "gcrf", "body"), [&] { graph.typed(of<Body>, relative_to<Gcrf>, in<Gcrf>, w); });
   NamedGraph other;

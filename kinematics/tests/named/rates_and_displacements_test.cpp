@@ -60,7 +60,7 @@ RC_GTEST_PROP(NamedRate, PairsThatDoNotChainAreRefused, ()) {
   const auto alpha_ab_c = x.alpha(x.b, x.a, x.c, x.v1), alpha_bd_c = x.alpha(x.d, x.b, x.c, x.v1);
   const auto w_bd_c = x.w(x.d, x.b, x.c, x.v2);
   const auto refused = [&](const auto& a1, const auto& a2, const auto& w1, const auto& w2) {
-    return contains(refusal([&] { chain(a1, a2, w1, w2); }), "chain of alpha of ");
+    return contains(refusal([&] { chain(a1, a2, w1, w2); }), "chain(alpha of ");
   };
   RC_ASSERT(refused(alpha_bd_c, alpha_ab_c, w_ab_c, w_bd_c));
   RC_ASSERT(refused(alpha_ab_c, alpha_bd_c, w_bd_c, w_ab_c));

@@ -39,6 +39,21 @@ void build(NamedGraph& graph) {
 }
 }  // namespace named_graph_edge_that_asks
 
+namespace named_law_of_other_operands {
+// mistake: a typed law given to operands of other types than it says
+// expect: a Law with the types of these operands
+NamedVector<si::length> turned(const NamedDcm& R_body_from_camera, const NamedVector<si::length>& r_camera) {
+  using B = Some<'b'>;
+  using C = Some<'c'>;
+  const auto word = [](const auto& R, const auto& r) { return R * r; };
+#ifdef REPAIRED
+  return typed_law<Law<Dcm<B, C>, Vector<C, si::length>>>("turned", word, R_body_from_camera, r_camera);
+#else
+  return typed_law<Law<Dcm<B, C>, Vector<C, si::force>>>("turned", word, R_body_from_camera, r_camera);
+#endif
+}
+}  // namespace named_law_of_other_operands
+
 namespace named_velocity_in_metres {
 // mistake: a velocity between frames of a file, made of a position
 // expect: NamedVector<(vectrix::)?si::length>

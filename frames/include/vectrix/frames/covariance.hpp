@@ -150,7 +150,7 @@ Covariance<F, U, S> covariance_from_standard_deviations(In<F>, const Quantity<U,
   return {detail::trusted, detail::Square<S>(deviations.cwiseAbs2().asDiagonal())};
 }
 template <class F, class X, class Y, class Z, class UnitGiven = typename detail::UnitOf<X>::type>
-auto covariance_from_standard_deviations(  // one SI vector unit for all: convert<U>()
+auto covariance_from_standard_deviations(  // one SI vector unit for all: 1.0 * si::metre, or convert<U>()
     In<F>, const X&, const Y&, const Z&) -> Refused = delete;
 
 // P^b = R_a^b P^a (R_a^b)^T

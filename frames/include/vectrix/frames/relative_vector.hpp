@@ -128,7 +128,8 @@ concept HasAngle = requires {
 /// Throws BadInput for a zero vector. Derivatives are NaN for parallel vectors.
 template <class Left, class Right>
 detail::AngleBetween<Left, Right> angle_between(const Left& r_a, const Right& s_a) {
-  return detail::angle_of(detail::plain(r_a), detail::plain(s_a));
+  using detail::angle_of, detail::plain;
+  return angle_of(plain(r_a), plain(s_a));
 }
 template <class Left, class Right>
   requires(detail::FramedPair<Left, Right> && !detail::HasAngle<Left, Right>)

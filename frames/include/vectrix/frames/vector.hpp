@@ -122,7 +122,7 @@ std::enable_if_t<!std::is_integral_v<S>, Vector<F, U, S>> vector(In<F>, const Qu
 }
 
 template <class F, class X, class Y, class Z, class UnitGiven = typename detail::UnitOf<X>::type>
-auto vector(  // one SI vector unit for all: convert<U>()
+auto vector(  // one SI vector unit for all: 1.0 * si::metre, or convert<U>()
     In<F>, const X&, const Y&, const Z&) -> Refused = delete;
 
 /// Claims that the three bare numbers are coordinates in F, in the coherent SI unit U:

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <vectrix/frames/dcm.hpp>
-#include <vectrix/kinematics/named/frame.hpp>
+#include <vectrix/kinematics/named/some.hpp>
 
 namespace vectrix {
 
@@ -38,11 +38,6 @@ inline std::string to_from(NamedFrame b, NamedFrame a) {
 }
 inline std::string described(const NamedDcm& R_b_from_a) {
   return "R" + to_from(R_b_from_a.to(), R_b_from_a.from());
-}
-
-inline std::string are_two(NamedFrame one, NamedFrame other) {
-  return in_quotes(one) + " and " + in_quotes(other) +
-         (one.name() == other.name() ? " are frames of two graphs" : " are two frames");
 }
 
 /// Throws BadInput unless both are the same frame. action() describes the operation and its operands.

@@ -6,37 +6,24 @@
 namespace vectrix {
 namespace detail {
 
-// The types that stand for run-time frames in a typed door.
-struct FirstNamed : moving_frame {};
-struct SecondNamed : moving_frame {};
-
-inline void replace_all(std::string& text, const std::string& word, const std::string& by) {
-  for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + by.size()))
-    text.replace(at, word.size(), by);
-}
-
 inline void require_two(NamedFrame first, NamedFrame second) {
   if (first == second) {
     throw BadInput("to " + in_quotes(first) + ", from " + in_quotes(second) +
                    ": a door takes two frames, and these are one");
   }
 }
-/// Calls make(), which uses a typed door. In its errors the run-time frames replace the types.
-template <class Make> auto through_door(NamedFrame first, NamedFrame second, const Make& make) {
-  require_two(first, second);
-  try {
-    return make();
-  } catch (const BadInput& error) {
-    std::string text = error.what();
-    replace_all(text, frame_name<FirstNamed>(), in_quotes(first));
-    replace_all(text, frame_name<SecondNamed>(), in_quotes(second));
-    throw BadInput(text);
-  }
+/// make(), which uses a typed door to Some<'b'> from Some<'a'>.
+template <class Make> auto through_door(NamedFrame b, NamedFrame a, const Make& make) {
+  require_two(b, a);
+  Lent lent;
+  lent.give('b', b);
+  lent.give('a', a);
+  return lent.call(make);
 }
 
 template <class Typed> NamedDcm named(NamedFrame b, NamedFrame a, const Typed& typed) {
   return through_door(b, a, [&] {
-    return NamedDcm{trusted, b, a, typed(vectrix::to<FirstNamed>, vectrix::from<SecondNamed>).matrix()};
+    return NamedDcm{trusted, b, a, typed(vectrix::to<Some<'b'>>, vectrix::from<Some<'a'>>).matrix()};
   });
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <vectrix/frames/graph/frame_graph.hpp>
+#include <vectrix/kinematics/named/algebra.hpp>
 #include <vectrix/kinematics/named/sampled_edge.hpp>
 #include <vectrix/kinematics/named/snapshot.hpp>
 #include <vectrix/kinematics/named/transform_doors.hpp>
@@ -139,85 +140,54 @@ class NamedGraph {
   void typed_edge() const&& = delete;  // the edge refers to the graph: give the graph a name first
 
   /// Converts a typed value to a named one, with the frames to which its types are bound.
-  template <class B, class A> NamedDcm named(const Dcm<B, A>& R_b_from_a) const {
-    return {detail::trusted, frame<B>(), frame<A>(), R_b_from_a.matrix()};
-  }
-  template <class C, class U> NamedVector<U> named(const Vector<C, U>& r_c) const {
-    return {detail::trusted, frame<C>(), r_c.coordinates()};
-  }
-  template <class A, class B, class C>
-  NamedAngularVelocity named(const AngularVelocity<A, B, In<C>>& w_ab_c) const {
-    return {detail::trusted, frame<B>(), frame<A>(), named(w_ab_c.vector())};
-  }
-  template <class A, class B, class C>
-  NamedAngularAcceleration named(const AngularAcceleration<A, B, In<C>>& alpha_ab_c) const {
-    return {detail::trusted, frame<B>(), frame<A>(), named(alpha_ab_c.vector())};
-  }
-  template <Frame P, Frame Q, class C>
-  NamedDisplacement named(const Displacement<P, Q, In<C>>& r_pq_c) const {
-    return {detail::trusted, frame<Q>(), frame<P>(), named(r_pq_c.vector())};
-  }
-  template <Frame P, Frame Q, class A, class C>
-  NamedVelocity named(const Velocity<P, Q, ObservedFrom<A>, In<C>>& v_pq_a_c) const {
-    return {detail::trusted, frame<Q>(), frame<P>(), frame<A>(), named(v_pq_a_c.vector())};
-  }
-  template <Frame P, Frame Q, class A, class C>
-  NamedAcceleration named(const Acceleration<P, Q, ObservedFrom<A>, In<C>>& a_pq_a_c) const {
-    return {detail::trusted, frame<Q>(), frame<P>(), frame<A>(), named(a_pq_a_c.vector())};
-  }
-  template <class B, class A> NamedTransform named(const Transform<B, A>& X_b_from_a) const {
-    return {named(X_b_from_a.rotation), named(X_b_from_a.translation)};
-  }
+  template <class Typed>
+    requires(detail::frames_in<Typed> > 0)
+  auto named(const Typed& x) const { return named(x, typename detail::FramesIn<Typed>::type{}); }
 
-  /// Converts a named value to a typed one. Throws BadInput when its frames are not bound to these types.
+  /// Converts a named value to a typed one: typed<Twist<A, B, At<B>, In<B>>>(V_ab). Throws BadInput when its
+  /// frames are not bound to these types.
+  template <class Typed, class X>
+    requires detail::takes<Typed, X> Typed typed(const X& x)
+  const {
+    require_bound(typename detail::FramesIn<Typed>::type{}, detail::Naming<X>::frames(x));
+    return detail::relabelled<Typed>(x);
+  }
+  /// The same by the words of the door.
   template <Frame B, Frame A> Dcm<B, A> typed(To<B>, From<A>, const NamedDcm& R_b_from_a) const {
-    require_bound<B>(R_b_from_a.to());
-    require_bound<A>(R_b_from_a.from());
-    return {detail::trusted, R_b_from_a.matrix()};
+    return typed<Dcm<B, A>>(R_b_from_a);
+  }
+  template <Frame B, Frame A>
+  Quaternion<B, A> typed(To<B>, From<A>, const NamedQuaternion& q_b_from_a) const {
+    return typed<Quaternion<B, A>>(q_b_from_a);
+  }
+  template <Frame B, Frame A> Transform<B, A> typed(To<B>, From<A>, const NamedTransform& X_b_from_a) const {
+    return typed<Transform<B, A>>(X_b_from_a);
   }
   template <Frame C, class U> Vector<C, U> typed(In<C>, const NamedVector<U>& r_c) const {
-    require_bound<C>(r_c.in());
-    return {detail::trusted, r_c.coordinates()};
+    return typed<Vector<C, U>>(r_c);
   }
   template <Frame B, Frame A, Frame C>
   AngularVelocity<A, B, In<C>> typed(Of<B>, RelativeTo<A>, In<C>, const NamedAngularVelocity& w_ab_c) const {
-    require_bound<B>(w_ab_c.of());
-    require_bound<A>(w_ab_c.relative_to());
-    return AngularVelocity<A, B, In<C>>{detail::trusted, typed(in<C>, w_ab_c.vector())};
+    return typed<AngularVelocity<A, B, In<C>>>(w_ab_c);
   }
   template <Frame B, Frame A, Frame C>
   AngularAcceleration<A, B, In<C>> typed(Of<B>, RelativeTo<A>, In<C>,
                                          const NamedAngularAcceleration& alpha_ab_c) const {
-    require_bound<B>(alpha_ab_c.of());
-    require_bound<A>(alpha_ab_c.relative_to());
-    return AngularAcceleration<A, B, In<C>>{detail::trusted, typed(in<C>, alpha_ab_c.vector())};
+    return typed<AngularAcceleration<A, B, In<C>>>(alpha_ab_c);
   }
-
   template <Frame Q, Frame P, Frame C>
   Displacement<P, Q, In<C>> typed(Of<Q>, RelativeTo<P>, In<C>, const NamedDisplacement& r_pq_c) const {
-    require_bound<Q>(r_pq_c.of());
-    require_bound<P>(r_pq_c.relative_to());
-    return Displacement<P, Q, In<C>>{detail::trusted, typed(in<C>, r_pq_c.vector())};
+    return typed<Displacement<P, Q, In<C>>>(r_pq_c);
   }
   template <Frame Q, Frame P, Frame A, Frame C>
   Velocity<P, Q, ObservedFrom<A>, In<C>> typed(Of<Q>, RelativeTo<P>, ObservedFrom<A>, In<C>,
                                                const NamedVelocity& v_pq_a_c) const {
-    require_bound<Q>(v_pq_a_c.of());
-    require_bound<P>(v_pq_a_c.relative_to());
-    require_bound<A>(v_pq_a_c.observed_from());
-    return Velocity<P, Q, ObservedFrom<A>, In<C>>{detail::trusted, typed(in<C>, v_pq_a_c.vector())};
+    return typed<Velocity<P, Q, ObservedFrom<A>, In<C>>>(v_pq_a_c);
   }
   template <Frame Q, Frame P, Frame A, Frame C>
   Acceleration<P, Q, ObservedFrom<A>, In<C>> typed(Of<Q>, RelativeTo<P>, ObservedFrom<A>, In<C>,
                                                    const NamedAcceleration& a_pq_a_c) const {
-    require_bound<Q>(a_pq_a_c.of());
-    require_bound<P>(a_pq_a_c.relative_to());
-    require_bound<A>(a_pq_a_c.observed_from());
-    return Acceleration<P, Q, ObservedFrom<A>, In<C>>{detail::trusted, typed(in<C>, a_pq_a_c.vector())};
-  }
-  template <Frame B, Frame A> Transform<B, A> typed(To<B>, From<A>, const NamedTransform& X_b_from_a) const {
-    return {typed(to<B>, from<A>, X_b_from_a.rotation()),
-            typed(of<A>, relative_to<B>, in<B>, X_b_from_a.translation())};
+    return typed<Acceleration<P, Q, ObservedFrom<A>, In<C>>>(a_pq_a_c);
   }
 
   /// All frames, in the order in which they were added.
@@ -230,6 +200,15 @@ class NamedGraph {
   static constexpr FrameMotion motion_of_type =
       InertialFrame<F> ? FrameMotion::inertial : FrameMotion::moving;
 
+  template <class Typed, class... Fs> auto named(const Typed& x, detail::FrameList<Fs...>) const {
+    using X = typename detail::NamedFor<detail::FormOf<Typed>>::type;
+    return detail::Naming<X>::make({frame<Fs>()...}, x);
+  }
+  template <class... Fs, class Frames>
+  void require_bound(detail::FrameList<Fs...>, const Frames& given) const {
+    std::size_t i = 0;
+    (require_bound<Fs>(given[i++]), ...);
+  }
   template <class F> void require_bound(NamedFrame given) const {
     const NamedFrame bound = frame<F>();
     if (bound == given) return;

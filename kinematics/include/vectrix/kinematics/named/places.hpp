@@ -4,9 +4,6 @@
 
 namespace vectrix::detail {
 
-/// The types that stand for run-time frames in the typed laws of motion.
-template <char letter> struct Some : moving_frame {};
-
 /// The motion of b relative to a as a typed value of the level.
 template <Level level, Frame A, Frame B> auto typed_motion(const PlacedMotion& ab) {
   const Dcm<A, B> R_a_from_b{trusted, ab.turning.R};

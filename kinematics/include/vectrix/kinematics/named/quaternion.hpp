@@ -17,6 +17,8 @@ class NamedQuaternion {
   /// The bare quaternion; Eigen stores the scalar last and constructs with the scalar first.
   const Eigen::Quaterniond& eigen() const& { return value_; }
   Eigen::Quaterniond eigen() && { return value_; }
+  std::array<double, 4> scalar_first() const { return {value_.w(), value_.x(), value_.y(), value_.z()}; }
+  std::array<double, 4> scalar_last() const { return {value_.x(), value_.y(), value_.z(), value_.w()}; }
 
  private:
   NamedFrame to_, from_;
@@ -33,7 +35,7 @@ namespace detail {
 
 template <class Typed> NamedQuaternion named_quaternion(NamedFrame b, NamedFrame a, const Typed& typed) {
   return through_door(b, a, [&] {
-    return NamedQuaternion{trusted, b, a, typed(vectrix::to<FirstNamed>, vectrix::from<SecondNamed>).eigen()};
+    return NamedQuaternion{trusted, b, a, typed(vectrix::to<Some<'b'>>, vectrix::from<Some<'a'>>).eigen()};
   });
 }
 template <class Typed>
@@ -91,7 +93,7 @@ inline NearestNamedQuaternion nearest_quaternion(To<NamedFrame> b, From<NamedFra
 
 inline NamedQuaternion quaternion(const NamedDcm& R_b_from_a) {
   using namespace detail;
-  const Dcm<FirstNamed, SecondNamed> R{trusted, R_b_from_a.matrix()};
+  const Dcm<Some<'b'>, Some<'a'>> R{trusted, R_b_from_a.matrix()};
   return {trusted, R_b_from_a.to(), R_b_from_a.from(), quaternion(R).eigen()};
 }
 inline NamedDcm dcm(const NamedQuaternion& q_b_from_a) {

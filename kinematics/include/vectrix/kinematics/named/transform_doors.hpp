@@ -12,7 +12,7 @@ concept Matrix4x4d = Matrix4x4<Derived> && std::same_as<typename Derived::Scalar
 
 template <class Typed> NamedTransform named_transform(NamedFrame b, NamedFrame a, const Typed& typed) {
   return through_door(b, a, [&] {
-    const auto X = typed(vectrix::to<FirstNamed>, vectrix::from<SecondNamed>);
+    const auto X = typed(vectrix::to<Some<'b'>>, vectrix::from<Some<'a'>>);
     return NamedTransform{trusted, {trusted, b, a, X.rotation.matrix()}, X.translation.coordinates()};
   });
 }
@@ -57,10 +57,10 @@ NamedTransform trust_transform(To<NamedFrame> b, From<NamedFrame> a, const Matri
 /// The bare homogeneous matrix [R_a^b, r_ba^b; 0 0 0 1], lengths in metres.
 inline Eigen::Matrix4d homogeneous_matrix(const NamedTransform& X_b_from_a) {
   using namespace detail;
-  const Displacement<FirstNamed, SecondNamed, In<FirstNamed>> r_ba_b{trusted,
-                                                                     X_b_from_a.translation().coordinates()};
-  return homogeneous_matrix(Transform<FirstNamed, SecondNamed>{
-      Dcm<FirstNamed, SecondNamed>{trusted, X_b_from_a.rotation().matrix()}, r_ba_b});
+  const Displacement<Some<'b'>, Some<'a'>, In<Some<'b'>>> r_ba_b{trusted,
+                                                                 X_b_from_a.translation().coordinates()};
+  return homogeneous_matrix(Transform<Some<'b'>, Some<'a'>>{
+      Dcm<Some<'b'>, Some<'a'>>{trusted, X_b_from_a.rotation().matrix()}, r_ba_b});
 }
 
 }  // namespace vectrix

@@ -8,7 +8,7 @@
 namespace vectrix {
 
 /// The point at which a twist is taken: at<P>.
-template <Point P> struct At {};
+template <class P> struct At {};
 template <Point P> inline constexpr At<P> at{};
 
 /// V_ab(p)^c, of type Twist<A, B, At<P>, In<C>>: the motion of the rigid frame b relative to a: the rate

@@ -93,7 +93,9 @@ template <class A, class B, class S> struct BodyRate<AngularVelocity<A, B, In<B>
 }  // namespace detail
 
 /// The attitude after the step, for a DCM or a quaternion: advance(R_a_from_b, theta). The result is a
-/// rotation for every increment, to a few rounding units after any number of steps. Throws BadInput as exp().
+/// rotation for every increment, to a few rounding units after any number of steps. For a DCM this costs 1.2
+/// to 1.5 times the bare step, before(R_a_from_b) * exp(theta), whose rounding adds up with the steps. Throws
+/// BadInput as exp().
 template <class Rotation, class Turn>
 detail::AdvancedOf<Rotation, Turn> advance(const Rotation& rotation, const Turn& theta) {
   return advanced(rotation, theta);
