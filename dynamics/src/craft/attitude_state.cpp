@@ -55,17 +55,6 @@ void write_rates(std::span<const double> z, std::span<const double> ydot, std::s
   std::copy(ydot.begin() + of_quaternion, ydot.end(), zdot.begin() + of_dcm);
 }
 
-}  // namespace
-
-void read_state(AttitudeState attitude, std::span<const double> integrated, std::span<double> y) {
-  if (attitude == AttitudeState::quaternion) {
-    std::copy(integrated.begin(), integrated.end(), y.begin());
-    return;
-  }
-  const auto R = nearest_dcm(to<Inertial>, from<Hub>, Eigen::Matrix3d(matrix(integrated))).dcm;
-  write_state(quaternion(R).eigen(), integrated, y);
-}
-
 ode::Problem with_dcm(ode::Problem problem) {
   const std::size_t size = problem.initial_state.size();
 
@@ -100,6 +89,22 @@ ode::Problem with_dcm(ode::Problem problem) {
     };
   }
   return problem;
+}
+
+}  // namespace
+
+void read_state(AttitudeState attitude, std::span<const double> integrated, std::span<double> y) {
+  if (attitude == AttitudeState::quaternion) {
+    std::copy(integrated.begin(), integrated.end(), y.begin());
+    return;
+  }
+  const auto R = nearest_dcm(to<Inertial>, from<Hub>, Eigen::Matrix3d(matrix(integrated))).dcm;
+  write_state(quaternion(R).eigen(), integrated, y);
+}
+
+ode::Solution solve_in(AttitudeState attitude, ode::Problem problem) {
+  if (attitude == AttitudeState::dcm) problem = with_dcm(std::move(problem));
+  return ode::solve(problem);
 }
 
 double attitude_drift(AttitudeState attitude, std::span<const double> integrated,

@@ -23,10 +23,24 @@ std::size_t not_finite(std::span<const double> numbers) {
 
 }  // namespace
 
-std::shared_ptr<const CraftCore> make_craft_core(PlainSpacecraft plain, std::vector<PlainMount> mounts) {
-  const NamedCraftCore named(std::move(plain), "Spacecraft");
+LoweredParts::LoweredParts(const PlainSpacecraft& hub) : plain_(hub) {}
+LoweredParts::~LoweredParts() = default;
+void LoweredParts::add(const PlainBody& body) {
+  plain_.bodies.push_back(body);
+}
+void LoweredParts::add(const PlainRotor& rotor) {
+  plain_.rotors.push_back(rotor);
+}
+void LoweredParts::add(const PlainMode& mode) {
+  plain_.modes.push_back(mode);
+}
+void LoweredParts::add(const PlainMount& mount) {
+  mounts_.push_back(mount);
+}
+std::shared_ptr<const CraftCore> LoweredParts::core() const {
+  const NamedCraftCore named(plain_, "Spacecraft");
   auto core = std::make_shared<CraftCore>(named.core());
-  core->mounts = std::move(mounts);
+  core->mounts = mounts_;
   return core;
 }
 

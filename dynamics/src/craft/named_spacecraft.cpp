@@ -13,10 +13,12 @@ using detail::NamedCraftCore;
 
 PlainSpacecraft plain_of(const NamedHub& hub, const std::vector<NamedBody>& bodies,
                          const std::vector<NamedRotor>& rotors, const std::vector<NamedMode>& modes) {
-  PlainSpacecraft craft = detail::plain_hub(hub.inertial, hub.name, hub.motion, hub.mass);
+  PlainSpacecraft craft =
+      detail::plain_hub(hub.inertial, hub.name, hub.motion, detail::mass_numbers(hub.mass));
   for (const auto& [name, parent, mass, joint] : bodies)
-    craft.bodies.push_back(
-        detail::plain_body(name, parent, joint.kind, joint.X_p_from_b, joint.axes_b, mass));
+    craft.bodies.push_back(detail::plain_body(name, parent, joint.kind, joint.X_p_from_b.rotation.matrix(),
+                                              joint.X_p_from_b.translation.coordinates(), joint.axes_b,
+                                              detail::mass_numbers(mass)));
   for (const NamedRotor& rotor : rotors)
     craft.rotors.push_back({rotor.name, rotor.body, rotor.axis_b.coordinates(), rotor.inertia.value()});
   for (const NamedMode& mode : modes)

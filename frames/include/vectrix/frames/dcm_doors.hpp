@@ -22,8 +22,11 @@ inline constexpr double nearly_singular = 1e-12;
 
 namespace detail {
 
+[[gnu::cold]] inline std::string dcm_door(const char* door, const std::string& b, const std::string& a) {
+  return std::string{door} + "(to<" + b + ">, from<" + a + ">): ";
+}
 template <class B, class A> std::string dcm_door(const char* door) {
-  return std::string{door} + "(to<" + frame_name<B>() + ">, from<" + frame_name<A>() + ">): ";
+  return dcm_door(door, frame_name<B>(), frame_name<A>());
 }
 
 template <class B, class A, class S> void require_finite(const Square<S>& matrix, const char* door) {

@@ -42,8 +42,11 @@ concept Point =
 
 namespace detail {
 
-/// A type's name without the namespace of this library, which clang writes and g++ leaves out here.
-inline std::string short_name(std::string_view name) {
+/// The name of F in the signature of a function, without the namespace of this library, which clang writes
+/// and g++ leaves out here.
+inline std::string name_in(std::string_view signature) {
+  const auto begin = signature.find("F = ") + 4;
+  std::string_view name = signature.substr(begin, signature.find_first_of(";]", begin) - begin);
   constexpr std::string_view own = "vectrix::", before_names = "< ,";
   std::string result;
   while (!name.empty()) {
@@ -59,9 +62,7 @@ inline std::string short_name(std::string_view name) {
 
 /// The name of the frame as the compiler writes it, for messages: "earth::Gcrf".
 template <Point F> std::string frame_name() {
-  const std::string_view signature = __PRETTY_FUNCTION__;
-  const auto begin = signature.find("F = ") + 4;
-  return detail::short_name(signature.substr(begin, signature.find_first_of(";]", begin) - begin));
+  return detail::name_in(__PRETTY_FUNCTION__);
 }
 
 // The arguments of doors and queries: to<B>, from<A>, in<C>, of<B>, relative_to<A>. of and relative_to also

@@ -94,15 +94,16 @@ template <class F, class U, class S> inline constexpr bool detail::is_framed<Vec
 
 namespace detail {
 
-template <Frame F, class S>
-[[noreturn, gnu::cold, gnu::noinline]] void refuse_coordinates(const Column<S>& coordinates) {
-  throw BadInput("vector(in<" + frame_name<F>() + ">): the coordinates (" + text(coordinates.x()) + ", " +
+template <class S>
+[[noreturn, gnu::cold, gnu::noinline]] void refuse_coordinates(const std::string& f,
+                                                               const Column<S>& coordinates) {
+  throw BadInput("vector(in<" + f + ">): the coordinates (" + text(coordinates.x()) + ", " +
                  text(coordinates.y()) + ", " + text(coordinates.z()) + ") are not finite");
 }
 
 template <Frame F, VectorUnit U, class S> Vector<F, U, S> checked_vector(const Column<S>& coordinates) {
   if (!all_finite(coordinates)) {
-    refuse_coordinates<F, S>(coordinates);
+    refuse_coordinates<S>(frame_name<F>(), coordinates);
   }
   return {trusted, coordinates};
 }

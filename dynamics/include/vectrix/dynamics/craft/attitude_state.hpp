@@ -18,9 +18,9 @@ namespace detail {
 VECTRIX_EXPORT void read_state(AttitudeState attitude, std::span<const double> integrated,
                                std::span<double> y);
 
-/// The problem of a craft, in the numbers of its state, with the nine of R_h^i in place of q:
+/// Solves the problem of a craft, which is in the numbers of its state; with the nine of R_h^i in place of q:
 ///     d/dt R_h^i = R_h^i [w_ih^h]x
-VECTRIX_EXPORT ode::Problem with_dcm(ode::Problem problem);
+VECTRIX_EXPORT ode::Solution solve_in(AttitudeState attitude, ode::Problem problem);
 
 /// How far the attitude is from a rotation: | |q|/|q_0| - 1 |, or the largest entry of |R^T R - I|.
 VECTRIX_EXPORT double attitude_drift(AttitudeState attitude, std::span<const double> integrated,

@@ -27,9 +27,25 @@ template <class S> struct CraftCoreIn {
 };
 using CraftCore = CraftCoreIn<double>;
 
-/// Throws BadInput as NamedSpacecraft does, with "Spacecraft" before the message.
-VECTRIX_EXPORT std::shared_ptr<const CraftCore> make_craft_core(PlainSpacecraft plain,
-                                                                std::vector<PlainMount> mounts);
+/// The parts of a Spacecraft, when their names are lost.
+class VECTRIX_EXPORT LoweredParts {
+ public:
+  explicit LoweredParts(const PlainSpacecraft& hub);
+  ~LoweredParts();
+  LoweredParts(const LoweredParts&) = delete;
+  LoweredParts& operator=(const LoweredParts&) = delete;
+
+  void add(const PlainBody& body);
+  void add(const PlainRotor& rotor);
+  void add(const PlainMode& mode);
+  void add(const PlainMount& mount);
+  /// Throws BadInput as NamedSpacecraft does, with "Spacecraft" before the message.
+  [[nodiscard]] std::shared_ptr<const CraftCore> core() const;
+
+ private:
+  PlainSpacecraft plain_;
+  std::vector<PlainMount> mounts_;
+};
 
 /// q of a rotation matrix, scalar first.
 VECTRIX_EXPORT std::vector<double> quaternion_numbers(const Eigen::Matrix3d& R);

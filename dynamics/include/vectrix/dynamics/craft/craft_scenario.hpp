@@ -113,11 +113,16 @@ template <class B, class X> struct PartOf<Stands<B, X>> {
   static constexpr bool load = false, held = false, ticks = false, zero = false;
 };
 
-template <class... Types> using Joined = decltype(std::tuple_cat(std::declval<Types>()...));
+template <class... Tuples> struct JoinedOf { using type = std::tuple<>; };
+template <class... X> struct JoinedOf<std::tuple<X...>> { using type = std::tuple<X...>; };
+template <class... X, class... Y, class... Tuples>
+struct JoinedOf<std::tuple<X...>, std::tuple<Y...>, Tuples...> : JoinedOf<std::tuple<X..., Y...>, Tuples...> {
+};
+template <class... Tuples> using Joined = typename JoinedOf<Tuples...>::type;
 template <class Part> struct HeldType { using type = std::tuple<>; };
 template <class X> struct HeldType<Held<X>> { using type = std::tuple<X>; };
 /// The types of the values that the parts hold, in their order.
-template <class... Parts> using HeldTypes = Joined<std::tuple<>, typename HeldType<Parts>::type...>;
+template <class... Parts> using HeldTypes = Joined<typename HeldType<Parts>::type...>;
 
 template <class X, class Tuple> inline constexpr std::size_t count_in = 0;
 template <class X, class... Types>
@@ -248,10 +253,14 @@ template <std::size_t number, class Part> auto parts_of(const Part& part) {
     return std::tuple<Part>{part};
 }
 template <class... Parts> auto all_parts(const Parts&... parts) {
-  return [&]<std::size_t... number>(std::index_sequence<number...>) {
-    return std::tuple_cat(parts_of<number>(parts)...);
+  if constexpr ((SeveralParts<Parts> || ...)) {
+    return [&]<std::size_t... number>(std::index_sequence<number...>) {
+      return std::tuple_cat(parts_of<number>(parts)...);
+    }
+    (std::index_sequence_for<Parts...>{});
+  } else {
+    return std::tuple<Parts...>{parts...};
   }
-  (std::index_sequence_for<Parts...>{});
 }
 template <class... Parts> using AllParts = decltype(all_parts(std::declval<const Parts&>()...));
 

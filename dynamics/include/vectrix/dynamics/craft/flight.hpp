@@ -42,22 +42,35 @@ template <class C, class... X> struct TrajectoryOf<C, std::tuple<X...>> {
   using failure = CraftFailure<C, X...>;
 };
 
+/// The places of those parts for which `wanted` has true, as an index_sequence.
+template <bool... wanted> constexpr auto places() {
+  constexpr std::size_t count = (std::size_t{0} + ... + wanted);
+  constexpr auto found = [] {
+    std::array<std::size_t, count + 1> places{};
+    std::size_t number = 0, place = 0;
+    ((places[number] = place++, number += wanted), ...);
+    return places;
+  }();
+  return [&]<std::size_t... i>(std::index_sequence<i...>) {
+    return std::index_sequence<found[i]...>{};
+  }
+  (std::make_index_sequence<count>{});
+}
+
 /// The loads of a scenario, each with the held values, which outlive it.
 template <class... Parts, class HeldTuple>
 auto held_loads(const std::tuple<Parts...>& parts, const HeldTuple& values) {
-  const auto one = [&]<class Part>(const Part& part) {
-    if constexpr (PartOf<Part>::load)
-      return std::tuple<HeldLoad<Part, HeldTuple>>{{part, &values}};
-    else
-      return std::tuple<>{};
-  };
-  return std::apply([&](const auto&... part) { return std::tuple_cat(one(part)...); }, parts);
+  return [&]<std::size_t... i>(std::index_sequence<i...>) {
+    return std::tuple<HeldLoad<std::tuple_element_t<i, std::tuple<Parts...>>, HeldTuple>...>{
+        {std::get<i>(parts), &values}...};
+  }
+  (places<PartOf<Parts>::load...>());
 }
 
 /// The rates of a craft under its loads.
 template <CraftType C, class... Loads>
 CraftRates<C, Loads...> rates_under(const C& craft, const std::tuple<Loads...>& loads) {
-  return std::apply([&](const Loads&... load) { return CraftRates<C, Loads...>(craft, load...); }, loads);
+  return {craft, loads};
 }
 /// The held X with which a function sees the accelerations; void if it does not see them.
 template <class C, class Arguments> struct SolvesWith { using type = void; };
@@ -104,16 +117,14 @@ template <CraftType C, class... Parts> class Flight {
   }
   std::vector<double> breakpoints(double start, double end) const {
     std::vector<const TickList*> lists;
-    for_each_part([&]<std::size_t i>() {
-      if constexpr (PartOf<Part<i>>::ticks) lists.push_back(&std::get<i>(running_).list);
-    });
+    for_parts(places<PartOf<Parts>::ticks...>(),
+              [&]<std::size_t i>() { lists.push_back(&std::get<i>(running_).list); });
     return instants_of(lists, start, end);
   }
   std::vector<ode::Root> roots() {
     std::vector<ode::Root> roots;
-    for_each_part([&]<std::size_t i>() {
-      if constexpr (PartOf<Part<i>>::zero) roots.push_back(root(std::get<i>(parts_)));
-    });
+    for_parts(places<PartOf<Parts>::zero...>(),
+              [&]<std::size_t i>() { roots.push_back(root(std::get<i>(parts_))); });
     return roots;
   }
   /// All changes that are due see the values from before.
@@ -122,7 +133,7 @@ template <CraftType C, class... Parts> class Flight {
       const Now<C> now = now_at(t, y);
       HeldTuple next = values_;
       std::size_t root = 0;
-      for_each_part([&]<std::size_t i>() {
+      for_parts(places<(PartOf<Parts>::zero || PartOf<Parts>::ticks)...>(), [&]<std::size_t i>() {
         if constexpr (PartOf<Part<i>>::zero) cross(std::get<i>(parts_), root++, now, ended_by, next);
         if constexpr (PartOf<Part<i>>::ticks) tick(std::get<i>(parts_), std::get<i>(running_), now, next);
       });
@@ -138,19 +149,14 @@ template <CraftType C, class... Parts> class Flight {
 
  private:
   static HeldTuple initial(const std::tuple<Parts...>& parts) {
-    const auto one = []<class P>(const P& part) {
-      if constexpr (PartOf<P>::held)
-        return std::make_tuple(part.initial);
-      else
-        return std::tuple<>{};
-    };
-    return std::apply([&](const auto&... part) { return std::tuple_cat(one(part)...); }, parts);
-  }
-  template <class Function> static void for_each_part(const Function& function) {
-    [&]<std::size_t... i>(std::index_sequence<i...>) {
-      (function.template operator()<i>(), ...);
+    return [&]<std::size_t... i>(std::index_sequence<i...>) {
+      return HeldTuple{std::get<i>(parts).initial...};
     }
-    (std::index_sequence_for<Parts...>{});
+    (places<PartOf<Parts>::held...>());
+  }
+  template <std::size_t... i, class Function>
+  static void for_parts(std::index_sequence<i...>, const Function& function) {
+    (function.template operator()<i>(), ...);
   }
 
   /// An instant is placed once for all functions that see it.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <concepts>
 #include <cstddef>
 #include <vector>
@@ -13,7 +14,7 @@ namespace vectrix {
 /// zero, and the origin of b lies on its joint.
 template <JointKind kind, Frame P, Frame B> struct BodyJoint {
   Transform<P, B> X_p_from_b;
-  std::vector<Vector<B, si::dimensionless>> axes_b;
+  std::vector<Eigen::Vector3d> axes_b;  ///< in the axes of b
 };
 
 /// b turns about a unit vector that is fixed in b and in its parent.
@@ -21,7 +22,7 @@ template <class P, class B>
   requires(!std::is_same_v<P, B>)
 BodyJoint<JointKind::hinge, P, B> hinge(const Transform<P, B>& X_p_from_b,
                                         const Vector<B, si::dimensionless>& axis_b) {
-  return {X_p_from_b, {axis_b}};
+  return {X_p_from_b, {axis_b.coordinates()}};
 }
 template <class P, class B, class C, class U>
   requires(std::is_same_v<P, B> || !std::is_same_v<B, C> || !std::is_same_v<U, si::dimensionless>)
@@ -33,7 +34,7 @@ template <class P, class B>
   requires(!std::is_same_v<P, B>)
 BodyJoint<JointKind::slider, P, B> slider(const Transform<P, B>& X_p_from_b,
                                           const Vector<B, si::dimensionless>& axis_b) {
-  return {X_p_from_b, {axis_b}};
+  return {X_p_from_b, {axis_b.coordinates()}};
 }
 template <class P, class B, class C, class U>
   requires(std::is_same_v<P, B> || !std::is_same_v<B, C> || !std::is_same_v<U, si::dimensionless>)
@@ -46,7 +47,7 @@ template <class P, class B>
 BodyJoint<JointKind::gimbal, P, B> gimbal(const Transform<P, B>& X_p_from_b,
                                           const Vector<B, si::dimensionless>& axis_1_b,
                                           const Vector<B, si::dimensionless>& axis_2_b) {
-  return {X_p_from_b, {axis_1_b, axis_2_b}};
+  return {X_p_from_b, {axis_1_b.coordinates(), axis_2_b.coordinates()}};
 }
 template <class P, class B, class C, class U, class D, class V>
   requires(std::is_same_v<P, B> || !std::is_same_v<Vector<C, U>, Vector<B, si::dimensionless>> ||

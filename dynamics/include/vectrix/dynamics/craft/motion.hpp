@@ -36,7 +36,9 @@ using CheckedLoads = std::tuple<std::type_identity<decltype(std::declval<const L
 template <class C, class S, class... Loads> class CraftRatesIn {
  public:
   explicit CraftRatesIn(std::shared_ptr<const CraftCoreIn<S>> core, const Loads&... loads)
-      : core_(std::move(core)), work_(core_->tree.work()), loads_(loads...) {}
+      : CraftRatesIn(std::move(core), std::tuple<Loads...>(loads...)) {}
+  CraftRatesIn(std::shared_ptr<const CraftCoreIn<S>> core, const std::tuple<Loads...>& loads)
+      : core_(std::move(core)), work_(core_->tree.work()), loads_(loads) {}
 
   void operator()(double t, const S* y, S* ydot) {
     core_->tree.place(y, work_);
@@ -76,6 +78,8 @@ template <class C, class... Loads> class CraftRates : public CraftRatesIn<C, dou
  public:
   explicit CraftRates(const C& craft, const Loads&... loads)
       : CraftRatesIn<C, double, Loads...>(craft.core(), loads...) {}
+  CraftRates(const C& craft, const std::tuple<Loads...>& loads)
+      : CraftRatesIn<C, double, Loads...>(craft.core(), loads) {}
 };
 
 }  // namespace detail

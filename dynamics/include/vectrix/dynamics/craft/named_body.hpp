@@ -23,7 +23,7 @@ struct NamedJoint {
 
   JointKind kind;
   Transform<ParentBody, ThisBody> X_p_from_b;
-  std::vector<Vector<ThisBody, si::dimensionless>> axes_b;
+  std::vector<Eigen::Vector3d> axes_b;
 };
 
 /// The parts of a NamedSpacecraft, with their units and frames. See PlainSpacecraft for what each is.

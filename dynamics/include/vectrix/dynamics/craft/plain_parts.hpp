@@ -1,43 +1,29 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <string>
-#include <utility>
 #include <vector>
 #include <vectrix/dynamics/craft/plain_spacecraft.hpp>
 #include <vectrix/dynamics/mass/mass_properties.hpp>
-#include <vectrix/frames/transform.hpp>
+#include <vectrix/frames/export.hpp>
 
 namespace vectrix::detail {
 
+/// The mass properties of a body b, from its origin and in its axes.
+struct MassNumbers {
+  double mass;
+  Eigen::Vector3d r_bc_b;
+  Eigen::Matrix3d J_c_b;
+};
+template <class Whole, class B> MassNumbers mass_numbers(const MassProperties<Whole, B, In<B>>& mass) {
+  return {mass.mass().value(), mass.centre().coordinates(), mass.inertia().matrix()};
+}
+
 /// A craft of its hub alone.
-template <class Whole, class H>
-PlainSpacecraft plain_hub(std::string inertial, std::string name, HubMotion motion,
-                          const MassProperties<Whole, H, In<H>>& mass) {
-  return {std::move(inertial),
-          std::move(name),
-          motion,
-          mass.mass().value(),
-          mass.centre().coordinates(),
-          mass.inertia().matrix(),
-          {},
-          {},
-          {}};
-}
-template <class Whole, class P, class B>
-PlainBody plain_body(std::string name, std::string parent, JointKind joint, const Transform<P, B>& X_p_from_b,
-                     const std::vector<Vector<B, si::dimensionless>>& axes_b,
-                     const MassProperties<Whole, B, In<B>>& mass) {
-  PlainBody body{std::move(name),
-                 std::move(parent),
-                 joint,
-                 {},
-                 X_p_from_b.rotation.matrix(),
-                 X_p_from_b.translation.coordinates(),
-                 mass.mass().value(),
-                 mass.centre().coordinates(),
-                 mass.inertia().matrix()};
-  for (const auto& axis_b : axes_b) body.axes_b.push_back(axis_b.coordinates());
-  return body;
-}
+VECTRIX_EXPORT PlainSpacecraft plain_hub(std::string inertial, std::string name, HubMotion motion,
+                                         const MassNumbers& mass);
+VECTRIX_EXPORT PlainBody plain_body(std::string name, std::string parent, JointKind joint,
+                                    const Eigen::Matrix3d& R_p_from_b, const Eigen::Vector3d& r_pb_p,
+                                    const std::vector<Eigen::Vector3d>& axes_b, const MassNumbers& mass);
 
 }  // namespace vectrix::detail

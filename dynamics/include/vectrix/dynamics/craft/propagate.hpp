@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cmath>
 #include <cstddef>
 #include <exception>
 #include <limits>
@@ -13,7 +12,8 @@
 #include <vectrix/dynamics/craft/flight.hpp>
 #include <vectrix/dynamics/craft/no_list.hpp>
 #include <vectrix/dynamics/craft/tolerances.hpp>
-#include <vectrix/dynamics/ode/inlined.hpp>
+#include <vectrix/dynamics/ode/solve.hpp>
+#include <vectrix/frames/export.hpp>
 
 namespace vectrix {
 
@@ -44,15 +44,19 @@ struct GyroscopicTorque {
 
   void require(const double* w) const {
     using Limits = std::numeric_limits<double>;
-    const double square = w[0] * w[0] + w[1] * w[1] + w[2] * w[2], size = moments * square;
-    if (size < Limits::min() / Limits::epsilon()) [[unlikely]] {
-      const double rate = std::hypot(w[0], w[1], w[2]);
-      if (moments > 0.0 && rate * duration > Limits::epsilon())
-        throw BadInput("propagate: at the rate " + text(rate) + " rad/s the torque w x J w of " + craft.hub +
-                       " underflows, J w^2 = " + text(size) + " N m");
-    }
+    const double size = moments * (w[0] * w[0] + w[1] * w[1] + w[2] * w[2]);
+    if (size < Limits::min() / Limits::epsilon()) [[unlikely]]
+      require_rest(w, size);
   }
+  VECTRIX_EXPORT void require_rest(const double* w, double size) const;
 };
+
+/// How a problem of a craft is solved: its tolerances and its method.
+VECTRIX_EXPORT ode::Problem problem_of(const PlainSpacecraft& craft, const CraftPropagation& how);
+/// Gives the problem its start and its end. Throws BadInput if the end is not later.
+VECTRIX_EXPORT void set_run(ode::Problem& problem, const char* action, const CraftCore& core, double start,
+                            std::span<const double> state, double end,
+                            const std::vector<Quantity<si::time>>& output_times);
 
 /// Runs a scenario until how.end: `solve(problem, flight)` integrates the problem, which comes with its
 /// tolerances and method. No step crosses a change.
@@ -61,19 +65,10 @@ typename TrajectoryOf<C, HeldTypes<Parts...>>::type fly(const char* action,
                                                         const CraftScenario<C, Parts...>& scenario,
                                                         const CraftState<C>& start, const How& how,
                                                         ode::Problem problem, const Solve& solve) {
-  const CraftCore& core = *scenario.craft().core();
-  problem.initial_state.assign(start.numbers().begin(), start.numbers().end());
-  problem.start = start.time().value();
-  problem.end = how.end.value();
+  set_run(problem, action, *scenario.craft().core(), start.time().value(), start.numbers(), how.end.value(),
+          how.output_times);
   problem.max_steps = how.max_steps;
   problem.maximum_step = how.maximum_step.value();
-  for (const Quantity<si::time>& time : how.output_times) problem.output_times.push_back(time.value());
-  problem.caller = action + (" " + core.plain.hub);
-  problem.component_names = core.component_names;
-  if (!(problem.end > problem.start && std::isfinite(problem.end))) {
-    throw BadInput(problem.caller + ": the end is " + text(problem.end) + " s, the start " +
-                   text(problem.start) + " s");
-  }
   const auto require_run = [&](const auto& part) {
     if constexpr (requires { part.require_run(start, problem.end); }) part.require_run(start, problem.end);
   };
@@ -102,24 +97,16 @@ template <CraftType C, class... Parts>
 typename detail::TrajectoryOf<C, detail::HeldTypes<Parts...>>::type propagate(
     const CraftScenario<C, Parts...>& scenario, const CraftState<C>& start, const CraftPropagation& how) {
   const PlainSpacecraft& craft = scenario.craft().core()->plain;
-  ode::Problem problem;
-  problem.relative_tolerance = how.relative_tolerance;
-  problem.absolute_tolerances = absolute_tolerances(craft, how.absolute_tolerances);
-  problem.method = how.method;
-  problem.dense_output = how.dense_output;
   const detail::GyroscopicTorque gyroscopic{craft, detail::size_of_inertia(craft),
                                             how.end.value() - start.time().value()};
   const auto solve = [&](ode::Problem& run, detail::Flight<C, Parts...>& flight) {
-    auto rhs = [&flight, gyroscopic](double, double t, auto y, auto ydot) {
+    run.rhs = [&flight, &gyroscopic](double, double t, std::span<const double> y, std::span<double> ydot) {
       gyroscopic.require(y.data() + 4);
       flight.rates(t, y.data(), ydot.data());
     };
-    const bool as_dcm = how.attitude == AttitudeState::dcm;
-    if (as_dcm || !ode::is_inlined(how.method)) run.rhs = rhs;
-    if (as_dcm) run = detail::with_dcm(std::move(run));
-    return run.rhs ? ode::solve(run) : ode::solve<C::state_size>(run, rhs);
+    return detail::solve_in(how.attitude, std::move(run));
   };
-  return detail::fly("propagate", scenario, start, how, std::move(problem), solve);
+  return detail::fly("propagate", scenario, start, how, detail::problem_of(craft, how), solve);
 }
 
 template <CraftType C, class... Parts, CraftType GivenC, class How = CraftPropagation>

@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <memory>
 #include <utility>
-#include <vector>
 #include <vectrix/dynamics/craft/shape.hpp>
 
 namespace vectrix {
@@ -39,19 +38,19 @@ concept CraftType = requires {
 
 namespace detail {
 
-struct LoweredParts {
-  PlainSpacecraft plain;
-  std::vector<PlainMount> mounts;
-
-  template <class B, JointKind kind, class P> void add(const BodyPart<B, kind, P>& part) {
-    plain.bodies.push_back(part.numbers);
-  }
-  template <class W, class B> void add(const RotorPart<W, B>& part) { plain.rotors.push_back(part.numbers); }
-  template <class A, class B, std::size_t count> void add(const ModesPart<A, B, count>& part) {
-    plain.modes.insert(plain.modes.end(), part.numbers.begin(), part.numbers.end());
-  }
-  template <class C, class B> void add(const MountPart<C, B>& part) { mounts.push_back(part.numbers); }
-};
+template <class B, JointKind kind, class P> void lower(LoweredParts& to, const BodyPart<B, kind, P>& part) {
+  to.add(part.numbers);
+}
+template <class W, class B> void lower(LoweredParts& to, const RotorPart<W, B>& part) {
+  to.add(part.numbers);
+}
+template <class A, class B, std::size_t count>
+void lower(LoweredParts& to, const ModesPart<A, B, count>& part) {
+  for (const PlainMode& mode : part.numbers) to.add(mode);
+}
+template <class C, class B> void lower(LoweredParts& to, const MountPart<C, B>& part) {
+  to.add(part.numbers);
+}
 
 template <class Hub, class... Parts>
 using CraftOf = typename MadeUnless<CraftFault<Hub, Parts...>, Spacecraft>::template type<Hub, Parts...>;
@@ -68,9 +67,9 @@ detail::CraftOf<Hub, Parts...> spacecraft(const Hub& hub, const Parts&... parts)
   if constexpr (std::is_same_v<detail::CraftFault<Hub, Parts...>, Refused>) {
     return Refused{};
   } else {
-    detail::LoweredParts lowered{hub.numbers, {}};
-    (lowered.add(parts), ...);
-    return {detail::trusted, detail::make_craft_core(std::move(lowered.plain), std::move(lowered.mounts))};
+    detail::LoweredParts lowered(hub.numbers);
+    (detail::lower(lowered, parts), ...);
+    return {detail::trusted, lowered.core()};
   }
 }
 template <class Hub, class... Parts, class Fault = detail::CraftFault<Hub, Parts...>>

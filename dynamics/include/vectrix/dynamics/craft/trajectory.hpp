@@ -12,6 +12,7 @@
 #include <vectrix/dynamics/craft/attitude_state.hpp>
 #include <vectrix/dynamics/craft/state.hpp>
 #include <vectrix/dynamics/ode/solve.hpp>
+#include <vectrix/frames/export.hpp>
 #include <vectrix/frames/scalar/larger.hpp>
 
 namespace vectrix {
@@ -23,6 +24,10 @@ template <class X> struct HeldFrom {
   X value;
 };
 template <class X> using HeldHistory = std::vector<HeldFrom<X>>;
+
+// Throws BadInput: what, a time, is outside the solution.
+[[noreturn]] VECTRIX_EXPORT void refuse_time(const std::string& what, double time,
+                                             const ode::Solution& solution);
 
 }  // namespace detail
 
@@ -48,10 +53,9 @@ template <CraftType C, class... X> class CraftTrajectory {
   /// Throws BadInput outside [start, end].
   CraftState<C> at(const Quantity<si::time>& time) const {
     if (node_count() > 0 && !(time >= start() && time <= end())) {
-      throw BadInput("CraftTrajectory of " + frame_name<typename C::shape::hub>() + " relative to " +
-                     frame_name<typename C::shape::inertial>() + ": the time " + detail::text(time.value()) +
-                     " s is outside [" + detail::text(solution_.start()) + ", " +
-                     detail::text(solution_.end()) + "] s");
+      detail::refuse_time("CraftTrajectory of " + frame_name<typename C::shape::hub>() + " relative to " +
+                              frame_name<typename C::shape::inertial>() + ": the time ",
+                          time.value(), solution_);
     }
     if (attitude() == AttitudeState::dcm) return read(time.value(), solution_.at(time.value()));
     typename CraftState<C>::Numbers y;
@@ -95,8 +99,7 @@ template <CraftType C, class... X> class CraftTrajectory {
   template <class Y, class = std::enable_if_t<detail::one_of<Y, X...>>>
   Y held(const Quantity<si::time>& time) const {
     if (!(time >= start() && time <= end())) {
-      throw BadInput("CraftTrajectory::held: time " + detail::text(time.value()) + " s is outside [" +
-                     detail::text(solution_.start()) + ", " + detail::text(solution_.end()) + "] s");
+      detail::refuse_time("CraftTrajectory::held: time ", time.value(), solution_);
     }
     const auto& history = std::get<detail::HeldHistory<Y>>(history_);
     const auto later = [](double t, const detail::HeldFrom<Y>& from) { return t < from.time; };

@@ -4,6 +4,7 @@
 #include <string>
 #include <vectrix/dynamics/force/wrench.hpp>
 #include <vectrix/frames/errors.hpp>
+#include <vectrix/frames/export.hpp>
 #include <vectrix/frames/print.hpp>
 #include <vectrix/frames/quantity.hpp>
 
@@ -30,23 +31,25 @@ template <class P, class D> bool all_finite(const Wrench<P, D>& W) {
 template <class U> std::string all_digits(const Quantity<U>& x) {
   return text(x.value()) + " " + unit_symbol<U>;
 }
+// Throws BadInput: load: the what is value, and the rule.
+[[noreturn]] VECTRIX_EXPORT void refuse_value(const std::string& load, const char* what,
+                                              const std::string& value, const char* rule = "");
+
 /// The value itself. Throws BadInput, as "spring on Panel: the stiffness is nan", if it is not finite.
 template <class Value> const Value& finite(const std::string& load, const char* what, const Value& value) {
-  if (!all_finite(value)) throw BadInput(load + ": the " + what + " is " + text(value));
+  if (!all_finite(value)) refuse_value(load, what, text(value));
   return value;
 }
 /// Also if it is negative.
 template <class U>
 const Quantity<U>& not_negative(const std::string& load, const char* what, const Quantity<U>& x) {
-  if (!(finite(load, what, x).value() >= 0.0))
-    throw BadInput(load + ": the " + what + " is " + text(x) + "; it must not be negative");
+  if (!(finite(load, what, x).value() >= 0.0)) refuse_value(load, what, text(x), "; it must not be negative");
   return x;
 }
 /// Also if it is not greater than 0.
 template <class U>
 const Quantity<U>& positive(const std::string& load, const char* what, const Quantity<U>& x) {
-  if (!(finite(load, what, x).value() > 0.0))
-    throw BadInput(load + ": the " + what + " is " + text(x) + "; it must be positive");
+  if (!(finite(load, what, x).value() > 0.0)) refuse_value(load, what, text(x), "; it must be positive");
   return x;
 }
 

@@ -17,8 +17,11 @@ using AxisUnits =
                                           JointUnits<JointKind::slider>, void>>;
 
 /// "friction on Panel", for messages.
+[[gnu::cold]] inline std::string on_joint(const char* load, const std::string& on) {
+  return std::string{load} + " on " + on;
+}
 template <class On> std::string on_joint(const char* load) {
-  return std::string{load} + " on " + frame_name<On>();
+  return on_joint(load, frame_name<On>());
 }
 
 /// Whether the joint of b has the coordinate Q, and K times Q is its effort.

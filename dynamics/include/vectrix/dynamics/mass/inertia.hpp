@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <limits>
 #include <sstream>
+#include <string>
 #include <utility>
 #include <vectrix/dynamics/force/about.hpp>
+#include <vectrix/frames/export.hpp>
 #include <vectrix/kinematics/rates/angular_acceleration.hpp>
 
 namespace vectrix {
@@ -59,6 +61,7 @@ template <class S> Square<S> inverse_or_nan(const Square<S>& tensor, const S& ro
       select(scaled.determinant() > least * products, trace, S(std::numeric_limits<double>::quiet_NaN()));
   return scaled.inverse() / divisor;
 }
+extern template Square<double> inverse_or_nan(const Square<double>&, const double&);
 
 }  // namespace detail
 
@@ -114,20 +117,22 @@ template <class J, class S> J of_tensor(const Square<S>& tensor, const S& roundi
   }
 }
 
+// The operands of an inertia, for messages: of<B>, about<P>, in<C>, or in<B>.
+VECTRIX_EXPORT std::string inertia_name(const std::string& b, const std::string& p, const std::string& c);
+VECTRIX_EXPORT std::string inertia_name(const std::string& b);
 template <class J> struct InertiaName;
 template <class B, class P, class C, class S> struct InertiaName<Inertia<B, P, In<C>, S>> {
-  static std::string text() {
-    return "of<" + frame_name<B>() + ">, about<" + frame_name<P>() + ">, in<" + frame_name<C>() + ">";
-  }
+  static std::string text() { return inertia_name(frame_name<B>(), frame_name<P>(), frame_name<C>()); }
 };
 template <class B, class S> struct InertiaName<Inertia<B, CentreOfMassOf<B>, In<B>, S>> {
-  static std::string text() { return "in<" + frame_name<B>() + ">"; }
+  static std::string text() { return inertia_name(frame_name<B>()); }
 };
 
-/// `rounding`: how far the tensor may be off, kg m^2, besides the relative tolerance.
-template <class J, class S>
-J checked_inertia(const char* door, const Square<S>& tensor, const S& rounding = S(0)) {
-  const std::string place = std::string{door} + "(" + InertiaName<J>::text() + "): ";
+/// Throws BadInput if no body has the tensor of the inertia with this name. `rounding`: how far it may be
+/// off, kg m^2, besides the relative tolerance.
+template <class S>
+void require_moments(const char* door, const std::string& name, const Square<S>& tensor, const S& rounding) {
+  const std::string place = std::string{door} + "(" + name + "): ";
   for (Eigen::Index row = 0; row < 3; ++row) {
     for (Eigen::Index column = row; column < 3; ++column) {
       const S& entry = tensor(row, column);
@@ -150,6 +155,12 @@ J checked_inertia(const char* door, const Square<S>& tensor, const S& rounding =
     throw BadInput(place + "the largest principal moment of " + listed +
                    " exceeds the sum of the others by " + text(excess) + "; no body has this inertia");
   }
+}
+extern template void require_moments(const char*, const std::string&, const Square<double>&, const double&);
+
+template <class J, class S>
+J checked_inertia(const char* door, const Square<S>& tensor, const S& rounding = S(0)) {
+  require_moments<S>(door, InertiaName<J>::text(), tensor, rounding);
   return of_tensor<J>(tensor, rounding);
 }
 /// The eigenvalue solver has branches, so each lane is checked alone.

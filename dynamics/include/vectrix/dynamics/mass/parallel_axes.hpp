@@ -1,16 +1,18 @@
 #pragma once
 
+#include <string>
 #include <vectrix/dynamics/mass/inertia.hpp>
+#include <vectrix/frames/export.hpp>
 #include <vectrix/frames/shift.hpp>
 
 namespace vectrix {
 namespace detail {
 
+[[noreturn]] VECTRIX_EXPORT void refuse_mass(const char* action, const std::string& body,
+                                             const std::string& mass);
 template <class B, class S> void require_mass(const char* action, const Quantity<si::mass, S>& mass) {
-  if (!(mass.value() > S(0) && mass.value() - mass.value() == S(0))) {
-    throw BadInput(std::string{action} + "(" + frame_name<B>() + "): the mass is " + text(mass.value()) +
-                   " kg");
-  }
+  if (!(mass.value() > S(0) && mass.value() - mass.value() == S(0)))
+    refuse_mass(action, frame_name<B>(), text(mass.value()));
 }
 
 /// m (|r|^2 I - r r^T): the inertia of a mass m at r.

@@ -108,11 +108,6 @@ template <std::size_t N, class F> std::unique_ptr<Stepper> make_inlined(const Pr
 
 }  // namespace detail
 
-/// The methods that inline a right-hand side.
-constexpr bool is_inlined(Method method) {
-  return method == Method::verner_9 || method == Method::verner_7;
-}
-
 /// solve(problem) for N components with the right-hand side rhs(segment_start, t, y, ydot) inlined, by
 /// verner_9 or verner_7: several times as fast for a small state. y and ydot are spans of N numbers.
 /// `problem.rhs` stays empty. Throws as solve(problem), and BadInput for another method or another number of

@@ -8,9 +8,9 @@
 #include <limits>
 #include <span>
 #include <utility>
-#include <vector>
 
 #include <vectrix/dynamics/ode/elapsed_time.hpp>
+#include <vectrix/dynamics/ode/stages.hpp>
 #include <vectrix/frames/export.hpp>
 
 namespace vectrix::ode {
@@ -25,33 +25,6 @@ template <class F, std::size_t N>
 concept Rates = std::invocable<F&, double, std::span<const double, N>, std::span<double, N>>;
 
 namespace detail {
-
-/// The numbers of a state. A fixed odd size gets one more number, always 0, so that two fit one register.
-template <std::size_t N> class Numbers {
- public:
-  explicit Numbers(std::size_t) {}
-  static constexpr std::size_t width() { return N + N % 2; }
-  double* data() { return values_.data(); }
-  const double* data() const { return values_.data(); }
-  double& operator[](std::size_t i) { return values_[i]; }
-  double operator[](std::size_t i) const { return values_[i]; }
-
- private:
-  alignas(16) std::array<double, N + N % 2> values_{};
-};
-
-template <> class Numbers<std::dynamic_extent> {
- public:
-  explicit Numbers(std::size_t size) : values_(size) {}
-  std::size_t width() const { return values_.size(); }
-  double* data() { return values_.data(); }
-  const double* data() const { return values_.data(); }
-  double& operator[](std::size_t i) { return values_[i]; }
-  double operator[](std::size_t i) const { return values_[i]; }
-
- private:
-  std::vector<double> values_;
-};
 
 // What a RungeKutta refuses, with BadInput. It knows no type, so it is compiled once.
 VECTRIX_EXPORT void require_tolerances(double relative, std::span<const double> absolute);
@@ -91,7 +64,7 @@ template <class Table, std::size_t N, Rates<N> F> class RungeKutta {
         before_(size_),
         stage_(size_),
         errors_(size_),
-        k_(make_stages(size_, std::make_index_sequence<Table::all_stages>{})) {
+        k_(size_) {
     detail::require_tolerances(relative_, absolute_tolerances);
     for (std::size_t c = 0; c < absolute_.width(); ++c)
       absolute_[c] = c < size_ ? absolute_tolerances[c] : 1.0;
@@ -122,6 +95,7 @@ template <class Table, std::size_t N, Rates<N> F> class RungeKutta {
     step_ = 0.0;
     find_rate();
     k_[0] = k_[Table::stages];
+    k_.pack(0);
     for (std::size_t c = 0; c < size_; ++c)
       if (!std::isfinite(k_[0][c])) return Advance::not_finite;
     if (!(next_step_ > 0.0)) next_step_ = first_step(std::min(remaining, longest));
@@ -201,11 +175,8 @@ template <class Table, std::size_t N, Rates<N> F> class RungeKutta {
   static constexpr double least_factor = 0.1;
   static constexpr double largest_factor = 5.0;
   using Numbers = detail::Numbers<N>;
-  using Stages = std::array<Numbers, Table::all_stages>;
-
-  template <std::size_t... I> static Stages make_stages(std::size_t size, std::index_sequence<I...>) {
-    return {((void)I, Numbers(size))...};
-  }
+  using Stages = detail::Stages<N, Table::all_stages>;
+  using Group = typename Stages::Group;
 
   [[nodiscard]] double time_of(double since) const {
     return std::min(origin_ + (elapsed_.sum + (elapsed_.rest + since)), until_);
@@ -218,21 +189,27 @@ template <class Table, std::size_t N, Rates<N> F> class RungeKutta {
   void find_rate() {
     if (rate_known_) return;
     evaluate(time(), y_, k_[Table::stages]);
+    k_.pack(Table::stages);
     rate_known_ = true;
   }
 
-  template <std::size_t I, std::size_t J> [[gnu::always_inline]] void add(double& sum, std::size_t c) const {
-    if constexpr (Table::a[I][J] != 0.0) sum += Table::a[I][J] * k_[J][c];
+  template <std::size_t I, std::size_t J, class Packed>
+  [[gnu::always_inline]] static void add(Group& sum, const Packed& k, std::size_t c) {
+    if constexpr (Table::a[I][J] != 0.0) sum += Table::a[I][J] * k.group(J, c);
   }
   template <std::size_t I, std::size_t... J>
   [[gnu::always_inline]] void evaluate_stage(const Numbers& from, double t, double h,
                                              std::index_sequence<J...>) {
-    for (std::size_t c = 0; c < from.width(); ++c) {
-      double sum = 0.0;
-      (add<I, J>(sum, c), ...);
-      stage_[c] = from[c] + h * sum;
+    const auto& k = k_.packed();
+    auto&& begin = Stages::row(from);
+    auto&& stage = Stages::row(stage_);
+    for (std::size_t c = 0, width = from.width(); c < width; c += Stages::group_size) {
+      Group sum{};
+      (add<I, J>(sum, k, c), ...);
+      Stages::store(stage, c, Stages::load(begin, c) + h * sum);
     }
     evaluate(std::min(t + Table::c[I] * h, until_), stage_, k_[I]);
+    k_.pack(I);
   }
   template <std::size_t First, std::size_t... I>
   [[gnu::always_inline]] void evaluate_stages(const Numbers& from, double t, double h,
@@ -240,21 +217,28 @@ template <class Table, std::size_t N, Rates<N> F> class RungeKutta {
     (evaluate_stage<First + I>(from, t, h, std::make_index_sequence<First + I>{}), ...);
   }
 
-  template <std::size_t J>
-  [[gnu::always_inline]] void weigh(double& sum, double& error, std::size_t c) const {
-    if constexpr (Table::b[J] != 0.0) sum += Table::b[J] * k_[J][c];
-    if constexpr (Table::e[J] != 0.0) error += Table::e[J] * k_[J][c];
+  template <std::size_t J, class Packed>
+  [[gnu::always_inline]] static void weigh(Group& sum, Group& error, const Packed& k, std::size_t c) {
+    if constexpr (Table::b[J] != 0.0) sum += Table::b[J] * k.group(J, c);
+    if constexpr (Table::e[J] != 0.0) error += Table::e[J] * k.group(J, c);
   }
   /// Leaves the new state in stage_; returns the largest error of a component, in units of its tolerance.
   template <std::size_t... J>
   [[gnu::always_inline]] double weigh_stages(double h, std::index_sequence<J...>) {
+    const auto& k = k_.packed();
+    auto&& begin = Stages::row(y_);
+    auto&& stage = Stages::row(stage_);
+    auto&& errors = Stages::row(errors_);
+    for (std::size_t c = 0, width = y_.width(); c < width; c += Stages::group_size) {
+      Group sum{}, error{};
+      (weigh<J>(sum, error, k, c), ...);
+      Stages::store(stage, c, Stages::load(begin, c) + h * sum);
+      Stages::store(errors, c, h * error);
+    }
     for (std::size_t c = 0; c < y_.width(); ++c) {
-      double sum = 0.0, error = 0.0;
-      (weigh<J>(sum, error, c), ...);
-      stage_[c] = y_[c] + h * sum;
       const double size = std::max(std::abs(y_[c]), std::abs(stage_[c]));
       errors_[c] =
-          std::abs(h * error) / (absolute_[c] + relative_ * size) + 0.0 * size;  // NaN if y overflows
+          std::abs(errors_[c]) / (absolute_[c] + relative_ * size) + 0.0 * size;  // NaN if y overflows
     }
     double largest = 0.0;
     for (std::size_t c = 0; c < size_; ++c) {
@@ -310,33 +294,37 @@ template <class Table, std::size_t N, Rates<N> F> class RungeKutta {
   }
 
   struct Cubic {
-    double first, second, third;
-    [[nodiscard]] double slope(double theta) const {
+    Group first, second, third;
+    [[nodiscard]] Group slope(double theta) const {
       return first + theta * (2.0 * second + theta * (3.0 * third));
     }
   };
-  using Higher = std::array<double, degree - 1>;  ///< the terms of theta^2 to theta^degree, of one component
+  using Higher = std::array<Group, degree - 1>;  ///< the terms of theta^2 to theta^degree
   template <std::size_t J, std::size_t... P>
-  [[gnu::always_inline]] static void add_weighted(Higher& sum, double defect, std::index_sequence<P...>) {
+  [[gnu::always_inline]] static void add_weighted(Higher& sum, const Group& defect,
+                                                  std::index_sequence<P...>) {
     ((sum[P] += Table::r[J][P] * defect), ...);
   }
-  template <std::size_t J>
-  [[gnu::always_inline]] void add_defect(Higher& sum, const Cubic& cubic, std::size_t c) const {
+  template <std::size_t J, class Packed>
+  [[gnu::always_inline]] void add_defect(Higher& sum, const Cubic& cubic, const Packed& k,
+                                         std::size_t c) const {
     if constexpr (Table::r[J][0] != 0.0) {
-      const double defect = step_ * k_[J][c] - cubic.slope(Table::c[J]);
+      const Group defect = step_ * k.group(J, c) - cubic.slope(Table::c[J]);
       add_weighted<J>(sum, defect, std::make_index_sequence<degree - 1>{});
     }
   }
   /// The weights r are large and cancel. They reproduce a cubic exactly, therefore they are applied to what
   /// the cubic through both ends and their rates leaves: that is small, and 0 at the ends.
   template <std::size_t... J> void fill_terms(std::index_sequence<J...>) {
-    for (std::size_t c = 0; c < size_; ++c) {
-      const double first = step_ * k_[0][c], last = step_ * k_[Table::stages][c], gain = y_[c] - before_[c];
+    const auto& k = k_.packed();
+    for (std::size_t c = 0; c < size_; c += Stages::group_size) {
+      const Group first = step_ * k.group(0, c), last = step_ * k.group(Table::stages, c),
+                  gain = Stages::load(Stages::row(y_), c) - Stages::load(Stages::row(before_), c);
       const Cubic cubic{first, 3.0 * gain - (2.0 * first + last), first + last - 2.0 * gain};
       Higher sum{cubic.second, cubic.third};
-      (add_defect<J>(sum, cubic, c), ...);
-      terms_[0][c] = first;
-      for (std::size_t p = 0; p < sum.size(); ++p) terms_[p + 1][c] = sum[p];
+      (add_defect<J>(sum, cubic, k, c), ...);
+      Stages::store(Stages::row(terms_[0]), c, first);
+      for (std::size_t p = 0; p < sum.size(); ++p) Stages::store(Stages::row(terms_[p + 1]), c, sum[p]);
     }
   }
   void polynomial() {
