@@ -52,8 +52,8 @@ double size_of_inertia(const PlainSpacecraft& craft) {
   return size;
 }
 
-void refuse_to_hold_twice(const std::string& body) {
-  throw BadInput("the joint of " + body + " is driven, and locked or driven again");
+void refuse_to_hold_twice(const std::string& what) {
+  throw BadInput(what + " is driven, and locked or driven again");
 }
 void require_finite_time(const CraftCore& core, const char* action, double time) {
   if (!std::isfinite(time))

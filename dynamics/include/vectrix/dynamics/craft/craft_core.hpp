@@ -47,7 +47,7 @@ VECTRIX_EXPORT void require_finite_time(const CraftCore& core, const char* actio
 /// zero, infinite or without all its digits: no rotation follows from it. Any other norm is accepted.
 VECTRIX_EXPORT void require_state(const CraftCore& core, const char* action, std::span<const double> y);
 /// Throws BadInput: a joint is driven, and also locked or driven again.
-[[noreturn]] VECTRIX_EXPORT void refuse_to_hold_twice(const std::string& body);
+[[noreturn]] VECTRIX_EXPORT void refuse_to_hold_twice(const std::string& what);
 /// Throws BadInput with the name of a number whose derivative is not finite.
 VECTRIX_EXPORT void require_finite_rates(const CraftCore& core, double time, std::span<const double> ydot);
 

@@ -153,8 +153,14 @@ template <CraftType C, class S = double> class CraftMotion {
       efforts[i] = core_->tree.holding_effort(link<B> - static_cast<int>(axes - 1 - i), work_);
     return detail::AxisNumbers<typename detail::JointUnits<kind>::effort, kind, S>::read(efforts.data());
   }
+  /// Of a rotor what it adds to its motor; zero if nothing holds it.
+  template <class W>
+  requires Shape::template has_rotor<W> Quantity<si::torque, S> holding_effort(Of<W>) const {
+    return Quantity<si::torque, S>::from_value(
+        core_->tree.holding_torque(Shape::template spin_at<W> - Shape::rotors_begin, work_));
+  }
   template <class B>
-  auto holding_effort(  // of a hinge, a slider or a gimbal: of a body of the craft C that hangs on one
+  auto holding_effort(  // of a hinge, a slider, a gimbal or a rotor: of what hangs on one, of the craft C
       Of<B>) const -> Refused = delete;
   template <class B, class D>
   auto joint_force(  // of a body of the craft C that hangs on a joint, in a frame of C
