@@ -17,12 +17,16 @@ constexpr double least_angle =
 [[noreturn]] void refuse(const std::string& part, const std::string& fault) {
   throw BadInput(part + ": " + fault);
 }
-/// Calls a typed door; its errors get the name of the part.
+/// Calls a typed door; its errors get the name of the part, also where they say its frame.
 template <class Door> auto through(const std::string& part, const Door& door) {
   try {
     return door();
   } catch (const BadInput& error) {
-    refuse(part, error.what());
+    std::string said = error.what();
+    const std::string frame = frame_name<ThisBody>(), name = part.substr(1, part.size() - 2);
+    for (std::size_t at = said.find(frame); at != std::string::npos; at = said.find(frame, at + name.size()))
+      said.replace(at, frame.size(), name);
+    refuse(part, said);
   }
 }
 

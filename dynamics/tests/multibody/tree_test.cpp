@@ -240,7 +240,9 @@ TEST(Tree, AHeldRotorTakesTheTorqueOfItsDrive) {
     for (const double x : driven) scale = std::max(scale, std::abs(x));
     for (std::size_t i = 0; i < held.size(); ++i) {
       const double given = held[i] == mb::Hold::driven ? motors[i] - 1.0 : 0.0;
-      if (held[i] != mb::Hold::none) EXPECT_EQ(driven[c.tree.layout().rotors_begin() + i], given);
+      if (held[i] != mb::Hold::none) {
+        EXPECT_EQ(driven[c.tree.layout().rotors_begin() + i], given);
+      }
       torques[i] += c.tree.holding_torque(i, c.k);
     }
     const auto moved = solve(torques, std::vector<mb::Hold>(held.size()));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <concepts>
 #include <cstddef>
 #include <memory>
 #include <tuple>
@@ -22,6 +23,9 @@ template <class Part>
 concept SeveralParts = requires(const Part& part) {
   part.template parts<0>();
 };
+template <class C, class Load>
+inline constexpr bool has_held_value =
+    SeveralParts<Load> && !std::invocable<const Load&, const Now<C>&, Forces<C>&>;
 template <class Load>
 auto in_a_scenario(  // motion_at(scenario, trajectory, time): the load has a held value, which a scenario
                      // changes
@@ -189,7 +193,7 @@ template <CraftType C, class S = double> class CraftMotion {
 template <CraftType C, class... Loads>
   requires(!detail::any_refused<Loads...>)
 CraftMotion<C> motion(const C& craft, const CraftState<C>& state, const Loads&... loads) {
-  if constexpr ((detail::SeveralParts<Loads> || ...)) {
+  if constexpr ((detail::has_held_value<C, Loads> || ...)) {
     return (detail::in_a_scenario(loads), ...);
   } else {
     static_cast<void>(sizeof(detail::CheckedLoads<C, Loads...>));
