@@ -16,7 +16,9 @@ namespace detail {
 
 template <template <int> class B, int first, class> struct Numbered;
 template <template <int> class B, int first, int... i>
-struct Numbered<B, first, std::integer_sequence<int, i...>> : std::type_identity<OfEach<B<first + i>...>> {};
+struct Numbered<B, first, std::integer_sequence<int, i...>> {
+  using type = OfEach<B<first + i>...>;
+};
 
 }  // namespace detail
 
