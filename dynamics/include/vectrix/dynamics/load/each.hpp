@@ -55,7 +55,7 @@ auto each(OfEach<B...>, const F& f) {
   return EachPart<std::invoke_result_t<const F&, Of<B>>...>{{f(of<B>)...}};
 }
 template <class Several, class F>
-auto each(  // each(of_each<A, B>, f): f(of<A>) gives a part of a scenario; take it as `auto b`
+auto each(  // each(of_each<A, B>, f): f(of<A>) gives a part of a scenario: [](auto b) { ... }
     const Several&, const F&) -> Refused = delete;
 
 }  // namespace vectrix
