@@ -26,7 +26,7 @@ std::size_t not_finite(std::span<const double> numbers) {
 
 constexpr double rounding_of_inertia = 16.0 * std::numeric_limits<double>::epsilon();
 
-Eigen::Matrix3d eigen(const multibody::Symmetric<double>& m) {
+Eigen::Matrix3d full(const multibody::Symmetric<double>& m) {
   return Eigen::Matrix3d{{m.xx, m.xy, m.xz}, {m.xy, m.yy, m.yz}, {m.xz, m.yz, m.zz}};
 }
 /// The axis about which a symmetric matrix is zero but for the rounding of numbers of the size of `of`.
@@ -50,7 +50,7 @@ std::optional<Eigen::Vector3d> axis_of_the_whole(const multibody::Tree<double>& 
         body == 0 ? tree.numbers().hub : tree.numbers().links[static_cast<std::size_t>(body) - 1].mass;
     const Eigen::Matrix3d R = eigen(tree.rotation(body, work));
     const Eigen::Vector3d r = eigen(tree.position(body, work)), mc = R * eigen(mass.mc);
-    J += R * eigen(mass.J) * R.transpose() + parallel(r, mc) + parallel(mc, r) + mass.m * parallel(r, r);
+    J += R * full(mass.J) * R.transpose() + parallel(r, mc) + parallel(mc, r) + mass.m * parallel(r, r);
     m += mass.m;
     first += mass.m * r + mc;
   }
@@ -61,7 +61,7 @@ std::optional<Eigen::Vector3d> axis_of_the_whole(const multibody::Tree<double>& 
 bool free_craft_turns(const multibody::Tree<double>& tree, const double* y, multibody::Work<double>& work) {
   std::vector<double> ydot(tree.layout().size());
   tree.solve(y, ydot.data(), work);
-  const Eigen::Matrix3d A = eigen(work.hub.A), H = eigen(work.hub.H), M = eigen(work.hub.M);
+  const Eigen::Matrix3d A = full(work.hub.A), H = eigen(work.hub.H), M = full(work.hub.M);
   return !axis_without(A - H * M.inverse() * H.transpose(), A);
 }
 /// Point masses on a line have no rotation about it.
