@@ -266,7 +266,7 @@ TEST(NamedSpacecraft, RefusesWhatNoCraftHas) {
   refused([](auto& craft) { craft.bodies[1].r_bc_b.x() = nan; }, "\"boom\": vector(in<boom>)");
   refused([](auto& craft) { craft.bodies[1].r_pb_p.x() = nan; },
           "\"boom\": the position on the parent (nan, 0.2, 0) is not finite");
-  refused([](auto& craft) { craft.bodies[1].R_p_from_b(0, 1) = 0.1; }, "\"boom\": dcm(");
+  refused([](auto& craft) { craft.bodies[1].R_p_from_b(0, 1) = 0.1; }, "\"boom\": dcm(to<hub>, from<boom>)");
   refused([](auto& craft) { craft.bodies[1].axes_b[0] *= 0.0; },
           "\"boom\": the axis (0, 0, 0) is not a unit vector, its norm is 0");
   refused([](auto& craft) { craft.bodies[1].axes_b[0].x() = nan; }, "not a unit vector");

@@ -36,7 +36,6 @@ constexpr auto blades = of_numbered<Blade, 1, 3>;
 static_assert(std::is_same_v<decltype(blades), const OfEach<Blade<1>, Blade<2>, Blade<3>>>);
 
 constexpr auto k = 2.0 * N_m / rad;
-constexpr auto c = 0.3 * N_m / rad_s;
 const auto sprung = [](auto b) { return spring(fan, b, k, 0.1 * rad); };
 
 auto start() {

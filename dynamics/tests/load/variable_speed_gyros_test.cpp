@@ -81,14 +81,15 @@ Book book(const std::array<Driven, 4>& gyros, const Vector3d& w, const Vector3d&
   const auto [J_s, J_t, J_g] = std::array{J_gimbal.x(), J_gimbal.y(), J_gimbal.z()};
   Matrix3d J = J_hub;
   std::array<Matrix3d, 4> R;
-  for (int i = 0; i < 4; ++i) {
-    const Vector3d r = place(i + 1);
-    R[i] = axes(i + 1) * Eigen::AngleAxisd(gyros[i].angle, Vector3d::UnitZ()).toRotationMatrix();
+  for (std::size_t i = 0; i < 4; ++i) {
+    const int number = static_cast<int>(i) + 1;
+    const Vector3d r = place(number);
+    R[i] = axes(number) * Eigen::AngleAxisd(gyros[i].angle, Vector3d::UnitZ()).toRotationMatrix();
     J += mass_of_gimbal * (r.squaredNorm() * Matrix3d::Identity() - r * r.transpose()) +
          R[i] * J_gimbal.asDiagonal() * R[i].transpose();
   }
   Vector3d M = L - w.cross(J * w);
-  for (int i = 0; i < 4; ++i) {
+  for (std::size_t i = 0; i < 4; ++i) {
     const auto& [angle, rate, acceleration, spin, spin_up] = gyros[i];
     const Vector3d along = R[i].transpose() * w;  // w_s, w_t, w_g
     const double w_s = along.x(), w_t = along.y(), w_g = along.z();
@@ -98,7 +99,7 @@ Book book(const std::array<Driven, 4>& gyros, const Vector3d& w, const Vector3d&
                         J_g * acceleration - J_wheel * spin * w_t);
   }
   Book found{J.ldlt().solve(M), {}, {}};
-  for (int i = 0; i < 4; ++i) {
+  for (std::size_t i = 0; i < 4; ++i) {
     const Vector3d along = R[i].transpose() * w, alpha = R[i].transpose() * found.alpha;
     found.gimbal_torque[i] = J_g * (alpha.z() + gyros[i].acceleration) - (J_s - J_t) * along.x() * along.y() -
                              J_wheel * gyros[i].spin * along.y();
@@ -119,24 +120,25 @@ TEST(VariableSpeedGyros, HaveTheAccelerationsAndTorquesOfTheBook) {
     for (auto& gyro : gyros) gyro = {number(3.0), number(1.0), number(2.0), number(400.0), number(5.0)};
     const Vector3d w(number(0.5), number(0.5), number(0.5)), L(number(2.0), number(2.0), number(2.0));
     const auto gimbals = [&]<int i>(Of<Gimbal<i>>) {
-      const auto& gyro = gyros[i - 1];
+      const auto& gyro = gyros[std::size_t{i - 1}];
       return prescribed(sat, of<Gimbal<i>>, [gyro](const Quantity<si::time>&) {
         return JointMotion{gyro.angle * rad, gyro.rate * rad_s, gyro.acceleration * (rad_s / s)};
       });
     };
     const auto rotors = [&]<int i>(Of<Wheel<i>>) {
-      const auto& gyro = gyros[i - 1];
+      const auto& gyro = gyros[std::size_t{i - 1}];
       return prescribed(sat, of<Wheel<i>>, [gyro](const Quantity<si::time>&) {
         return RotorMotion{gyro.spin * rad_s, gyro.spin_up * (rad_s / s)};
       });
     };
     const auto at = [&]<int... i>(std::integer_sequence<int, i...>) {
-      return state(sat, 0.0 * s,
-                   moving_dcm(aligned(to<Inertial>, from<Hub>),
-                              angular_velocity(of<Hub>, relative_to<Inertial>,
-                                               vector<si::angular_velocity>(in<Hub>, w))),
-                   starts(of<Gimbal<i + 1>>, gyros[i].angle * rad, gyros[i].rate * rad_s)...,
-                   spins(of<Wheel<i + 1>>, gyros[i].spin * rad_s)...);
+      return state(
+          sat, 0.0 * s,
+          moving_dcm(
+              aligned(to<Inertial>, from<Hub>),
+              angular_velocity(of<Hub>, relative_to<Inertial>, vector<si::angular_velocity>(in<Hub>, w))),
+          starts(of<Gimbal<i + 1>>, gyros[std::size_t{i}].angle * rad, gyros[std::size_t{i}].rate * rad_s)...,
+          spins(of<Wheel<i + 1>>, gyros[std::size_t{i}].spin * rad_s)...);
     }
     (std::make_integer_sequence<int, 4>{});
     const auto push =
@@ -146,8 +148,10 @@ TEST(VariableSpeedGyros, HaveTheAccelerationsAndTorquesOfTheBook) {
     const Book wanted = book(gyros, w, L);
     EXPECT_LE((found.angular_acceleration(of<Hub>, in<Hub>).coordinates() - wanted.alpha).norm(), rounding);
     const auto expect = [&]<int i>(Of<Gimbal<i>>) {
-      EXPECT_NEAR(found.holding_effort(of<Gimbal<i>>).value(), wanted.gimbal_torque[i - 1], 100.0 * rounding);
-      EXPECT_NEAR(found.holding_effort(of<Wheel<i>>).value(), wanted.rotor_torque[i - 1], 100.0 * rounding);
+      EXPECT_NEAR(found.holding_effort(of<Gimbal<i>>).value(), wanted.gimbal_torque[std::size_t{i - 1}],
+                  100.0 * rounding);
+      EXPECT_NEAR(found.holding_effort(of<Wheel<i>>).value(), wanted.rotor_torque[std::size_t{i - 1}],
+                  100.0 * rounding);
     };
     expect(of<Gimbal<1>>), expect(of<Gimbal<2>>), expect(of<Gimbal<3>>), expect(of<Gimbal<4>>);
   }
