@@ -104,6 +104,8 @@ detail::SimbodyEngine simbody(const PlainSpacecraft& craft) {
   none.driven_links.resize(craft.bodies.size());
   none.motors.resize(craft.rotors.size());
   none.locked_rotors.resize(craft.rotors.size());
+  none.driven_rotors.resize(craft.rotors.size());
+  none.given_spins.resize(craft.rotors.size());
   return {detail::simbody_craft(craft), SimbodyPair::merson, 1e-3, 1.0,
           [none](double, const double*, detail::SimbodyLoads& loads) { loads = none; }};
 }

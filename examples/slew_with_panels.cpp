@@ -8,12 +8,13 @@
 //
 // J is the inertia about x of the whole craft, less the wheel's, as if it were rigid: both profiles turn a
 // rigid craft by theta. The mechanics is that of articulated bodies, with springs, dampers and one mode for
-// each panel.
+// each panel. Angles and rates to a table: slew_with_panels <data> <table.csv>.
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <exception>
+#include <fstream>
 #include <iostream>
 #include <numbers>
 #include <string>
@@ -139,7 +140,7 @@ double rounded(double x) {
   return std::round(1e3 * x) / 1e3 + 0.0;
 }
 
-void print(const std::string& name, const Flight& flight) {
+void print(const std::string& name, const Flight& flight, std::ofstream& table) {
   std::printf("\n%s\n   t [s]   turned [deg]   rate [mrad/s]   panel 1 [urad]   wheel 1 [rad/s]\n",
               name.c_str());
   for (const double t : {0.0, 30.0, 60.0, 90.0, 120.0, 150.0, 180.0}) {
@@ -147,6 +148,13 @@ void print(const std::string& name, const Flight& flight) {
     std::printf("%8.0f %14.3f %15.3f %16.3f %17.3f\n", t, rounded(degrees_about_x(now)),
                 rounded(1e3 * now.turning().angular_velocity.x().in(rad_s)),
                 rounded(1e6 * now.coordinate(of<Panel<1>>).in(rad)), now.spin(of<Wheel<1>>).in(rad_s));
+  }
+  for (int i = 0; i <= 720; ++i) {
+    const double t = 0.25 * i;
+    const auto now = flight.at(t * s);
+    table << name << ',' << t << ',' << degrees_about_x(now) << ','
+          << 1e3 * now.turning().angular_velocity.x().in(rad_s) << ','
+          << 1e6 * now.coordinate(of<Panel<1>>).in(rad) << '\n';
   }
   double panel = 0.0, hub = 0.0;
   for (int i = 0; i <= 2400; ++i) {  // the last 60 s, 25 ms apart
@@ -160,13 +168,15 @@ void print(const std::string& name, const Flight& flight) {
 
 }  // namespace
 
-int main() try {
+int main(int count, char** arguments) try {
   const Sat sat;
+  std::ofstream table(count > 2 ? arguments[2] : "/dev/null");
+  table << "case,t_s,turned_deg,rate_mrad_s,panel_urad\n";
   std::printf("A slew of %.0f degrees in %.0f s, inertia %.1f kg m^2\n", slew_angle.in(si::degree), T.in(s),
               rigid_inertia().in(kg_m2));
   print("Switched torque",
-        slew(sat, speed_up, at_times({0.5 * T}, becomes(slow_down)), at_times({T}, becomes(coast))));
-  print("Smooth torque", slew(sat, smooth, at_times({T}, becomes(coast))));
+        slew(sat, speed_up, at_times({0.5 * T}, becomes(slow_down)), at_times({T}, becomes(coast))), table);
+  print("Smooth torque", slew(sat, smooth, at_times({T}, becomes(coast))), table);
 } catch (const std::exception& error) {
   std::cerr << error.what() << '\n';
   return 1;

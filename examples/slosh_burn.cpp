@@ -204,8 +204,8 @@ void run(const std::string& path) {
     std::printf("  baffles of %.1f N m s: linear system %.6f, %.6f; closed form %.6f, %.6f\n", c,
                 linear.real(), linear.imag(), exact.real(), exact.imag());
   }
-  fly("Controller, baffles of 0.5 N m s", sat, 0.5, hold, table);
-  fly("Controller with a notch, baffles of 0.5 N m s", sat, 0.5, hold_with_notch, table);
+  fly("Controller with baffles of 0.5 N m s", sat, 0.5, hold, table);
+  fly("Controller with a notch and baffles of 0.5 N m s", sat, 0.5, hold_with_notch, table);
 }
 
 }  // namespace

@@ -35,6 +35,19 @@ Axis steps(std::string label, double from, double to, double step, int decimals)
   return axis;
 }
 
+Axis round_steps(std::string label, double least, double most) {
+  constexpr double count = 8.0, almost = 1e-9;
+  const double size = (most - least) / count, decade = std::floor(std::log10(size)),
+               unit = std::pow(10.0, decade);
+  double step = 10.0 * unit;
+  for (const double times : {5.0, 2.0, 1.0})
+    if (times * unit >= size * (1.0 - almost)) step = times * unit;
+  const int decimals =
+      step >= 1.0 ? 0 : static_cast<int>(std::lround(-std::floor(std::log10(step) + almost)));
+  return steps(std::move(label), step * std::floor(least / step + almost),
+               step * std::ceil(most / step - almost), step, decimals);
+}
+
 Chart::Chart(Svg& svg, const Point& upper_left, const Point& lower_right, std::string_view title, Axis x,
              Axis y)
     : svg_(svg), upper_left_(upper_left), lower_right_(lower_right), x_(std::move(x)), y_(std::move(y)) {

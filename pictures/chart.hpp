@@ -21,6 +21,8 @@ struct Axis {
 Axis decades(std::string label, int first, int last, int every = 1);
 /// Multiples of the step.
 Axis steps(std::string label, double from, double to, double step, int decimals);
+/// Some eight steps of 1, 2 or 5 times a power of ten, from the multiple before `least` to that after `most`.
+Axis round_steps(std::string label, double least, double most);
 
 /// Two axes and a title on a rectangle, with curves inside.
 class Chart {

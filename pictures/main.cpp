@@ -1,4 +1,5 @@
 // pictures <name>: prints one picture. pictures --write <folder>: writes all of them.
+// pictures <example> <table.csv>: prints what the example has written to its table.
 #include <exception>
 #include <fstream>
 #include <iostream>
@@ -7,6 +8,7 @@
 #include <string_view>
 
 #include "pictures.hpp"
+#include "tables.hpp"
 
 int main(int count, char** words) try {
   const std::map<std::string, std::string (*)(), std::less<>> all{
@@ -21,6 +23,12 @@ int main(int count, char** words) try {
     std::cout << picture->second();
     return 0;
   }
+  if (count == 3 && first != "--write") {
+    if (const std::string drawn = pictures::of_table(first, words[2]); !drawn.empty()) {
+      std::cout << drawn;
+      return 0;
+    }
+  }
   if (count == 3 && first == "--write") {
     for (const auto& [name, draw] : all) {
       const std::string path = std::string(words[2]) + "/" + name + ".svg";
@@ -30,7 +38,10 @@ int main(int count, char** words) try {
     }
     return 0;
   }
-  std::cerr << "usage: pictures coning|drift|work_precision|polhodes|passes, or pictures --write <folder>\n";
+  std::cerr
+      << "usage: pictures coning|drift|work_precision|polhodes|passes, or pictures --write <folder>, or\n"
+         "       pictures "
+      << pictures::drawn_examples() << " <table.csv>\n";
   return 2;
 } catch (const std::exception& error) {
   std::cerr << error.what() << '\n';

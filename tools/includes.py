@@ -100,7 +100,7 @@ STANDARD = {
     "unordered_map": "unordered_map",
     "unordered_set": "unordered_set",
     "utility": "move forward declval pair make_pair exchange swap index_sequence make_index_sequence integer_sequence "
-               "index_sequence_for in_place as_const",
+               "make_integer_sequence index_sequence_for in_place as_const",
     "variant": "variant visit monostate holds_alternative",
     "vector": "vector",
 }

@@ -89,7 +89,13 @@ struct RandomLoads {
       const Matrix3d R_h_from_i =
           Eigen::Quaterniond(y[0], y[1], y[2], y[3]).normalized().toRotationMatrix().transpose();
       const auto three = [](const Vector3d& v) { return std::array{v.x(), v.y(), v.z()}; };
-      given = {{}, {}, {}, motors, modal, three(field), {}, {}, std::vector<char>(motors.size(), 0), {}};
+      given = {};
+      given.motors = motors;
+      given.modal = modal;
+      given.field_i = three(field);
+      given.locked_rotors.resize(motors.size());
+      given.driven_rotors.resize(motors.size());
+      given.given_spins.resize(motors.size());
       const auto act_on = [&](const Vector3d& force, const Vector3d& torque) {
         given.forces.push_back(three(R_h_from_i * force));
         given.torques.push_back(three(R_h_from_i * torque));

@@ -79,7 +79,8 @@ struct SpringyCraft {
     work.held.resize(work.links.size());
     work.given.resize(work.efforts.size());
     work.motors.resize(plain.rotors.size());
-    work.locked_rotors.resize(plain.rotors.size());
+    work.held_rotors.resize(plain.rotors.size());
+    work.given_spins.resize(plain.rotors.size());
     work.modal.resize(plain.modes.size());
     return work;
   }

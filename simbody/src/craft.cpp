@@ -95,7 +95,13 @@ void copy_loads(const multibody::Work<double>& found, SimbodyLoads& loads) {
   loads.motors = found.motors;
   loads.modal = found.modal;
   loads.field_i = three(found.field);
-  loads.locked_rotors = found.locked_rotors;
+  loads.given_spins = found.given_spins;
+  loads.locked_rotors.resize(found.held_rotors.size());
+  loads.driven_rotors.resize(found.held_rotors.size());
+  for (std::size_t i = 0; i < found.held_rotors.size(); ++i) {
+    loads.locked_rotors[i] = found.held_rotors[i] == multibody::Hold::locked;
+    loads.driven_rotors[i] = found.held_rotors[i] == multibody::Hold::driven;
+  }
 }
 
 }  // namespace vectrix::detail

@@ -69,6 +69,7 @@ void SimbodyEngine::System::give(const SimTK::State& s, SimTK::Vector_<SpatialVe
   for (std::size_t i = 0; i < wheels.size(); ++i) {
     if (locks.rotors[i] && !acting.locked_rotors[i]) throw Freed{};
     if (acting.locked_rotors[i] && !locks.rotors[i]) hold(wheels[i], 0, 0.0);
+    if (acting.driven_rotors[i]) hold(wheels[i], 0, acting.given_spins[i]);
   }
   if (held.empty() && flexible.empty()) return;
 

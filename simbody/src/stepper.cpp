@@ -82,8 +82,10 @@ class SimbodyStepper final : public ode::Stepper {
       efforts = efforts.subspan(count);
       given = given.subspan(count);
     }
-    for (std::size_t i = 0; i < at.motors.size(); ++i)
+    for (std::size_t i = 0; i < at.motors.size(); ++i) {
       require(std::span(at.motors).subspan(i, 1), "the motor torque of ", craft_.rotors[i].name);
+      require(std::span(at.given_spins).subspan(i, 1), "the given acceleration of ", craft_.rotors[i].name);
+    }
     for (std::size_t i = 0; i < at.modal.size(); ++i)
       require(std::span(at.modal).subspan(i, 1), "the force on ", craft_.modes[i].name);
     require(at.field_i, "the field on ", craft_.hub);

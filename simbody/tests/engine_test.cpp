@@ -39,7 +39,8 @@ Both accelerations(unsigned long seed, double time_scale, multibody::Hold (*held
     to.field = from.field;
     to.held = from.held;
     to.given = from.given;
-    to.locked_rotors = from.locked_rotors;
+    to.held_rotors = from.held_rotors;
+    to.given_spins = from.given_spins;
   };
   draw(applied.efforts);
   draw(applied.motors);
@@ -53,8 +54,11 @@ Both accelerations(unsigned long seed, double time_scale, multibody::Hold (*held
     const std::size_t next = i + 1 < applied.held.size() ? layout.speed_at[i + 1] : layout.rotors_begin();
     for (std::size_t k = layout.speed_at[i]; k < next; ++k) applied.given[k - layout.speeds_begin()] = 0.0;
   }
-  for (std::size_t i = 0; i < applied.locked_rotors.size(); ++i)
-    applied.locked_rotors[i] = held(i) == multibody::Hold::locked;
+  draw(applied.given_spins);
+  for (std::size_t i = 0; i < applied.held_rotors.size(); ++i) {
+    applied.held_rotors[i] = held(i);
+    if (applied.held_rotors[i] == multibody::Hold::locked) applied.given_spins[i] = 0.0;
+  }
   applied.hub.f = column();
   applied.hub.n = column();
   for (auto& link : applied.links) link.I.f = column(), link.I.n = column();

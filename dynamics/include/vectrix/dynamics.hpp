@@ -22,6 +22,7 @@
 #include <vectrix/dynamics/force/gravity.hpp>
 #include <vectrix/dynamics/force/moment.hpp>
 #include <vectrix/dynamics/force/wrench.hpp>
+#include <vectrix/dynamics/load/each.hpp>
 #include <vectrix/dynamics/load/friction.hpp>
 #include <vectrix/dynamics/load/lockable.hpp>
 #include <vectrix/dynamics/load/magnetorquer.hpp>

@@ -17,12 +17,20 @@ constexpr double least_angle =
 [[noreturn]] void refuse(const std::string& part, const std::string& fault) {
   throw BadInput(part + ": " + fault);
 }
-/// Calls a typed door; its errors get the name of the part.
-template <class Door> auto through(const std::string& part, const Door& door) {
+void rename(std::string& text, const std::string& from, const std::string& to) {
+  for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
+    text.replace(at, from.size(), to);
+}
+/// Calls a typed door; its errors get the name of the part, also where they say its frame or its parent's.
+template <class Door>
+auto through(const std::string& part, const Door& door, const std::string& parent = "its parent") {
   try {
     return door();
   } catch (const BadInput& error) {
-    refuse(part, error.what());
+    std::string said = error.what();
+    rename(said, frame_name<ThisBody>(), part.substr(1, part.size() - 2));
+    rename(said, frame_name<ParentBody>(), parent);
+    refuse(part, said);
   }
 }
 
@@ -47,7 +55,8 @@ void check_mass(const std::string& part, double mass, const Eigen::Vector3d& cen
 }
 
 void check_joint(const std::string& part, const PlainBody& body) {
-  through(part, [&] { return dcm(to<ParentBody>, from<ThisBody>, body.R_p_from_b); });
+  through(
+      part, [&] { return dcm(to<ParentBody>, from<ThisBody>, body.R_p_from_b); }, body.parent);
   require_finite(part, "the position on the parent", body.r_pb_p);
   if (const std::size_t axes = counts_of(body.joint).axes; body.axes_b.size() != axes) {
     refuse(part, "a " + std::string{name_of(body.joint)} + " joint has " + text(axes) + " axes, not " +

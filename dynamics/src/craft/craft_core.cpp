@@ -1,8 +1,11 @@
 #include <vectrix/dynamics/craft/craft_core.hpp>
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
 #include <utility>
 #include <vectrix/kinematics/attitude/quaternion.hpp>
 
@@ -19,6 +22,56 @@ std::size_t not_finite(std::span<const double> numbers) {
   const auto found =
       std::find_if(numbers.begin(), numbers.end(), [](double number) { return !std::isfinite(number); });
   return static_cast<std::size_t>(found - numbers.begin());
+}
+
+constexpr double rounding_of_inertia = 16.0 * std::numeric_limits<double>::epsilon();
+
+Eigen::Matrix3d full(const multibody::Symmetric<double>& m) {
+  return Eigen::Matrix3d{{m.xx, m.xy, m.xz}, {m.xy, m.yy, m.yz}, {m.xz, m.yz, m.zz}};
+}
+/// The axis about which a symmetric matrix is zero but for the rounding of numbers of the size of `of`.
+std::optional<Eigen::Vector3d> axis_without(const Eigen::Matrix3d& J, const Eigen::Matrix3d& of) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> principal(J);
+  if (principal.eigenvalues()[0] > rounding_of_inertia * of.trace()) return std::nullopt;
+  return principal.eigenvectors().col(0);
+}
+
+/// Of the craft with all its joints locked, about its centre of mass.
+std::optional<Eigen::Vector3d> axis_of_the_whole(const multibody::Tree<double>& tree,
+                                                 const multibody::Work<double>& work) {
+  const auto parallel = [](const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+    return Eigen::Matrix3d(a.dot(b) * Eigen::Matrix3d::Identity() - a * b.transpose());
+  };
+  double m = 0.0;
+  Eigen::Vector3d first = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d J = Eigen::Matrix3d::Zero();
+  for (int body = 0; body <= static_cast<int>(work.links.size()); ++body) {
+    const auto& mass =
+        body == 0 ? tree.numbers().hub : tree.numbers().links[static_cast<std::size_t>(body) - 1].mass;
+    const Eigen::Matrix3d R = eigen(tree.rotation(body, work));
+    const Eigen::Vector3d r = eigen(tree.position(body, work)), mc = R * eigen(mass.mc);
+    J += R * full(mass.J) * R.transpose() + parallel(r, mc) + parallel(mc, r) + mass.m * parallel(r, r);
+    m += mass.m;
+    first += mass.m * r + mc;
+  }
+  return axis_without(J - parallel(first, first) / m, J);
+}
+/// Of what the hub feels of the craft with all its joints free: that of a body far off on a free joint is not
+/// lost in rounding.
+bool free_craft_turns(const multibody::Tree<double>& tree, const double* y, multibody::Work<double>& work) {
+  std::vector<double> ydot(tree.layout().size());
+  tree.solve(y, ydot.data(), work);
+  const Eigen::Matrix3d A = full(work.hub.A), H = eigen(work.hub.H), M = full(work.hub.M);
+  return !axis_without(A - H * M.inverse() * H.transpose(), A);
+}
+/// Point masses on a line have no rotation about it.
+void require_inertia(const CraftCore& core, const char* action, const double* y) {
+  auto work = core.tree.work();
+  core.tree.place(y, work);
+  const auto axis = axis_of_the_whole(core.tree, work);
+  if (!axis || free_craft_turns(core.tree, y, work)) return;
+  throw BadInput(action + of_the_craft(core) + ": as it stands, it has no inertia about the axis (" +
+                 text(axis->x()) + ", " + text(axis->y()) + ", " + text(axis->z()) + ") of the hub");
 }
 
 }  // namespace
@@ -66,8 +119,8 @@ double size_of_inertia(const PlainSpacecraft& craft) {
   return size;
 }
 
-void refuse_to_hold_twice(const std::string& body) {
-  throw BadInput("the joint of " + body + " is driven, and locked or driven again");
+void refuse_to_hold_twice(const std::string& what) {
+  throw BadInput(what + " is driven, and locked or driven again");
 }
 void require_finite_time(const CraftCore& core, const char* action, double time) {
   if (!std::isfinite(time))
@@ -89,6 +142,7 @@ void require_state(const CraftCore& core, const char* action, std::span<const do
     if (kind == multibody::Kind::ball || kind == multibody::Kind::free)
       require_rotation(core.tree.layout().position_at[i]);
   }
+  require_inertia(core, action, y.data());
 }
 void require_finite_rates(const CraftCore& core, double time, std::span<const double> ydot) {
   const std::size_t bad = not_finite(ydot);

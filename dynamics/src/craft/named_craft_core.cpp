@@ -148,10 +148,14 @@ NamedCraftCore::Joint NamedCraftCore::joint(std::string_view body) const {
   const std::size_t last = static_cast<std::size_t>(links_[number]) - 1;
   return {&given, last + 1 - counts_of(given.joint).links};
 }
-std::size_t NamedCraftCore::rotor(std::string_view name) const {
+std::optional<std::size_t> NamedCraftCore::find_rotor(std::string_view name) const {
   const std::size_t found = find_part(core_.plain.rotors, name);
-  if (found == core_.plain.rotors.size()) no_part("rotor", name, core_.plain.rotors);
-  return found;
+  return found < core_.plain.rotors.size() ? std::optional{found} : std::nullopt;
+}
+std::size_t NamedCraftCore::rotor(std::string_view name) const {
+  const auto found = find_rotor(name);
+  if (!found) no_part("rotor", name, core_.plain.rotors);
+  return *found;
 }
 std::size_t NamedCraftCore::mode(std::string_view name) const {
   const std::size_t found = find_part(core_.plain.modes, name);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <deque>
+#include <optional>
 #include <unordered_map>
 #include <vectrix/dynamics/craft/craft_core.hpp>
 #include <vectrix/dynamics/craft/eigen_numbers.hpp>
@@ -33,6 +34,7 @@ class NamedCraftCore {
   };
   Joint joint(std::string_view body) const;
   std::size_t rotor(std::string_view name) const;
+  std::optional<std::size_t> find_rotor(std::string_view name) const;
   std::size_t mode(std::string_view name) const;
 
   /// Where the position (from the start of the state) and the speed (from the first speed) of an axis are.

@@ -184,6 +184,8 @@ NamedVector<si::torque> NamedMotion::joint_torque(Of<std::string_view> body, In<
 }
 
 Quantity<si::torque> NamedMotion::holding_torque(Of<std::string_view> body, int axis) const {
+  if (const auto rotor = core_->find_rotor(body.frame); rotor && axis == 1)
+    return Quantity<si::torque>::from_value(core_->tree().holding_torque(*rotor, work_));
   const auto joint = joint_that_turns(*core_, "holding_torque", body.frame, axis);
   return Quantity<si::torque>::from_value(
       core_->tree().holding_effort(static_cast<int>(joint.link) + axis, work_));

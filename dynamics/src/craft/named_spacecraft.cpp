@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <vectrix/dynamics/craft/plain_parts.hpp>
+#include <vectrix/dynamics/multibody/impulse.hpp>
 
 #include "named_craft_core.hpp"
 
@@ -27,35 +28,52 @@ PlainSpacecraft plain_of(const NamedHub& hub, const std::vector<NamedBody>& bodi
   return craft;
 }
 
-/// A joint that is held, resolved to a link and its place among the speeds.
-struct HeldLink {
+/// A joint or rotor that is held, resolved to links, or a rotor, and their places among the speeds.
+struct HeldPart {
   NamedHeld how;
-  std::size_t first_link, links, first_speed, speeds;
+  std::size_t first_link, links, first_speed, speeds;  ///< of a rotor no link, and its number
 };
 
-std::vector<HeldLink> resolved(const NamedCraftCore& core, const std::vector<NamedHeld>& held) {
-  std::vector<HeldLink> list;
+HeldPart resolved(const NamedCraftCore& core, const NamedHeld& how) {
+  const auto refuse = [&](const std::string& what) {
+    throw BadInput("prescribed(" + in_quotes(how.name()) + "): " + what +
+                   ", and the acceleration that of a " + detail::name_of(*how.joint()));
+  };
+  if (const auto rotor = core.find_rotor(how.name())) {
+    if (how.joint().value_or(JointKind::hinge) != JointKind::hinge) refuse("it is a rotor");
+    return {how, 0, 0, *rotor, 1};
+  }
+  const auto joint = core.joint(how.name());
+  const JointKind kind = joint.body->joint;
+  if (how.joint() && how.joint() != kind) refuse(std::string{"its joint is a "} + detail::name_of(kind));
+  const detail::JointCounts counts = detail::counts_of(kind);
+  if (!how.accelerations()) return {how, joint.link, counts.links, 0, 0};
+  if (how.axis() == 0) return {how, joint.link, counts.links, core.speed_at(joint, 1), counts.axes};
+  if (how.axis() < 0 || how.axis() > 2)
+    throw BadInput("prescribed(" + in_quotes(how.name()) + "): a gimbal has the axes 1 and 2, not " +
+                   detail::text(how.axis()));
+  return {how, joint.link + static_cast<std::size_t>(how.axis() - 1), 1, core.speed_at(joint, how.axis()), 1};
+}
+std::vector<HeldPart> resolved(const NamedCraftCore& core, const std::vector<NamedHeld>& held) {
+  std::vector<HeldPart> list;
   for (const NamedHeld& how : held) {
-    const auto joint = core.joint(how.body());
-    const JointKind kind = joint.body->joint;
-    if (how.joint() && how.joint() != kind) {
-      throw BadInput("prescribed(" + in_quotes(how.body()) + "): its joint is a " + detail::name_of(kind) +
-                     ", and the acceleration that of a " + detail::name_of(*how.joint()));
+    const HeldPart part = resolved(core, how);
+    for (const HeldPart& other : list) {
+      const bool same_axis = how.axis() == 0 || other.how.axis() == 0 || how.axis() == other.how.axis();
+      if (other.how.name() == how.name() && same_axis)
+        throw BadInput((part.links > 0 ? "the joint of " : "the rotor ") + in_quotes(how.name()) +
+                       " is held twice");
     }
-    for (const HeldLink& other : list)
-      if (other.how.body() == how.body())
-        throw BadInput("the joint of " + in_quotes(how.body()) + " is held twice");
-    const detail::JointCounts counts = detail::counts_of(kind);
-    list.push_back({how, joint.link, counts.links, core.speed_at(joint, 1), counts.speeds});
+    list.push_back(part);
   }
   return list;
 }
 
-/// ydot = f(t, y), with the loads and the held joints.
+/// ydot = f(t, y), with the loads and what is held.
 struct Evaluation {
   std::shared_ptr<const NamedCraftCore> core;
   NamedLoads loads;
-  std::vector<HeldLink> held;
+  std::vector<HeldPart> held;
   multibody::Work<double> work;
 
   Evaluation(std::shared_ptr<const NamedCraftCore> of, NamedLoads given, const std::vector<NamedHeld>& joints)
@@ -66,13 +84,17 @@ struct Evaluation {
 
   void operator()(double segment_start, double t, const double* y, double* ydot) {
     core->tree().place(y, work);
-    for (const HeldLink& joint : held) {
-      const auto& accelerations = joint.how.accelerations();
-      std::fill_n(work.held.begin() + static_cast<std::ptrdiff_t>(joint.first_link), joint.links,
-                  accelerations ? multibody::Hold::driven : multibody::Hold::locked);
+    for (const HeldPart& part : held) {
+      const auto& accelerations = part.how.accelerations();
+      const auto how = accelerations ? multibody::Hold::driven : multibody::Hold::locked;
+      if (part.links == 0)
+        work.held_rotors[part.first_speed] = how;
+      else
+        std::fill_n(work.held.begin() + static_cast<std::ptrdiff_t>(part.first_link), part.links, how);
       if (!accelerations) continue;
       const auto given = accelerations(t);
-      std::copy_n(given.begin(), joint.speeds, &work.given[joint.first_speed]);
+      std::copy_n(given.begin(), part.speeds,
+                  &(part.links == 0 ? work.given_spins : work.given)[part.first_speed]);
     }
     if (loads) {
       NamedForces forces{detail::trusted, *core, work};
@@ -118,6 +140,29 @@ NamedMotion NamedSpacecraft::motion(const NamedState& state, const Quantity<si::
   evaluate(time.value(), time.value(), state.numbers().data(), ydot.data());
   detail::require_finite_rates(core_->core(), time.value(), ydot);
   return {detail::trusted, core_, time.value(), state.numbers(), std::move(ydot), std::move(evaluate.work)};
+}
+
+NamedState NamedSpacecraft::stopped(const NamedState& state, const std::vector<std::string>& names,
+                                    const std::vector<NamedHeld>& held) const {
+  using multibody::InImpulse;
+  if (state.view().core != core_.get()) throw BadInput("stopped: the state is of another craft");
+  const auto& layout = core_->tree().layout();
+  std::vector<InImpulse> links(layout.speed_at.size(), InImpulse::is_free),
+      rotors(layout.rotors, InImpulse::is_free);
+  std::vector<NamedHeld> all = held;
+  for (const std::string& name : names) all.push_back(locked(name));
+  const std::vector<HeldPart> parts = resolved(*core_, all);
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const HeldPart& part = parts[i];
+    const InImpulse how = i < held.size() ? InImpulse::keeps_speed : InImpulse::stops;
+    if (part.links == 0)
+      rotors[part.first_speed] = how;
+    else
+      std::fill_n(links.begin() + static_cast<std::ptrdiff_t>(part.first_link), part.links, how);
+  }
+  std::vector<double> numbers = state.numbers();
+  multibody::stop(core_->tree(), links, rotors, numbers.data());
+  return this->state(numbers);
 }
 
 ode::Problem NamedSpacecraft::problem(const NamedState& state, const Quantity<si::time>& start,

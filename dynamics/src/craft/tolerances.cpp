@@ -4,7 +4,28 @@
 
 namespace vectrix {
 
+namespace {
+
+void require_given(const PlainSpacecraft& craft, const CraftTolerances& by) {
+  bool slides = craft.motion == HubMotion::free;
+  for (const PlainBody& body : craft.bodies)
+    slides = slides || body.joint == JointKind::slider || body.joint == JointKind::free;
+  const auto require = [&](bool needed, double tolerance, const char* name) {
+    if (needed && tolerance == 0.0)
+      throw BadInput("the absolute tolerances of the craft of " + detail::in_quotes(craft.hub) + ": ." +
+                     name + " is left out, or 0; none has a default");
+  };
+  require(true, by.angle.value(), "angle");
+  require(true, by.rate.value(), "rate");
+  require(slides, by.length.value(), "length");
+  require(slides, by.velocity.value(), "velocity");
+  require(!craft.modes.empty(), by.mode, "mode");
+}
+
+}  // namespace
+
 std::vector<double> absolute_tolerances(const PlainSpacecraft& craft, const CraftTolerances& by) {
+  require_given(craft, by);
   const double angle = by.angle.value(), rate = by.rate.value(), length = by.length.value(),
                velocity = by.velocity.value();
   std::vector<double> list{angle, angle, angle, angle, rate, rate, rate};

@@ -36,7 +36,7 @@ void stop(const Tree<double>& tree, std::span<const InImpulse> links, std::span<
   }
   for (std::size_t i = 0; i < rotors.size(); ++i) {
     const Rotor<double>& rotor = numbers.rotors[i];
-    k.locked_rotors[i] = rotors[i] != InImpulse::is_free;
+    k.held_rotors[i] = rotors[i] == InImpulse::is_free ? Hold::none : Hold::locked;
     if (rotors[i] != InImpulse::stops) continue;  // its body takes J_s O n
     const Column<double> momentum = rotor.axis * (rotor.inertia * y[layout.rotors_begin() + i]);
     tree.add_wrench(rotor.body, zero_column<double>(), tree.rotation(rotor.body, k) * momentum, k);

@@ -260,13 +260,13 @@ TEST(NamedSpacecraft, RefusesWhatNoCraftHas) {
   EXPECT_EQ(refused_craft([](auto&) {}), "");
   refused([](auto& craft) { craft.mass = -1.0; }, "\"hub\": mass_properties");
   refused([](auto& craft) { craft.bodies[1].mass = 0.0; },
-          "\"boom\": mass_properties(ThisBody): the mass is 0 kg");
+          "\"boom\": mass_properties(boom): the mass is 0 kg");
   refused([](auto& craft) { craft.bodies[1].J_c_b(0, 0) = 9.0; }, "\"boom\": inertia_from_tensor");
   refused([](auto& craft) { craft.bodies[1].J_c_b(0, 1) = 0.1; }, "differ by 0.1 kg m^2");
-  refused([](auto& craft) { craft.bodies[1].r_bc_b.x() = nan; }, "\"boom\": vector(in<ThisBody>)");
+  refused([](auto& craft) { craft.bodies[1].r_bc_b.x() = nan; }, "\"boom\": vector(in<boom>)");
   refused([](auto& craft) { craft.bodies[1].r_pb_p.x() = nan; },
           "\"boom\": the position on the parent (nan, 0.2, 0) is not finite");
-  refused([](auto& craft) { craft.bodies[1].R_p_from_b(0, 1) = 0.1; }, "\"boom\": dcm(");
+  refused([](auto& craft) { craft.bodies[1].R_p_from_b(0, 1) = 0.1; }, "\"boom\": dcm(to<hub>, from<boom>)");
   refused([](auto& craft) { craft.bodies[1].axes_b[0] *= 0.0; },
           "\"boom\": the axis (0, 0, 0) is not a unit vector, its norm is 0");
   refused([](auto& craft) { craft.bodies[1].axes_b[0].x() = nan; }, "not a unit vector");

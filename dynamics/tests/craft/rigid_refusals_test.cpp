@@ -139,8 +139,14 @@ TEST(RefusedCraftPropagation, tolerances_that_are_not_positive) {
                      text("absolute tolerance of wx", "nan"));
   expect_refused_run(absolute([](auto& by) { by.length = infinity * si::metre; }),
                      text("absolute tolerance of rx", "inf"));
-  expect_refused_run(absolute([](auto& by) { by.velocity = 0.0 * (si::metre / si::second); }),
-                     text("absolute tolerance of vx", "0"));
+
+  const Free craft = free(body);
+  const auto start = start_of(craft, body.exact(0.0), {7e6, 0.0, 0.0}, {0.0, 7500.0, 0.0});
+  CraftPropagation how = until(1.0);
+  how.absolute_tolerances.velocity = {};
+  expect_bad_input(
+      [&] { propagate(scenario(craft), start, how); },
+      "of the craft of \"" + frame_name<Body>() + "\": .velocity is left out, or 0; none has a default");
 }
 
 TEST(RefusedCraftPropagation, times_that_make_no_sense) {

@@ -251,6 +251,40 @@ TEST(Spacecraft, AStartRelativeToAnyFrameIsAProduct) {
                   X_i_from_lvlh.turning.angular_velocity.coordinates());
 }
 
+struct Tip : moving_frame {};
+auto make_tether(double J_hub, const Vector3d& along) {
+  const auto n = direction(vector<si::length>(in<Tip>, along));
+  const auto point = [](auto B, double kg, double J) {
+    using F = decltype(B);
+    return mass_properties(kg * si::kilogram, coincident(of<CentreOfMassOf<F>>, relative_to<F>, in<F>),
+                           inertia_from_principal_moments(in<F>, J * kg_m2, J * kg_m2, J * kg_m2));
+  };
+  return spacecraft(
+      body(point(Hub{}, 500.0, J_hub), free_in<Gcrf>),
+      body(point(Tip{}, 20.0, 0.0), slider(Transform{aligned(to<Hub>, from<Tip>),
+                                                     displacement(of<Tip>, relative_to<Hub>,
+                                                                  vector<si::length>(in<Hub>, 1e5 * along))},
+                                           n)));
+}
+// Two point masses on a line do not turn about it; beside 1e5 m a small satellite does, and so does a body
+// far off on a free joint.
+TEST(Spacecraft, MassOnALineIsRefused) {
+  const auto at_origin = MovingTransform<Gcrf, Hub>{
+      moving_dcm(aligned(to<Gcrf>, from<Hub>), at_rest(of<Hub>, relative_to<Gcrf>, in<Hub>)),
+      coincident(of<Hub>, relative_to<Gcrf>, in<Gcrf>),
+      at_rest(of<Hub>, relative_to<Gcrf>, observed_from<Gcrf>, in<Gcrf>)};
+  const auto start = [&](const auto& craft) {
+    return state(craft, 0.0 * s, at_origin, starts(of<Tip>, 0.0 * si::metre, 0.0 * m_s));
+  };
+  for (const Vector3d& along :
+       {Vector3d(1.0, 0.0, 0.0), Vector3d(0.36, 0.48, 0.8), Vector3d(0.6, 0.0, 0.8)}) {
+    const std::string said = message<BadInput>([&] { (void)start(make_tether(0.0, along)); });
+    EXPECT_TRUE(contains(said, "Hub\": as it stands, it has no inertia about the axis (")) << said;
+    const auto thin = make_tether(1.0, along);
+    EXPECT_NO_THROW((void)motion(thin, start(thin)));
+  }
+}
+
 TEST(Spacecraft, BadNumbersAreRefusedWithTheFrame) {
   RandomCraft random(20260717);
   const auto refused = [](const auto& call, const std::string& said) {

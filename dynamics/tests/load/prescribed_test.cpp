@@ -8,6 +8,7 @@
 #include <vectrix/dynamics/analysis/linearise.hpp>
 #include <vectrix/dynamics/craft/conservation.hpp>
 #include <vectrix/dynamics/craft/named_spacecraft.hpp>
+#include <vectrix/dynamics/load/lockable.hpp>
 #include <vectrix/dynamics/load/prescribed.hpp>
 #include <vectrix/dynamics/load/springs.hpp>
 
@@ -45,6 +46,7 @@ namespace plane {
 
 using namespace three_parts;
 using three_parts::mass;
+using three_parts::Wheel;
 
 const Sat sat;
 constexpr Sine scan{0.4, 3.0};
@@ -152,6 +154,76 @@ TEST(Prescribed, ALockedJointIsNotDriven) {
   EXPECT_NO_THROW((void)motion(sat, start, lock, lock));
 }
 
+/// The speed of a wheel.
+auto spinning(const Sine& sine) {
+  return [sine](const Quantity<si::time>& t) {
+    return RotorMotion{sine.q(t.value()) * rad_s, sine.u(t.value()) * rad_s2};
+  };
+}
+constexpr Sine throttle{4.0, 1.5, 20.0};
+Starting start_of_throttle() {
+  return {.rate = 0.3, .spin = throttle.q(0.0), .hub_rate = w_0};
+}
+
+// J w + J_s O is kept, and the panel keeps its own: so w and the torque of the drive are known.
+TEST(Prescribed, AWheelTurnsTheHubBack) {
+  const auto flight = scenario(sat, prescribed(sat, of<Wheel>, spinning(throttle)));
+  const auto run = propagate(flight, start_of(sat, start_of_throttle()), until(7.0, tolerance));
+  constexpr double J = J_rest + J_wheel;
+  for (const double t : {0.0, 0.3, 1.7, 4.0, 7.0}) {
+    const auto now = motion_at(flight, run, t * s);
+    EXPECT_NEAR(now.state().spin(of<Wheel>).value(), throttle.q(t), run_error) << t;
+    EXPECT_NEAR(now.now().angular_velocity(of<Hub>, relative_to<Inertial>, in<Hub>).z().value(),
+                w_0 - J_wheel / J * (throttle.q(t) - throttle.q(0.0)), run_error)
+        << t;
+    EXPECT_NEAR(now.holding_effort(of<Wheel>).value(), J_wheel * J_rest / J * throttle.u(t), run_error) << t;
+  }
+}
+
+TEST(Prescribed, AMotorOnTheWheelChangesItsDriveOnly) {
+  const auto start = start_of(sat, start_of_throttle());
+  const auto drive = prescribed(sat, of<Wheel>, spinning(throttle));
+  const auto drag = [](const Now<Sat>& now, Forces<Sat>& forces) {
+    forces.motor(of<Wheel>, -0.01 * now.spin(of<Wheel>).value() * N_m);
+  };
+  const auto alone = motion(sat, start, drive), braked = motion(sat, start, drag, drive);
+  EXPECT_EQ(braked.rates(), alone.rates());
+  EXPECT_NEAR((braked.holding_effort(of<Wheel>) - alone.holding_effort(of<Wheel>)).value(),
+              0.01 * throttle.q(0.0), 1e-15);
+  EXPECT_EQ(motion(sat, start, drag).holding_effort(of<Wheel>).value(), 0.0);
+}
+
+TEST(Prescribed, AWheelThatDisagreesIsRefused) {
+  const auto refused = [](const auto& f, double spin) {
+    return message<BadInput>([&] {
+      (void)propagate(scenario(sat, prescribed(sat, of<Wheel>, f)), start_of(sat, {.spin = spin}),
+                      until(7.0));
+    });
+  };
+  EXPECT_EQ(
+      refused(spinning(throttle), 19.0),
+      "prescribed on vectrix_test::three_parts::Wheel at 0 s: the speed is 20 rad/s, but the run starts "
+      "with 19 rad/s");
+  const auto wrong = [](const Quantity<si::time>& t) {
+    return RotorMotion{throttle.q(t.value()) * rad_s, 1.001 * throttle.u(t.value()) * rad_s2};
+  };
+  EXPECT_TRUE(contains(refused(wrong, 20.0), "rad/s^2, but the speed changes by "));
+  const auto start = start_of(sat, start_of_throttle());
+  const auto drive = prescribed(sat, of<Wheel>, spinning(throttle));
+  const auto lock = [](const Now<Sat>&, Forces<Sat>& forces) { forces.lock(of<Wheel>); };
+  EXPECT_EQ(message<BadInput>([&] { (void)motion(sat, start, drive, lock); }),
+            "the rotor vectrix_test::three_parts::Wheel is driven, and locked or driven again");
+}
+
+// A latch of the panel stops it by an impulse, in which the wheel keeps its given speed.
+TEST(Prescribed, AWheelKeepsItsSpeedInAnImpulse) {
+  const auto flight = scenario(sat, prescribed(sat, of<Wheel>, spinning(throttle)), lockable(sat, of<Panel>),
+                               at_times({1.0 * s}, becomes(Locked<Panel>{true})));
+  const auto run = propagate(flight, start_of(sat, start_of_throttle()), until(3.0, tolerance));
+  EXPECT_EQ(run.at(3.0 * s).speed(of<Panel>).value(), 0.0);
+  EXPECT_NEAR(run.at(3.0 * s).spin(of<Wheel>).value(), throttle.q(3.0), run_error);
+}
+
 // A held joint is no freedom of the linear system: its acceleration depends on nothing.
 TEST(Prescribed, AMotionIsLinearisedAboutIt) {
   const auto still = [](const Quantity<si::time>&) {
@@ -162,6 +234,10 @@ TEST(Prescribed, AMotionIsLinearisedAboutIt) {
   const auto linear = linearise(flight, start_of(sat, {.angle = 0.3, .hub_rate = w_0}));
   EXPECT_EQ(linear.A.row(linear.speed(of<Panel>)).norm(), 0.0);
   EXPECT_GT(linear.A.row(linear.speed(of<Mass>)).norm(), 0.0);
+  const auto steady = [](const Quantity<si::time>&) { return RotorMotion{5.0 * rad_s, 0.0 * rad_s2}; };
+  const auto spinning = linearise(scenario(sat, prescribed(sat, of<Wheel>, steady)),
+                                  start_of(sat, {.spin = 5.0, .hub_rate = w_0}));
+  EXPECT_EQ(spinning.A.row(spinning.spin(of<Wheel>)).norm(), 0.0);
 }
 
 }  // namespace plane
@@ -226,6 +302,65 @@ TEST(Prescribed, AGimbalHasTheMotionOfTheNamedCraft) {
                          "a force along an axis on \"" + mirror + "\", whose joint is a gimbal"));
     EXPECT_NEAR(found.holding_effort(of<Boom>).value(), 0.0, rounding_of_craft);
   }
+}
+
+// A gimbal of which one axis is driven, and a wheel, as those of the named craft; free about the other axis.
+TEST(Prescribed, AGimbalIsDrivenAboutOneAxis) {
+  RandomCraft random(20261202);
+  for (int trial = 0; trial < 10; ++trial) {
+    const Scanner craft(random);
+    const NamedSpacecraft same(plain(craft));
+    const double t_0 = 1.0 + 0.3 * trial;
+    const auto start = start_of(craft, random, t_0);
+    const auto wheel = [](const Quantity<si::time>&) { return RotorMotion{30.0 * rad_s, 2.0 * rad_s2}; };
+    const auto check = [&]<int axis>(AboutAxis<axis>) {
+      const auto& sine = raster[axis - 1];
+      const auto found = motion(craft, start, prescribed(craft, of<Mirror>, about_axis<axis>, turning(sine)),
+                                prescribed(craft, of<Wheel>, wheel));
+      const auto drive = found.holding_effort(of<Mirror>);
+      const auto free = drive[2 - axis];
+      EXPECT_NEAR(free.value(), 0.0, rounding_of_craft);
+      const auto pushed = motion(craft, start, [&](const Now<Scanner>&, Forces<Scanner>& forces) {
+        forces.effort(of<Mirror>, drive[0], drive[1]);
+        forces.motor(of<Wheel>, found.holding_effort(of<Wheel>));
+      });
+      const std::string mirror = frame_name<Mirror>(), rotor = frame_name<Wheel>();
+      const auto named = same.motion(
+          same.state(start.numbers()), start.time(), {},
+          {prescribed(mirror, axis, [&](const Quantity<si::time>& t) { return sine.a(t.value()) * rad_s2; }),
+           prescribed(rotor, [](const Quantity<si::time>&) { return 2.0 * rad_s2; })});
+      EXPECT_EQ(named.holding_torque(Of(mirror), axis), drive[axis - 1]);
+      EXPECT_EQ(named.holding_torque(Of(rotor)), found.holding_effort(of<Wheel>));
+      for (std::size_t i = 0; i < Scanner::state_size; ++i) {
+        EXPECT_EQ(found.rates()[i], named.rates()[i]) << i;
+        EXPECT_NEAR(pushed.rates()[i], found.rates()[i],
+                    rounding_of_craft * (1.0 + std::abs(found.rates()[i])))
+            << i;
+      }
+    };
+    check(about_axis<1>);
+    check(about_axis<2>);
+    const auto both = motion(craft, start, prescribed(craft, of<Mirror>, both_axes));
+    const auto each = motion(craft, start, prescribed(craft, of<Mirror>, about_axis<2>, turning(raster[1])),
+                             prescribed(craft, of<Mirror>, about_axis<1>, turning(raster[0])));
+    EXPECT_EQ(each.rates(), both.rates());
+  }
+}
+
+TEST(Prescribed, AnAxisThatDisagreesIsRefused) {
+  RandomCraft random(20261203);
+  const Scanner craft(random);
+  const auto refused = [&](const auto&... drives) {
+    return message<BadInput>([&] {
+      (void)propagate(scenario(craft, drives...), start_of(craft, random, 1.0), three_parts::until(2.0));
+    });
+  };
+  const auto first = prescribed(craft, of<Mirror>, about_axis<1>, turning(raster[0]));
+  EXPECT_TRUE(contains(refused(prescribed(craft, of<Mirror>, about_axis<2>, turning(raster[0]))),
+                       "Mirror, axis 2 at 1 s: the coordinate is "));
+  EXPECT_TRUE(
+      contains(message<BadInput>([&] { (void)motion(craft, start_of(craft, random, 1.0), first, first); }),
+               "the joint of " + frame_name<Mirror>() + " is driven, and "));
 }
 
 // With the torques of the drive as efforts of a free gimbal, it moves as it is told to.

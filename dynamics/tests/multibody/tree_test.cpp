@@ -216,6 +216,41 @@ TEST(Tree, AHeldHingeAtRestIsAFixedJoint) {
   }
 }
 
+// A motor that gives the torque of the drive makes the same motion.
+TEST(Tree, AHeldRotorTakesTheTorqueOfItsDrive) {
+  RandomCraft random(20260308);
+  for (int trial = 0; trial < trials(100); ++trial) {
+    Case c(random, 1 + random.below(9));
+    const auto motors = c.acting.motors;
+    const auto solve = [&](const std::vector<double>& torques, const std::vector<mb::Hold>& held) {
+      c.tree.place(c.y.data(), c.k);
+      for (std::size_t i = 0; i < torques.size(); ++i) c.k.motors[i] = torques[i];
+      for (std::size_t i = 0; i < held.size(); ++i) {
+        c.k.held_rotors[i] = held[i];
+        if (held[i] == mb::Hold::driven) c.k.given_spins[i] = c.acting.motors[i] - 1.0;
+      }
+      c.tree.solve(c.y.data(), c.ydot.data(), c.k);
+      return c.ydot;
+    };
+    std::vector<mb::Hold> held(motors.size());
+    for (auto& hold : held) hold = mb::Hold(random.below(3));
+    std::vector<double> torques(motors.begin(), motors.end());
+    const auto driven = solve(torques, held);
+    double scale = 1.0;
+    for (const double x : driven) scale = std::max(scale, std::abs(x));
+    for (std::size_t i = 0; i < held.size(); ++i) {
+      const double given = held[i] == mb::Hold::driven ? motors[i] - 1.0 : 0.0;
+      if (held[i] != mb::Hold::none) {
+        EXPECT_EQ(driven[c.tree.layout().rotors_begin() + i], given);
+      }
+      torques[i] += c.tree.holding_torque(i, c.k);
+    }
+    const auto moved = solve(torques, std::vector<mb::Hold>(held.size()));
+    for (std::size_t i = 0; i < driven.size(); ++i)
+      EXPECT_NEAR(moved[i], driven[i], 100.0 * rounding * scale) << i;
+  }
+}
+
 // A lock is for one solution, whatever acceleration was given before.
 TEST(Tree, ALockedLinkKeepsItsSpeedOnce) {
   RandomCraft random(20260307);

@@ -276,3 +276,15 @@ auto at(const Sat& sat, const CraftState<Sat>& now, const Vector<Itrf, si::torqu
   });
 }
 }  // namespace torque_in_a_frame_elsewhere
+
+namespace an_edge_that_the_craft_has {
+// mistake: a place for the panel in the graph of the craft, which has the panel on its hinge
+// expect: Fault = (.*)TwoPathsOver<
+auto graph(const Sat& sat, const Transform<Gcrf, Itrf>& X_i_from_e, const Transform<Hub, Panel>& X_h_from_p) {
+#ifdef REPAIRED
+  return static_cast<void>(X_h_from_p), frame_graph_of(sat, rigid_edge(X_i_from_e));
+#else
+  return static_cast<void>(X_i_from_e), frame_graph_of(sat, rigid_edge(X_h_from_p));
+#endif
+}
+}  // namespace an_edge_that_the_craft_has

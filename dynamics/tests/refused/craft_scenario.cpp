@@ -281,3 +281,20 @@ auto change(const Sat& sat, const CraftTrajectory<Sat>& flight) {
 #endif
 }
 }  // namespace the_change_of_an_attitude
+
+namespace a_change_that_gives_nothing {
+// mistake: what a zero changes is not returned
+// expect: IsNoChange
+auto flight(const Sat& sat) {
+  const auto w = [](const Now<Sat>& now) {
+    return now.angular_velocity(of<Hub>, relative_to<Gcrf>, in<Hub>).x();
+  };
+  Command next = none;
+#ifdef REPAIRED
+  const auto update = [=](const Now<Sat>&) { return next; };
+#else
+  const auto update = [&](const Now<Sat>&) { next = none; };
+#endif
+  return scenario(sat, by_command, held(none), when("turns over", w, ode::Direction::any, update));
+}
+}  // namespace a_change_that_gives_nothing

@@ -385,3 +385,45 @@ void drive(Forces<Sat>& forces) {
 #endif
 }
 }  // namespace a_drive_by_a_torque
+
+namespace a_wheel_with_the_motion_of_a_joint {
+// mistake: an angle for a wheel, whose state is its speed alone
+// expect: of a rotor: RotorMotion\{rad/s, rad/s\^2\}
+auto throttle(const Sat& sat) {
+  const auto steady = [](const Quantity<si::time>&) {
+#ifdef REPAIRED
+    return RotorMotion{30.0 * rad / s, 0.0 * rad / s / s};
+#else
+    return JointMotion{0.1 * rad, 30.0 * rad / s, 0.0 * rad / s / s};
+#endif
+  };
+  return prescribed(sat, of<Wheel>, steady);
+}
+}  // namespace a_wheel_with_the_motion_of_a_joint
+
+namespace an_axis_of_a_hinge {
+// mistake: the motion about one axis of a gimbal, on a hinge
+// expect: about one axis of a gimbal
+auto scan(const Sat& sat) {
+  const auto still = [](const Quantity<si::time>&) {
+    return JointMotion{0.1 * rad, 0.0 * rad / s, 0.0 * rad / s / s};
+  };
+#ifdef REPAIRED
+  return prescribed(sat, of<Panel>, still);
+#else
+  return prescribed(sat, of<Panel>, about_axis<1>, still);
+#endif
+}
+}  // namespace an_axis_of_a_hinge
+
+namespace the_same_load_on_a_type {
+// mistake: one spring where a function is due that gives that of each joint
+// expect: each\(of_each<A, B>, f\)
+auto springs(const Sat& sat) {
+#ifdef REPAIRED
+  return each(of_each<Panel>, [&](auto b) { return spring(sat, b, 2.0 * N_m / rad, 0.0 * rad); });
+#else
+  return each(of_each<Panel>, spring(sat, of<Panel>, 2.0 * N_m / rad, 0.0 * rad));
+#endif
+}
+}  // namespace the_same_load_on_a_type

@@ -194,6 +194,7 @@ namespace velocity_of_two_observers {
 // mistake: velocities seen by different observers added
 // expect: Velocity<Body, Camera, (vectrix::)?ObservedFrom<Gcrf>
 // expect: Velocity<Camera, Tip, (vectrix::)?ObservedFrom<Body>
+// expect: seen_by_two_observers
 auto motion(const Velocity<Body, Camera, ObservedFrom<Gcrf>, In<Body>>& v_bc_i_b,
             const Velocity<Camera, Tip, ObservedFrom<Body>, In<Body>>& v_ct_b_b,
             const Displacement<Camera, Tip, In<Body>>& r_ct_b,

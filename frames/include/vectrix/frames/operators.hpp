@@ -31,6 +31,7 @@ struct in_two_units;
 struct no_frame_cancels;        // w_ab_c + w_de_c
 struct one_pair_twice;          // w_ab_c + w_ab_c; for two estimates, error_between(w, v)
 struct transport_term_is_lost;  // alpha_ib_c - alpha_il_c; use chain()
+struct seen_by_two_observers;   // v_ab|o_c + v_bd|p_c; transport() one
 struct no_law_for_this_pair;
 }  // namespace reason
 

@@ -56,8 +56,8 @@ struct SimbodyLoads {
   std::vector<std::array<double, 3>> forces, torques;
   std::vector<double> efforts, motors, modal;
   std::array<double, 3> field_i;  ///< a uniform acceleration
-  std::vector<char> locked_links, driven_links, locked_rotors;
-  std::vector<double> given;  ///< accelerations, by speed, of the driven links
+  std::vector<char> locked_links, driven_links, locked_rotors, driven_rotors;
+  std::vector<double> given, given_spins;  ///< accelerations, by speed, of what is driven
 };
 
 /// Simbody's explicit Runge-Kutta pairs. Merson, of order 4, is more accurate for the same accuracy;

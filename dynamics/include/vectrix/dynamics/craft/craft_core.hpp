@@ -60,10 +60,11 @@ VECTRIX_EXPORT double size_of_inertia(const PlainSpacecraft& craft);
 
 VECTRIX_EXPORT void require_finite_time(const CraftCore& core, const char* action, double time);
 /// Throws BadInput with the name of a number that is not finite, or with that of a quaternion whose square is
-/// zero, infinite or without all its digits: no rotation follows from it. Any other norm is accepted.
+/// zero, infinite or without all its digits: no rotation follows from it. Any other norm is accepted. Also if
+/// the craft has no inertia about an axis as it stands: point masses on a line.
 VECTRIX_EXPORT void require_state(const CraftCore& core, const char* action, std::span<const double> y);
 /// Throws BadInput: a joint is driven, and also locked or driven again.
-[[noreturn]] VECTRIX_EXPORT void refuse_to_hold_twice(const std::string& body);
+[[noreturn]] VECTRIX_EXPORT void refuse_to_hold_twice(const std::string& what);
 /// Throws BadInput with the name of a number whose derivative is not finite.
 VECTRIX_EXPORT void require_finite_rates(const CraftCore& core, double time, std::span<const double> ydot);
 

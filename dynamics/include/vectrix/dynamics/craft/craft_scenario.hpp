@@ -207,7 +207,8 @@ template <class C, class HeldTuple, class F> struct FaultOfUpdate {
     using X = typename UpdateOf<F>::result;
     using Lack = typename FirstNotHeld<HeldTuple, Joined<Taken<F>, std::tuple<X>>>::type;
     constexpr bool called = CallableWith<F, std::tuple<const Now<C>&>, Taken<F>>::value;
-    if constexpr (!is_becomes<F> && (!called || std::is_same_v<Arguments<F>, std::tuple<>>)) {
+    if constexpr (!is_becomes<F> &&
+                  (std::is_void_v<X> || !called || std::is_same_v<Arguments<F>, std::tuple<>>)) {
       return std::type_identity<IsNoChange<F>>{};
     } else {
       return std::type_identity<Lack>{};

@@ -212,7 +212,7 @@ template <CraftType C, class... Parts> class Flight {
           if (locks[i] != Lock{}) in[i] = InImpulse::keeps_speed;
         return in;
       };
-      std::vector<InImpulse> links = kept(locked.held), rotors = kept(locked.locked_rotors);
+      std::vector<InImpulse> links = kept(locked.held), rotors = kept(locked.held_rotors);
       const auto mark = [&]<class B, class X>(const Stands<B, X>&) {
         using Shape = typename C::shape;
         if (!std::get<X>(values_).locked) return;

@@ -44,12 +44,14 @@ template <class U, class S, class Given> inline constexpr bool acts_as_quantity 
 template <class U, class S, class T>
 inline constexpr bool acts_as_quantity<U, S, Quantity<U, T>> = acts_in<T, S>;
 
-/// Whether values are the accelerations of the axes of the joint of b.
+/// Whether values are the accelerations of the axes of the joint of b, or of a rotor.
 template <class Shape, class S, class B, class... Given> constexpr bool is_acceleration_of() {
   if constexpr (Shape::template has_axes<B>) {
     constexpr JointKind kind = Shape::template Part<B>::joint;
     return sizeof...(Given) == counts_of(kind).axes &&
            (acts_as_quantity<typename JointUnits<kind>::acceleration, S, Given> && ...);
+  } else if constexpr (Shape::template has_rotor<B>) {
+    return sizeof...(Given) == 1 && (acts_as_quantity<si::angular_acceleration, S, Given> && ...);
   }
   return false;
 }
@@ -160,24 +162,37 @@ template <CraftType C, class S = double> class Forces {
     requires can_lock<B>
   void lock(Of<B>) {
     if constexpr (Shape::template has_rotor<B>)
-      work_->locked_rotors[Shape::template spin_at<B> - Shape::rotors_begin] = 1;
+      hold<B>(work_->held_rotors[rotor<B>], multibody::Hold::locked);
     else
-      hold<B>(multibody::Hold::locked);
+      hold_joint<B>(multibody::Hold::locked);
   }
   template <class B>
   auto lock(Of<B>) -> Refused = delete;  // of a body of the craft C that hangs on a joint, or a rotor
 
-  /// The joint of a body has this acceleration, whatever acts on it: of a hinge or slider; both of a gimbal.
-  /// Throws BadInput if it is also locked, or driven twice.
+  /// The joint of a body, or a rotor, has this acceleration, whatever acts on it: of a hinge, a slider or a
+  /// rotor; both of a gimbal, or that about one of its axes. Throws BadInput if it is also locked, or driven
+  /// twice.
   template <class B, class... Given>
     requires is_acceleration<B, Given...>
   void drive(Of<B>, const Given&... acceleration) {
-    hold<B>(multibody::Hold::driven);
-    std::size_t at = Shape::template speed_at<B> - Shape::speeds_begin;
-    ((work_->given[at++] = S(acceleration.value())), ...);
+    if constexpr (Shape::template has_rotor<B>) {
+      hold<B>(work_->held_rotors[rotor<B>], multibody::Hold::driven);
+      ((work_->given_spins[rotor<B>] = S(acceleration.value())), ...);
+    } else {
+      hold_joint<B>(multibody::Hold::driven);
+      std::size_t at = Shape::template speed_at<B> - Shape::speeds_begin;
+      ((work_->given[at++] = S(acceleration.value())), ...);
+    }
+  }
+  template <class B, int axis, class Given>
+    requires(Shape::template has_joint_of<B, JointKind::gimbal>&&
+                 detail::acts_as_quantity<si::angular_acceleration, S, Given>)
+  void drive(Of<B>, AboutAxis<axis>, const Given& acceleration) {
+    hold<B>(work_->held[Shape::template link_of<B>() - 3 + axis], multibody::Hold::driven);
+    work_->given[Shape::template speed_at<B> - Shape::speeds_begin + axis - 1] = S(acceleration.value());
   }
   template <class B, class... Given>
-  auto drive(  // of the joint of b in the craft C: rad/s^2 of a hinge, m/s^2 of a slider, both of a gimbal
+  auto drive(  // of b: rad/s^2 of a hinge or rotor, m/s^2 of a slider; a gimbal: both, or about_axis<i>, one
       Of<B>, const Given&...) -> Refused = delete;
 
   /// Forces on the modes of an appendage, kg^1/2 m/s^2.
@@ -212,14 +227,17 @@ template <CraftType C, class S = double> class Forces {
     const auto F = hub<D>(F_d.coordinates());
     add<B>(F, multibody::cross(at_.template arm<B>() + hub<E>(r_bq_e.coordinates()), F));
   }
-  template <class B> void hold(multibody::Hold how) {
+  template <class W> static constexpr std::size_t rotor = Shape::template spin_at<W> - Shape::rotors_begin;
+  template <class B> void hold(multibody::Hold& held, multibody::Hold how) {
+    if (held != multibody::Hold::none && (held != how || how == multibody::Hold::driven)) [[unlikely]]
+      detail::refuse_to_hold_twice((Shape::template has_rotor<B> ? "the rotor " : "the joint of ") +
+                                   frame_name<B>());
+    held = how;
+  }
+  template <class B> void hold_joint(multibody::Hold how) {
     constexpr std::size_t end = Shape::template link_of<B>();
-    for (std::size_t i = end - Shape::template Part<B>::counts.links; i < end; ++i) {
-      multibody::Hold& held = work_->held[i];
-      if (held != multibody::Hold::none && (held != how || how == multibody::Hold::driven)) [[unlikely]]
-        detail::refuse_to_hold_twice(frame_name<B>());
-      held = how;
-    }
+    for (std::size_t i = end - Shape::template Part<B>::counts.links; i < end; ++i)
+      hold<B>(work_->held[i], how);
   }
   template <class B> [[gnu::always_inline]] void add(const Column& F, const Column& M) {
     constexpr std::size_t link = Shape::template link_of<B>();

@@ -2,6 +2,8 @@
 
 #include <memory>
 #include <tuple>
+#include <type_traits>
+#include <utility>
 #include <vectrix/dynamics/craft/motion.hpp>
 #include <vectrix/frames/graph/edge.hpp>
 #include <vectrix/frames/graph/frame_graph.hpp>
@@ -110,12 +112,23 @@ auto edges_of_part(const std::shared_ptr<const CraftCore>& core, std::type_ident
   }
 }
 template <class C, bool accelerating, class... Parts, class... Edges>
-auto graph_of(const C& craft, std::type_identity<std::tuple<Parts...>>, const Edges&... edges) {
+auto edges_of(const C& craft, std::type_identity<std::tuple<Parts...>>, const Edges&... edges) {
+  return std::tuple_cat(edges_of_part<C, accelerating>(craft.core(), std::type_identity<Parts>{})...,
+                        std::tuple{edges...});
+}
+template <class C, bool accelerating, class... Edges> auto graph_of(const C& craft, const Edges&... edges) {
   return std::apply(
       [](const auto&... edge) { return frame_graph(edge...); },
-      std::tuple_cat(edges_of_part<C, accelerating>(craft.core(), std::type_identity<Parts>{})...,
-                     std::tuple{edges...}));
+      edges_of<C, accelerating>(craft, std::type_identity<typename C::shape::parts>{}, edges...));
 }
+template <class Tuple> struct FaultOfEdges;
+template <class... Edges>
+struct FaultOfEdges<std::tuple<Edges...>> : std::type_identity<FaultOf<Edges...>> {};
+/// What is wrong with edges beside those of a craft; Nothing if all is well.
+template <class C, bool accelerating, class... Edges>
+using CraftGraphFault = typename FaultOfEdges<decltype(edges_of<C, accelerating>(
+    std::declval<const C&>(), std::type_identity<typename C::shape::parts>{},
+    std::declval<const Edges&>()...))>::type;
 
 }  // namespace detail
 
@@ -123,13 +136,24 @@ auto graph_of(const C& craft, std::type_identity<std::tuple<Parts...>>, const Ed
 /// which is asked at a state or a motion:
 ///     graph.at(state).angular_velocity(of<Camera>, relative_to<Itrf>, in<Camera>)
 /// An edge that is a function of time is given the time of the state.
-template <CraftType C, class... Edges> auto frame_graph_of(const C& craft, const Edges&... edges) {
-  return detail::graph_of<C, false>(craft, std::type_identity<typename C::shape::parts>{}, edges...);
+template <CraftType C, class... Edges>
+  requires std::is_same_v<detail::CraftGraphFault<C, false, Edges...>, Nothing>
+auto frame_graph_of(const C& craft, const Edges&... edges) {
+  return detail::graph_of<C, false>(craft, edges...);
 }
 /// The same with accelerations, asked at a motion.
 template <CraftType C, class... Edges>
+  requires std::is_same_v<detail::CraftGraphFault<C, true, Edges...>, Nothing>
 auto accelerating_frame_graph_of(const C& craft, const Edges&... edges) {
-  return detail::graph_of<C, true>(craft, std::type_identity<typename C::shape::parts>{}, edges...);
+  return detail::graph_of<C, true>(craft, edges...);
 }
+template <CraftType C, class... Edges, class Fault = detail::CraftGraphFault<C, false, Edges...>>
+  requires(!std::is_same_v<Fault, Nothing>)
+auto frame_graph_of(  // edges that join other frames to those of the craft, which has its own: see Fault
+    const C&, const Edges&...) -> Refused = delete;
+template <CraftType C, class... Edges, class Fault = detail::CraftGraphFault<C, true, Edges...>>
+  requires(!std::is_same_v<Fault, Nothing>)
+auto accelerating_frame_graph_of(  // edges that join other frames to those of the craft: see Fault
+    const C&, const Edges&...) -> Refused = delete;
 
 }  // namespace vectrix

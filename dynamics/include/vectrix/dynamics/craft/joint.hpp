@@ -77,6 +77,12 @@ template <class B> auto ball(const Transform<B, B>&) -> Refused = delete;       
 template <class B> auto free_joint(const Transform<B, B>&) -> Refused = delete;   // b hangs on another frame
 template <class B> auto fixed_joint(const Transform<B, B>&) -> Refused = delete;  // b hangs on another frame
 
+/// One of the two axes of a gimbal: about_axis<1>, about_axis<2>.
+template <int axis> struct AboutAxis {};
+template <int axis>
+  requires(axis == 1 || axis == 2)
+inline constexpr AboutAxis<axis> about_axis{};
+
 /// How the hub moves in an inertial frame: with attitude and position as states, or the attitude alone.
 template <InertialFrame I, HubMotion motion> struct MovesIn {};
 template <InertialFrame I> inline constexpr MovesIn<I, HubMotion::free> free_in{};

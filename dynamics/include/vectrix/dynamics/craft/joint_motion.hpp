@@ -16,6 +16,12 @@ template <Unit Q, Unit U, Unit A> struct JointMotion {
 template <class Q, class U, class A>
 JointMotion(const Quantity<Q>&, const Quantity<U>&, const Quantity<A>&) -> JointMotion<Q, U, A>;
 
+/// The speed of a rotor relative to its body at an instant, and its rate.
+struct RotorMotion {
+  Quantity<si::angular_velocity> speed;
+  Quantity<si::angular_acceleration> acceleration;
+};
+
 namespace detail {
 
 /// One of a hinge or slider; two of a gimbal.
@@ -27,11 +33,14 @@ template <> struct MotionOfJoint<JointKind::gimbal> {
   using type = std::array<typename MotionOfJoint<JointKind::hinge>::type, 2>;
 };
 
-/// In plain numbers, by axis.
+/// In plain numbers, by axis; of a rotor there is no coordinate.
 using JointNumbers = std::array<double, 3>;
 template <class Q, class U, class A>
 std::array<JointNumbers, 1> numbers_of(const JointMotion<Q, U, A>& motion) {
   return {{{motion.coordinate.value(), motion.speed.value(), motion.acceleration.value()}}};
+}
+inline std::array<JointNumbers, 1> numbers_of(const RotorMotion& motion) {
+  return {{{0.0, motion.speed.value(), motion.acceleration.value()}}};
 }
 template <class Motion> std::array<JointNumbers, 2> numbers_of(const std::array<Motion, 2>& motions) {
   return {numbers_of(motions[0])[0], numbers_of(motions[1])[0]};

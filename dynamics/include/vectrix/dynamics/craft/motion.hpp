@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <concepts>
 #include <cstddef>
 #include <memory>
 #include <tuple>
@@ -22,6 +23,9 @@ template <class Part>
 concept SeveralParts = requires(const Part& part) {
   part.template parts<0>();
 };
+template <class C, class Load>
+inline constexpr bool has_held_value =
+    SeveralParts<Load> && !std::invocable<const Load&, const Now<C>&, Forces<C>&>;
 template <class Load>
 auto in_a_scenario(  // motion_at(scenario, trajectory, time): the load has a held value, which a scenario
                      // changes
@@ -157,8 +161,14 @@ template <CraftType C, class S = double> class CraftMotion {
       efforts[i] = core_->tree.holding_effort(link<B> - static_cast<int>(axes - 1 - i), work_);
     return detail::AxisNumbers<typename detail::JointUnits<kind>::effort, kind, S>::read(efforts.data());
   }
+  /// Of a rotor what it adds to its motor; zero if nothing holds it.
+  template <class W>
+  requires Shape::template has_rotor<W> Quantity<si::torque, S> holding_effort(Of<W>) const {
+    return Quantity<si::torque, S>::from_value(
+        core_->tree.holding_torque(Shape::template spin_at<W> - Shape::rotors_begin, work_));
+  }
   template <class B>
-  auto holding_effort(  // of a hinge, a slider or a gimbal: of a body of the craft C that hangs on one
+  auto holding_effort(  // of a hinge, a slider, a gimbal or a rotor: of what hangs on one, of the craft C
       Of<B>) const -> Refused = delete;
   template <class B, class D>
   auto joint_force(  // of a body of the craft C that hangs on a joint, in a frame of C
@@ -187,7 +197,7 @@ template <CraftType C, class S = double> class CraftMotion {
 template <CraftType C, class... Loads>
   requires(!detail::any_refused<Loads...>)
 CraftMotion<C> motion(const C& craft, const CraftState<C>& state, const Loads&... loads) {
-  if constexpr ((detail::SeveralParts<Loads> || ...)) {
+  if constexpr ((detail::has_held_value<C, Loads> || ...)) {
     return (detail::in_a_scenario(loads), ...);
   } else {
     static_cast<void>(sizeof(detail::CheckedLoads<C, Loads...>));

@@ -117,8 +117,8 @@ class VECTRIX_EXPORT NamedMotion {
   /// What the joint of a body transmits to it, about its origin. Throws BadInput for the hub.
   [[nodiscard]] NamedVector<si::force> joint_force(Of<std::string_view> body, In<std::string_view> c) const;
   [[nodiscard]] NamedVector<si::torque> joint_torque(Of<std::string_view> body, In<std::string_view> c) const;
-  /// What a lock or a drive adds to the efforts of the loads about an axis of a hinge or gimbal, and along a
-  /// slider. Throws BadInput for another joint or axis.
+  /// What a lock or a drive adds to the efforts of the loads about an axis of a hinge or gimbal, along a
+  /// slider, and to the motor of a rotor. Throws BadInput for another joint or axis.
   [[nodiscard]] Quantity<si::torque> holding_torque(Of<std::string_view> body, int axis = 1) const;
   [[nodiscard]] Quantity<si::force> holding_force(Of<std::string_view> body) const;
 

@@ -2,7 +2,9 @@
 
 #include <memory>
 #include <span>
+#include <string>
 #include <string_view>
+#include <vector>
 #include <vectrix/dynamics/craft/named_body.hpp>
 #include <vectrix/dynamics/craft/named_motion.hpp>
 #include <vectrix/dynamics/craft/tolerances.hpp>
@@ -56,6 +58,13 @@ class VECTRIX_EXPORT NamedSpacecraft {
   /// not finite.
   [[nodiscard]] NamedMotion motion(const NamedState& state, const Quantity<si::time>& time,
                                    const NamedLoads& loads = {},
+                                   const std::vector<NamedHeld>& held = {}) const;
+
+  /// The state after an impulse that stops these joints and rotors, as a latch or a brake does: no place
+  /// changes, all speeds may. Momentum and angular momentum are kept, energy is lost; what is held keeps its
+  /// speed in the impulse. Then a run goes on from this state, with the joint locked(). Throws BadInput for a
+  /// name that the craft has not.
+  [[nodiscard]] NamedState stopped(const NamedState& state, const std::vector<std::string>& names,
                                    const std::vector<NamedHeld>& held = {}) const;
 
   /// The problem from a state at the time `start` to `end`: right-hand side, initial state, tolerances and

@@ -108,7 +108,7 @@ CraftState<C> checked_state(const C& craft, const char* action, const Quantity<s
 }  // namespace detail
 
 /// Claims that the numbers are a state. Throws BadInput if one is not finite, or a quaternion is zero; any
-/// other norm is accepted.
+/// other norm is accepted; or if all mass is on a line.
 template <CraftType C>
 CraftState<C> state_from_numbers(const C& craft, const Quantity<si::time>& t,
                                  const std::array<double, C::state_size>& y) {
@@ -118,7 +118,8 @@ CraftState<C> state_from_numbers(const C& craft, const Quantity<si::time>& t,
 /// The state at the time t: the motion of the hub in the inertial frame, and the starts of all joints, rotors
 /// and modes; none is zero by default. A motion relative to any other frame is a product away:
 ///     state(craft, t, X_i_from_lvlh * X_lvlh_from_hub, starts(of<Panel>, angle, rate), spins(of<Wheel>, w))
-/// The hub of turning_in<I> needs a MovingDcm only. Throws BadInput for a number that is not finite.
+/// The hub of turning_in<I> needs a MovingDcm only. Throws BadInput for a number that is not finite, and for
+/// a craft all whose mass is on a line.
 template <CraftType C, class Motion, class... Starts>
   requires std::is_same_v<detail::StateFault<C, Motion, Starts...>, Nothing> CraftState<C> state(
       const C& craft, const Quantity<si::time>& t, const Motion& X_i_from_hub, const Starts&... starts) {

@@ -16,7 +16,8 @@ struct CraftTolerances {
   double mode;
 };
 
-/// One for each number of the state of a craft.
+/// One for each number of the state of a craft. Throws BadInput with its name if one that the craft needs is
+/// zero, as one that was left out is.
 VECTRIX_EXPORT std::vector<double> absolute_tolerances(const PlainSpacecraft& craft,
                                                        const CraftTolerances& by);
 

@@ -119,4 +119,12 @@ template <class S> S Tree<S>::holding_effort(int body, const Work<S>& k) const {
   return along - k.efforts[layout_.speed_at[i] - layout_.speeds_begin()];
 }
 
+// tau = J_s (O' + n.alpha)
+template <class S> S Tree<S>::holding_torque(std::size_t rotor, const Work<S>& k) const {
+  if (k.held_rotors[rotor] == Hold::none) return S(0.0);
+  const Rotor<S>& wheel = numbers_.rotors[rotor];
+  const Column<S> alpha = less_field(wheel.body, k).alpha;
+  return S(wheel.inertia * (k.given_spins[rotor] + dot(k.axes[rotor], alpha)) - k.motors[rotor]);
+}
+
 }  // namespace vectrix::multibody

@@ -8,7 +8,7 @@ namespace vectrix::multibody {
 /// to its body about the unit vector n of the body's axes, with the inertia J_s, kg m^2, about n. A body's
 /// torque tau on it:
 ///     J_s (O' + n.alpha) = tau,   and the body has J - J_s n n^T, -n tau and -w x n J_s (O + n.w)
-/// A locked one keeps its speed: tau = J_s n.alpha, so that the body has J and no -n tau.
+/// One that is locked or driven has a given O': the body has J, and -n J_s O' for -n tau.
 template <class S> struct Rotor {
   int body;  ///< 0: the hub; else the link with this number, counted from 1
   Column<S> axis;

@@ -68,7 +68,8 @@ template <class S> Work<S> Tree<S>::work() const {
   k.modal.assign(layout_.modes, S(0.0));
   k.held.assign(numbers_.links.size(), Hold::none);
   k.given.assign(layout_.speeds, S(0.0));
-  k.locked_rotors.assign(layout_.rotors, 0);
+  k.held_rotors.assign(layout_.rotors, Hold::none);
+  k.given_spins.assign(layout_.rotors, S(0.0));
   k.field = zero_column<S>();
   k.unit = identity<S>();
   k.links.resize(numbers_.links.size());
@@ -114,7 +115,8 @@ template <class S> void Tree<S>::place(const S* y, Work<S>& k) const {
   for (S& force : k.modal) force = S(0.0);
   for (Hold& hold : k.held) hold = Hold::none;
   for (S& acceleration : k.given) acceleration = S(0.0);
-  for (char& locked : k.locked_rotors) locked = 0;
+  for (Hold& hold : k.held_rotors) hold = Hold::none;
+  for (S& acceleration : k.given_spins) acceleration = S(0.0);
   k.field = zero_column<S>();
   place_hub(y, k);
   for (std::size_t i = 0; i < k.links.size(); ++i) place_link(i, y, k);
@@ -148,14 +150,15 @@ template <class S> void Tree<S>::add_internals(const S* y, Work<S>& k) const {
     const Rotor<S>& rotor = numbers_.rotors[i];
     k.axes[i] = rotor.body == 0 ? rotor.axis : rotation(rotor.body, k) * rotor.axis;
     Articulated<S>& I = inertia(rotor.body, k);
-    const bool locked = k.locked_rotors[i];
-    if (locked) {
+    const bool held = k.held_rotors[i] != Hold::none;
+    if (held) {
       const Column<S> J_n = k.axes[i] * rotor.inertia;
       I.A.subtract_outer(-J_n, k.axes[i]);
       if (rotor.body != 0)
         I.n += J_n * dot(k.axes[i], k.links[static_cast<std::size_t>(rotor.body) - 1].alpha0);
     }
-    add_rotor(rotor, k.axes[i], speed[i], locked ? S(0.0) : k.motors[i], angular_velocity(rotor.body, k), I);
+    add_rotor(rotor, k.axes[i], speed[i], held ? S(rotor.inertia * k.given_spins[i]) : k.motors[i],
+              angular_velocity(rotor.body, k), I);
   }
   const S* eta = y + layout_.modes_begin();
   const S* rate = eta + layout_.modes;
@@ -221,7 +224,7 @@ template <class S> void Tree<S>::outward(std::size_t i, S* ydot, Work<S>& k) con
 
 template <class S> void Tree<S>::solve(const S* y, S* ydot, Work<S>& k) const {
   bool rigid = rigid_;
-  for (const char locked : k.locked_rotors) rigid = rigid && !locked;
+  for (const Hold hold : k.held_rotors) rigid = rigid && hold == Hold::none;
   if (rigid_ && !rigid) give_hub_inertia(k);
   add_internals(y, k);
   for (std::size_t i = k.links.size(); i-- > 0;) inward(i, k);
@@ -244,8 +247,8 @@ template <class S> void Tree<S>::solve(const S* y, S* ydot, Work<S>& k) const {
   S* speed_dot = ydot + layout_.rotors_begin();
   for (std::size_t i = 0; i < numbers_.rotors.size(); ++i) {
     const Rotor<S>& rotor = numbers_.rotors[i];
-    speed_dot[i] = k.locked_rotors[i]
-                       ? S(0.0)
+    speed_dot[i] = k.held_rotors[i] != Hold::none
+                       ? k.given_spins[i]
                        : S(k.motors[i] / rotor.inertia - dot(k.axes[i], less_field(rotor.body, k).alpha));
   }
   const S* rate = y + layout_.modes_begin() + layout_.modes;

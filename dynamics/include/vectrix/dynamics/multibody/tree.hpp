@@ -49,19 +49,21 @@ struct TreeLayout {
   [[nodiscard]] std::size_t size() const { return modes_begin() + 2 * modes; }
 };
 
-/// Whether the acceleration of a joint is given: that of a locked one is zero, that of a driven one is not.
+/// Whether the acceleration of a joint or rotor is given: that of a locked one is zero, that of a driven one
+/// is not.
 enum class Hold : char { none, locked, driven };
 
 /// A tree at one instant, and what acts on it. One for each thread; made by Tree::work().
 template <class S> struct Work {
   // Set between place() and solve(); place() sets them to zero.
-  std::vector<S> efforts;           ///< by speed: N m, N
-  std::vector<S> motors;            ///< torques on the rotors, N m
-  std::vector<S> modal;             ///< forces on the modes, Q
-  std::vector<Hold> held;           ///< by link: those that have the given u', whatever their efforts
-  std::vector<S> given;             ///< by speed: u'
-  std::vector<char> locked_rotors;  ///< those that keep their speed, whatever their motors do
-  Column<S> field;                  ///< a uniform acceleration, in inertial axes, m/s^2
+  std::vector<S> efforts;         ///< by speed: N m, N
+  std::vector<S> motors;          ///< torques on the rotors, N m
+  std::vector<S> modal;           ///< forces on the modes, Q
+  std::vector<Hold> held;         ///< by link: those that have the given u', whatever their efforts
+  std::vector<S> given;           ///< by speed: u'
+  std::vector<Hold> held_rotors;  ///< those that have the given O', whatever their motors do
+  std::vector<S> given_spins;     ///< by rotor: O'
+  Column<S> field;                ///< a uniform acceleration, in inertial axes, m/s^2
 
   Square<S> R_i_from_h;
   Square<S> unit;  ///< R of the hub in its own axes
@@ -125,6 +127,8 @@ template <class S> class VECTRIX_EXPORT Tree {
   /// What a lock or a drive adds to the efforts of a hinge, N m, or slider, N, so that it has the given
   /// acceleration: zero but for rounding if the joint is not held.
   [[nodiscard]] S holding_effort(int body, const Work<S>& k) const;
+  /// What a lock or a drive adds to the motor of a rotor, N m: zero if it is not held.
+  [[nodiscard]] S holding_torque(std::size_t rotor, const Work<S>& k) const;
 
  private:
   [[gnu::always_inline]] inline void place_hub(const S* y, Work<S>& k) const;

@@ -31,6 +31,11 @@ class Acceleration<P, Q, ObservedFrom<A>, In<C>, S> : public detail::RelativeVec
 
 template <class P, class Q, class A, class C, class S>
 inline constexpr bool detail::is_framed<Acceleration<P, Q, A, C, S>> = true;
+template <class P, class Q, class A, class R, class T, class B, class C, class S>
+  requires(!std::is_same_v<A, B>)
+struct detail::ReasonOf<Acceleration<P, Q, ObservedFrom<A>, In<C>, S>,
+                        Acceleration<R, T, ObservedFrom<B>, In<C>, S>>
+    : std::type_identity<reason::seen_by_two_observers> {};
 template <class P, class Q, class A, class C, class S>
 struct QuestionOf<Acceleration<P, Q, ObservedFrom<A>, In<C>, S>>
     : std::type_identity<AskAcceleration<Q, P, A, C>> {};

@@ -29,6 +29,10 @@ Derivative<A, C, U, S> derivative(ObservedFrom<A>,
 
 template <class A, class C, class U, class S>
 inline constexpr bool detail::is_framed<Derivative<A, C, U, S>> = true;
+template <class A, class B, class C, class U, class S>
+  requires(!std::is_same_v<A, B>)
+struct detail::ReasonOf<Derivative<A, C, U, S>, Derivative<B, C, U, S>>
+    : std::type_identity<reason::seen_by_two_observers> {};
 
 // d/dt|_a r = d/dt|_b r + w_ab x r
 template <class A, class B, class C, class U, class S>

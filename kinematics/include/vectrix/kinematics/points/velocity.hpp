@@ -30,6 +30,10 @@ class Velocity<P, Q, ObservedFrom<A>, In<C>, S> : public detail::RelativeVector<
 
 template <class P, class Q, class A, class C, class S>
 inline constexpr bool detail::is_framed<Velocity<P, Q, A, C, S>> = true;
+template <class P, class Q, class A, class R, class T, class B, class C, class S>
+  requires(!std::is_same_v<A, B>)
+struct detail::ReasonOf<Velocity<P, Q, ObservedFrom<A>, In<C>, S>, Velocity<R, T, ObservedFrom<B>, In<C>, S>>
+    : std::type_identity<reason::seen_by_two_observers> {};
 template <class P, class Q, class A, class C, class S>
 struct QuestionOf<Velocity<P, Q, ObservedFrom<A>, In<C>, S>> : std::type_identity<AskVelocity<Q, P, A, C>> {};
 
