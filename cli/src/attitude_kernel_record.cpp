@@ -83,6 +83,14 @@ AttitudeRecord read_kernel(const std::filesystem::path& file, const KernelWords&
     throw BadInput(record.file + ": its attitude is from " + all.start().utc() + " UTC to " +
                    all.end().utc() + " UTC, none in the times that are asked for");
   const auto span = from_until(first, last);
+  constexpr std::int32_t j2000 = 1;
+  const auto& all_segments = kernel.segments();
+  const auto of_frame = [&](const auto& segment) { return segment.frame == frame; };
+  if (std::none_of(all_segments.begin(), all_segments.end(),
+                   [&](const auto& segment) { return of_frame(segment) && segment.reference == j2000; }))
+    throw BadInput(record.file + ": it has " + record.body + " relative to " +
+                   frames.shown(std::find_if(all_segments.begin(), all_segments.end(), of_frame)->reference) +
+                   ", not to J2000, and the attitude of that frame is not in this file");
   const auto body = called<Body>(detail::text(frame));
   const auto reference = called<Reference>("J2000");
   for (const auto& [time, q_reference_from_body] :

@@ -2,9 +2,12 @@
 
 #include <cmath>
 #include <fstream>
+#include <set>
 
 #include "figures.hpp"
 #include "selection.hpp"
+#include "table_column.hpp"
+#include "table_text.hpp"
 
 namespace vectrix::cli {
 namespace {
@@ -26,11 +29,15 @@ std::string first_word(const std::filesystem::path& file) {
 
 // Or the mark of UTF-16.
 bool is_xml(const std::string& word) {
-  return word.starts_with('<') || word.starts_with("\xff\xfe") || word.starts_with("\xfe\xff");
+  const auto has_at = [&](const char* mark, std::size_t place) {
+    return word.starts_with(mark) && word.size() > place && word[place] == '<';
+  };
+  return word.starts_with('<') || has_at("\xff\xfe", 2) || has_at("\xfe\xff", 3);
 }
 
-// The name of the first element of a file, without its prefix; empty if the file is not XML.
-std::string root_of_xml(const std::filesystem::path& file) {
+// The name of the first element of a file, without its prefix, or of the first message of a combined one;
+// empty if the file is not XML.
+std::string message_of_xml(const std::filesystem::path& file) {
   if (!is_xml(first_word(file))) return "";
   constexpr std::size_t enough = 4096;  // for comments before it
   std::string text(enough, '\0');
@@ -41,10 +48,25 @@ std::string root_of_xml(const std::filesystem::path& file) {
     if (text.compare(at, 4, "<!--") == 0) at = text.find("-->", at);
     if (at == std::string::npos) break;
     if (at + 1 >= text.size() || !std::isalpha(static_cast<unsigned char>(text[at + 1]))) continue;
-    const std::string name = text.substr(at + 1, text.find_first_of(" \t\r\n/>", at) - at - 1);
-    return name.substr(name.find(':') + 1);
+    std::string name = text.substr(at + 1, text.find_first_of(" \t\r\n/>", at) - at - 1);
+    name.erase(0, name.find(':') + 1);
+    if (name != "ndm" && name != "COMMENT" && name != "MESSAGE_ID") return name;
   }
   return "";
+}
+
+template <class Rates> std::vector<Eigen::Vector3d> numbers_of(const Rates& rates) {
+  std::vector<Eigen::Vector3d> all;
+  for (const auto& w : rates) all.push_back(w.coordinates());
+  return all;
+}
+
+// The kind of a message of CCSDS in small letters, "aem"; empty if it does not begin as one does.
+std::string kind_of_message(const std::filesystem::path& file) {
+  constexpr std::string_view start = "CCSDS_";
+  constexpr std::size_t letters = 3;
+  const std::string word = first_word(file);
+  return word.starts_with(start) ? small(word.substr(start.size(), letters)) : message_of_xml(file);
 }
 
 }  // namespace
@@ -66,15 +88,32 @@ std::vector<Eigen::Vector3d> AttitudeRecord::rates_in_radians() const {
 
 bool is_message(const std::filesystem::path& file) {
   const std::string word = first_word(file);
+  if ((word.starts_with("\xff\xfe") || word.starts_with("\xfe\xff")) && !is_xml(word))
+    throw BadInput(file.string() + ": is UTF-16, and no XML; a table or a message in keywords is UTF-8");
   return word.starts_with("CCSDS_") || is_xml(word) || word == "COMMENT";
 }
 
 bool is_orbit_message(const std::filesystem::path& file) {
-  return first_word(file).starts_with("CCSDS_OEM") || root_of_xml(file) == "oem";
+  return kind_of_message(file) == "oem";
+}
+
+bool is_mean_elements_message(const std::filesystem::path& file) {
+  return kind_of_message(file) == "omm";
+}
+
+void require_kind_of_message(const std::filesystem::path& file, const std::string& wanted) {
+  static const std::set<std::string> kinds{"acm", "aem", "apm", "cdm", "ocm", "oem", "omm", "opm", "tdm"};
+  const std::string kind = kind_of_message(file);
+  if (kind != wanted && kinds.contains(kind))
+    throw BadInput(file.string() + ": is a message of the kind " + capitals(kind) + ", not " +
+                   capitals(wanted));
 }
 
 AttitudeRecord read_table(const std::filesystem::path& file, const TableColumns& columns) {
   const auto table = CsvTable::read(file, {});
+  require_column(table, file, columns.time);
+  for (const auto* const group : {&columns.quaternion, &columns.rates})
+    for (const std::string& name : *group) require_column(table, file, name);
   AttitudeRecord record;
   record.file = file.string();
   record.body = "the body";
@@ -109,6 +148,7 @@ AttitudeRecord read_table(const std::filesystem::path& file, const TableColumns&
 }
 
 AttitudeRecord read_message(const std::filesystem::path& file, const Selection& selection) {
+  require_kind_of_message(file, "aem");
   const auto message = AttitudeEphemerisMessage::read(file);
   const auto& part = segment_of(message, selection, file);
   const auto a = inertial(part.ref_frame_a()), b = inertial(part.ref_frame_b());
@@ -128,18 +168,31 @@ AttitudeRecord read_message(const std::filesystem::path& file, const Selection& 
   record.times = lines.times;
   record.time_scale = part.metadata().time_system;
   record.message = MessageText{message.header(), part.metadata(), part.comments()};
+  struct Reference : inertial_frame {};
+  struct Body : moving_frame {};
+  const auto reference = called<Reference>(a ? part.ref_frame_a() : part.ref_frame_b());
+  const auto body = called<Body>(record.body);
+  const auto derive = [&](const char* from) {
+    record.derived_rates = numbers_of(part.angular_velocities<Reference, Body>(in<Body>, reference, body));
+    record.derived_from = from;
+    record.no_rates =
+        std::string("T") + (from + 1) + " are of the same numbers, and do not tell how to read them.";
+  };
   if (part.type() != AttitudeType::quaternion && part.type() != AttitudeType::quaternion_derivative &&
       part.type() != AttitudeType::quaternion_rate) {
-    struct Reference : inertial_frame {};
-    struct Body : moving_frame {};
     record.has_quaternions = false;
     record.stated = {Convention::Scalar::last, Convention::Maps::to_reference};
-    const auto& reference_name = a ? part.ref_frame_a() : part.ref_frame_b();
-    for (const auto& sample :
-         part.samples<Reference, Body>(called<Reference>(reference_name), called<Body>(record.body)))
+    for (const auto& sample : part.samples<Reference, Body>(reference, body))
       record.numbers.push_back(sample.q_a_from_b.scalar_last());
-    if (part.type() != AttitudeType::euler_angle)
-      record.no_rates = "The rates of the angles or of the spin are not used.";
+    if (part.type() == AttitudeType::euler_angle_rate) {
+      const bool is_reference = (lines.rate_frame == detail::RateFrame::a) == a.has_value();
+      record.rate_axes = is_reference ? RateAxes::reference : RateAxes::body;
+      record.rates =
+          is_reference ? numbers_of(part.angular_velocities<Reference, Body>(in<Reference>, reference, body))
+                       : numbers_of(part.angular_velocities<Reference, Body>(in<Body>, reference, body));
+    } else if (part.type() != AttitudeType::euler_angle) {
+      derive("the rates of the angles or of the spin");
+    }
   } else {
     // A2B: v^a = R(q) v^b.
     const bool to_a = !lines.is_b_to_a;
@@ -158,8 +211,7 @@ AttitudeRecord read_message(const std::filesystem::path& file, const Selection& 
       record.no_rates =
           "The rates are not used: with ATTITUDE_DIR B2A the message does not say whether they are of " +
           part.ref_frame_a() + " or of " + part.ref_frame_b() + ".";
-    if (part.type() == AttitudeType::quaternion_derivative)
-      record.no_rates = "The derivatives of the quaternions are not used.";
+    if (part.type() == AttitudeType::quaternion_derivative) derive("the derivatives of the quaternions");
     record.rates_in_degrees = true;
     if (!record.rates.empty())
       record.rate_axes =

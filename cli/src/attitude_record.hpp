@@ -48,6 +48,9 @@ struct AttitudeRecord {
   bool rates_in_degrees = false;         // per second; else rad/s
   RateAxes rate_axes = RateAxes::body;   // stated
   std::string no_rates{};                // why rates of the file are not used
+  // From derivatives of the same numbers, which no reading contradicts: rad/s, in the body. And from what.
+  std::vector<Eigen::Vector3d> derived_rates{};
+  std::string derived_from{};
   TimeScale time_scale = scale::utc;     // in which the file has the times
   std::optional<MessageText> message{};  // of a message
   std::optional<double> longest_step{};  // s: a longer one is a gap; by default three times the median
@@ -88,9 +91,14 @@ AttitudeRecord read_table(const std::filesystem::path& file, const TableColumns&
 /// Throws BadInput as the message does, for a segment that the file does not have, and if neither frame is
 /// EME2000 or GCRF.
 AttitudeRecord read_message(const std::filesystem::path& file, const Selection& selection);
-/// Whether the file begins as a message does, or else is a table. Throws BadInput if it cannot be read.
+/// Whether the file begins as a message does, or else is a table. Throws BadInput if it cannot be read, and
+/// for UTF-16 that is not XML.
 bool is_message(const std::filesystem::path& file);
 /// Whether the file begins as an orbit ephemeris message does. Throws BadInput if it cannot be read.
 bool is_orbit_message(const std::filesystem::path& file);
+/// Throws BadInput if the file begins as a message of CCSDS of another kind than "aem", "oem" and so on.
+void require_kind_of_message(const std::filesystem::path& file, const std::string& wanted);
+/// The same as is_orbit_message of an orbit mean-elements message.
+bool is_mean_elements_message(const std::filesystem::path& file);
 
 }  // namespace vectrix::cli

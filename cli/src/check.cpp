@@ -63,7 +63,8 @@ class Findings {
                 "the body:\n"
                 "an orbit or a target would.\n";
     } else {
-      out_ << "Not decided. Rates (--rates), an orbit (--tle, --oem, --spk) or a target (--axis, --target) "
+      out_ << "Not decided. Rates (--rates), an orbit (--tle, --omm, --oem, --spk) or a target (--axis, "
+              "--target) "
               "may "
               "decide.\n";
     }

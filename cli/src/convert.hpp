@@ -13,12 +13,13 @@
 namespace vectrix::cli {
 
 struct ConvertOptions {
-  std::filesystem::path out;  // .aem or .oem, .csv, .czml or .a says what is written
+  std::filesystem::path out;  // .aem, .oem, .omm, .xml, .bc, .csv, .czml or .a says what is written
   std::string frame{};        // EME2000 or GCRF, relative to which it is to be; empty for that of the file
   GivenText text{};           // of a message
   std::string body{};  // the name of its frame in a message; empty for that of the message that was read
   std::string aem_version = "2.0";
   bool force = false;
+  KernelWords kernel{};  // of a kernel of SPICE that is written: its clock and its frame
   std::optional<Interpolation> interpolation{};  // of an OEM; nothing for that of the message that was read
 };
 
@@ -29,5 +30,15 @@ void convert(const AttitudeSource& attitude, const ConvertOptions& options, std:
 
 /// Writes an orbit as an OEM, of the version of the message that was read or 2.0, or as a table in m and m/s.
 void convert(const OrbitFile& orbit, const ConvertOptions& options, std::ostream& out);
+
+/// A file of elements for SGP4: two lines, or messages.
+struct ElementFile {
+  std::filesystem::path file;
+};
+/// Whether the file has two-line elements or is an orbit mean-elements message. Throws BadInput if it cannot
+/// be read.
+bool is_elements(const std::filesystem::path& file);
+/// Writes elements as orbit mean-elements messages, each number with the digits that it has.
+void convert(const ElementFile& elements, const ConvertOptions& options, std::ostream& out);
 
 }  // namespace vectrix::cli

@@ -3,8 +3,10 @@
 
 #include "convert.hpp"
 #include "figures.hpp"
+#include "kernel_writer.hpp"
 #include "new_file.hpp"
 #include "plain_attitude.hpp"
+#include "quantile.hpp"
 #include "sample_faults.hpp"
 #include "table_text.hpp"
 #include "viewer_text.hpp"
@@ -39,7 +41,8 @@ std::string attitude_table(const PlainAttitude& attitude, const std::string& fil
   return text;
 }
 
-std::string attitude_message(const PlainAttitude& attitude, const MessageText& text) {
+std::string attitude_message(const PlainAttitude& attitude, const MessageText& text,
+                             const std::filesystem::path& out) {
   detail::AttitudeLines lines;
   lines.place = "the message to be written";
   lines.ref_frame_a = attitude.reference;
@@ -58,15 +61,16 @@ std::string attitude_message(const PlainAttitude& attitude, const MessageText& t
       lines.numbers.insert(lines.numbers.end(), attitude.rates[i].begin(), attitude.rates[i].end());
   }
   const AttitudeEphemerisMessage all(text.header, {{detail::trusted, text.metadata, std::move(lines)}});
-  return text_that_reads_back(all);
+  return text_that_reads_back(all, out);
 }
 
 }  // namespace
 
 void convert(const AttitudeSource& source, const ConvertOptions& options, std::ostream& out) {
-  const bool is_for_viewer = is_viewer_name(options.out),
-             is_table = !is_for_viewer && is_table_name(options.out, ".aem");
+  const bool is_for_viewer = is_viewer_name(options.out), is_for_spice = is_kernel_name(options.out),
+             is_table = !is_for_viewer && !is_for_spice && is_table_name(options.out, ".aem");
   refuse_input(options.out, files_of(source));
+  refuse_input(options.out, files_of(AttitudeSource{{}, {}, {}, options.kernel}));
   require_one_line("--body", options.body);
   const AttitudeRecord record = read_attitude(source);
   PlainAttitude attitude = plain(record);
@@ -75,7 +79,13 @@ void convert(const AttitudeSource& source, const ConvertOptions& options, std::o
   if (!options.body.empty()) attitude.body = options.body;
   if (!options.frame.empty()) attitude = relative_to_frame(std::move(attitude), inertial_name(options.frame));
   std::string text;
-  if (is_for_viewer) {
+  if (is_for_spice) {
+    attitude = as_in_a_kernel(std::move(attitude));
+    KernelWords words = options.kernel;
+    if (source.kernel && words.frame.empty()) words.frame = record.body;
+    write_kernel(attitude, words, longest_step(record, median(durations_of(record))), options.out,
+                 options.force);
+  } else if (is_for_viewer) {
     if (!attitude.rates.empty()) attitude.computed.emplace_back("the rates are left out");
     if (!record.are_normalised) attitude.computed.emplace_back("the quaternions are divided by their norms");
     if (options.out.extension() == ".a") {
@@ -95,9 +105,9 @@ void convert(const AttitudeSource& source, const ConvertOptions& options, std::o
     words.header.version = options.aem_version;
     if (!record.message || source.selection.from || source.selection.until)
       set_times(words.metadata, attitude.times.front(), attitude.times.back(), record.file);
-    text = attitude_message(attitude, words);
+    text = attitude_message(attitude, words, options.out);
   }
-  write_new(options.out, text, options.force);
+  if (!is_for_spice) write_new(options.out, text, options.force);
   out << options.out.string() << ": " << attitude.times.size() << " samples of " << attitude.body
       << " relative to " << attitude.reference << '\n';
   for (const std::string& what : attitude.computed) out << "  not to the last digit: " << what << '\n';

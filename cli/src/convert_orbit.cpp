@@ -63,7 +63,7 @@ std::string orbit_message(const OrbitRecord& record, const ConvertOptions& optio
     set_times(text.metadata, lines.lines.front().time, lines.lines.back().time, record.file);
   lines.place = "the message to be written";
   return text_that_reads_back(
-      OrbitEphemerisMessage(text.header, {{detail::trusted, text.metadata, std::move(lines)}}));
+      OrbitEphemerisMessage(text.header, {{detail::trusted, text.metadata, std::move(lines)}}), options.out);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <memory>
 #include <set>
 
+#include "attitude_record.hpp"
 #include "figures.hpp"
 #include "plain_words.hpp"
 #include "selection.hpp"
@@ -132,22 +133,24 @@ FlownOrbit orbit_of_kernel(const std::filesystem::path& file, const TimeSpan& sp
   });
 }
 
-FlownOrbit orbit_of_elements(const std::filesystem::path& file, const TimeSpan& span,
-                             const std::optional<Epoch>& nearest_to) {
-  const auto sets = TwoLineElements::read(file);
+FlownOrbit orbit_of_elements(const std::vector<ElementSet>& all, const std::filesystem::path& file,
+                             const TimeSpan& span, const std::optional<Epoch>& nearest_to,
+                             const StatedSatellite& satellite) {
+  const auto sets = of_satellite(all, file, satellite);
   const Epoch middle = nearest_to.value_or(middle_of(span));
   const auto nearest = std::min_element(sets.begin(), sets.end(), [&](const auto& a, const auto& b) {
-    return std::abs((a.epoch() - middle).value()) < std::abs((b.epoch() - middle).value());
+    return std::abs((a.elements.epoch - middle).value()) < std::abs((b.elements.epoch - middle).value());
   });
-  const double age = std::max(std::abs((span.start() - nearest->epoch()).value()),
-                              std::abs((span.end() - nearest->epoch()).value()));
+  const Epoch& epoch = nearest->elements.epoch;
+  const double age =
+      std::max(std::abs((span.start() - epoch).value()), std::abs((span.end() - epoch).value()));
   constexpr double day = 86400.0;
   if (age > longest_age)
-    throw BadInput(file.string() + ": the nearest element set, of " + nearest->epoch().utc(0) + " UTC, is " +
+    throw BadInput(file.string() + ": the nearest element set, of " + epoch.utc(0) + " UTC, is " +
                    shown(std::ceil(age / day)) + " days from the attitude; at most " +
                    shown(longest_age / day) + " are allowed");
   const auto orbit = in_plain_words(file.string(), [&] {
-    return flown_in_teme(span, edge(Sgp4<Satellite>(*nearest, at_most(longest_age * si::second))));
+    return flown_in_teme(span, edge(Sgp4<Satellite>(nearest->elements, at_most(longest_age * si::second))));
   });
   return [orbit, name = file.string()](const Epoch& t) {
     return in_plain_words(name, [&] { return orbit(t); });
@@ -157,6 +160,7 @@ FlownOrbit orbit_of_elements(const std::filesystem::path& file, const TimeSpan& 
 FlownOrbit orbit_of_message(const std::filesystem::path& file, const TimeSpan& span,
                             const StatedInterpolation& stated,
                             const std::optional<EarthOrientation>& orientation) {
+  require_kind_of_message(file, "oem");
   const auto message = OrbitEphemerisMessage::read(file);
   const auto& segments = message.segments();
   if (stated.value && std::all_of(segments.begin(), segments.end(), [](const auto& segment) {
@@ -179,9 +183,17 @@ FlownOrbit orbit_of_message(const std::filesystem::path& file, const TimeSpan& s
   }
   return [parts, name = file.string()](const Epoch& t) {
     for (const Part& part : parts) {
-      if (part.span.contains(t)) return in_plain_words(name, [&] { return part.orbit(t); });
+      // A kernel has its times to 1e-7 s: an attitude that begins with the orbit may be that much before it.
+      constexpr double of_rounding = 1e-6;  // s
+      const Epoch there = std::clamp(t, part.span.start(), part.span.end());
+      if (std::abs((there - t).value()) <= of_rounding)
+        return in_plain_words(name, [&] { return part.orbit(there); });
     }
-    throw BadInput(name + ": the epoch " + t.utc() + " UTC of an attitude is in no segment");
+    std::string spans;
+    for (const Part& part : parts)
+      spans += (spans.empty() ? "" : ", ") + part.span.start().utc(3) + " to " + part.span.end().utc(3);
+    throw BadInput(name + ": the epoch " + t.utc() + " UTC of an attitude is in no segment; they are from " +
+                   spans);
   };
 }
 

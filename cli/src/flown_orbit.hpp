@@ -6,6 +6,7 @@
 
 #include <vectrix/space.hpp>
 
+#include "element_sets.hpp"
 #include "interpolation.hpp"
 #include "orbit_record.hpp"
 
@@ -19,11 +20,12 @@ using FlownOrbit = std::function<PointMotion<earth::Gcrf, Satellite, earth::Gcrf
 /// Halfway from its start to its end.
 Epoch middle_of(const TimeSpan& span);
 
-/// Of the element set of a file of two-line elements whose epoch is nearest to an instant, by default the
-/// middle of the span, and at most a week from all of the span. Throws BadInput as TwoLineElements does, for
-/// older elements, and where SGP4 ends.
-FlownOrbit orbit_of_elements(const std::filesystem::path& file, const TimeSpan& span,
-                             const std::optional<Epoch>& nearest_to = {});
+/// Of the one of these element sets of a file, of one satellite, whose epoch is nearest to an instant, by
+/// default the middle of the span, and at most a week from all of the span. Throws BadInput as of_satellite
+/// does, for older elements, and where SGP4 ends.
+FlownOrbit orbit_of_elements(const std::vector<ElementSet>& sets, const std::filesystem::path& file,
+                             const TimeSpan& span, const std::optional<Epoch>& nearest_to = {},
+                             const StatedSatellite& satellite = {});
 
 /// An interpolation that was stated, and how to state one.
 struct StatedInterpolation {

@@ -1,9 +1,13 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <ctime>
 #include <exception>
 #include <iostream>
+#include <string_view>
+
+#include <vectrix/kinematics/named/nearest_name.hpp>
 
 #include "command/commands.hpp"
 #include "command/completion.hpp"
@@ -12,6 +16,7 @@
 #include "plain_words.hpp"
 #include "result_file/schema.hpp"
 #include "scenario/schema.hpp"
+#include "table_text.hpp"
 
 namespace {
 
@@ -38,11 +43,12 @@ std::string now() {
 std::string place_of(const AttitudeWords& attitude, const OrbitSource& orbit) {
   if (!orbit.message.empty()) return orbit.message.string();
   if (!orbit.kernel.empty()) return orbit.kernel.string();
+  if (!orbit.mean_elements.empty()) return orbit.mean_elements.string();
   return orbit.elements.empty() ? attitude.file.string() : orbit.elements.string();
 }
 
 bool run_check(CheckWords& words) {
-  set_interpolation(words.options.orbit, words.interpolation);
+  set_orbit_words(words.options.orbit, words.interpolation);
   words.options.attitude = attitude_source(words.attitude);
   if (!words.target.axis.empty()) words.options.axis = axis_of(words.target.axis);
   if (!words.target.target.empty()) words.options.target = std::get<Target>(target_of(words.target));
@@ -51,7 +57,7 @@ bool run_check(CheckWords& words) {
 }
 
 bool run_pointing(PointingWords& words) {
-  set_interpolation(words.options.orbit, words.interpolation);
+  set_orbit_words(words.options.orbit, words.interpolation);
   words.options.attitude = attitude_source(words.attitude);
   words.options.axis = axis_of(words.target.axis);
   words.options.target = target_of(words.target);
@@ -62,12 +68,19 @@ bool run_pointing(PointingWords& words) {
 
 bool run_convert(ConvertWords& words) {
   words.options.text.creation_date = now();
+  if (is_elements(words.attitude.file)) {
+    const auto file = element_file(words.attitude, words.orbit, words.options, words.message);
+    convert(file, words.options, std::cout);
+    return true;
+  }
   const bool of_orbit = is_orbit(words.attitude, words.orbit);
   set_message_words(words.options, words.message, of_orbit);
   if (of_orbit) {
     convert(orbit_file(words.attitude, words.orbit), words.options, std::cout);
   } else {
-    convert(attitude_source(words.attitude), words.options, std::cout);
+    const bool writes_kernel = is_kernel_name(words.options.out);
+    if (writes_kernel) words.options.kernel = words.attitude.kernel;
+    convert(attitude_source(words.attitude, writes_kernel), words.options, std::cout);
   }
   return true;
 }
@@ -113,6 +126,29 @@ bool run(const std::string& command, CommandWords& words) {
   return true;
 }
 
+// What to write instead of a command or an option that does not exist: "" if nothing is near.
+std::string nearest_to(const CLI::App& app, int count, char** arguments) {
+  std::vector<std::string> names;
+  const auto parsed = app.get_subcommands();
+  if (parsed.empty()) {
+    for (const CLI::App* const each : app.get_subcommands([](const CLI::App*) { return true; }))
+      if (!each->get_group().empty()) names.push_back(each->get_name());
+  } else {
+    for (const CLI::Option* const option : parsed.front()->get_options())
+      for (const std::string& name : option->get_lnames())
+        if (name != "help") names.push_back("--" + name);
+  }
+  for (int i = 1; i < count; ++i) {
+    const std::string word = std::string(arguments[i]).substr(0, std::string_view(arguments[i]).find('='));
+    const bool is_option = word.starts_with("--");
+    if (is_option == parsed.empty() || std::find(names.begin(), names.end(), word) != names.end()) continue;
+    const std::string_view nearest = detail::nearest_name(word, names);
+    if (!nearest.empty()) return "'" + word + "' is unknown; the nearest is '" + std::string(nearest) + "'\n";
+    if (parsed.empty()) break;
+  }
+  return "";
+}
+
 }  // namespace
 
 int main(int count, char** arguments) {
@@ -125,7 +161,9 @@ int main(int count, char** arguments) {
     require_texts(command);
     return run(command.get_name(), words) ? yes : no;
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : bad_input;
+    if (app.exit(error) == 0) return 0;
+    std::cerr << nearest_to(app, count, arguments);
+    return bad_input;
   } catch (const std::exception& error) {
     std::cerr << "vectrix: " << error.what() << '\n';
     return bad_input;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -37,9 +38,10 @@ std::string object_name(const GivenText& given, const std::optional<MessageText>
 /// useable.
 void set_times(EphemerisMetadata& metadata, const Epoch& first, const Epoch& last, const std::string& file);
 
-/// Throws BadInput if the text of the message, which is to be written, cannot be read.
-template <class Message> std::string text_that_reads_back(const Message& message) {
-  std::string text = message.text();
+/// The text of the message, in XML for a file whose name ends in .xml. Throws BadInput if it cannot be read.
+template <class Message>
+std::string text_that_reads_back(const Message& message, const std::filesystem::path& out) {
+  std::string text = out.extension() == ".xml" ? message.xml() : message.text();
   try {
     static_cast<void>(Message::parse(text));
   } catch (const BadInput& error) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "table_column.hpp"
 #include "target.hpp"
 
 namespace vectrix::cli {
@@ -18,6 +19,9 @@ OrbitRecord of_message(const OrbitFile& source) {
 OrbitRecord of_table(const OrbitFile& source) {
   const OrbitColumns& columns = *source.columns;
   const auto table = CsvTable::read(source.file, {});
+  require_column(table, source.file, columns.time);
+  for (const auto* const group : {&columns.position, &columns.velocity})
+    for (const std::string& name : *group) require_column(table, source.file, name);
   OrbitRecord record{source.file.string(), columns.scale, {}, {}};
   record.lines.ref_frame = columns.reference;
   std::vector<detail::OrbitLine>& lines = record.lines.lines;

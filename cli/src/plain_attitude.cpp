@@ -17,10 +17,18 @@ bool is_far_from_unit(const std::array<double, 4>& q) {
 }  // namespace
 
 PlainAttitude plain(const AttitudeRecord& record) {
-  if (!record.no_rates.empty()) throw BadInput(record.file + ": " + record.no_rates + " They would be lost");
-  PlainAttitude attitude{record.body, record.reference, record.time_scale, record.times, {}, record.rates};
-  attitude.rates_in_degrees = record.rates_in_degrees;
-  attitude.rate_axes = record.rate_axes;
+  const bool are_derived = !record.derived_rates.empty();
+  if (!record.no_rates.empty() && !are_derived)
+    throw BadInput(record.file + ": " + record.no_rates + " They would be lost");
+  PlainAttitude attitude{record.body,
+                         record.reference,
+                         record.time_scale,
+                         record.times,
+                         {},
+                         are_derived ? record.derived_rates : record.rates};
+  attitude.rates_in_degrees = !are_derived && record.rates_in_degrees;
+  attitude.rate_axes = are_derived ? RateAxes::body : record.rate_axes;
+  if (are_derived) attitude.computed.push_back("the rates are computed from " + record.derived_from);
   for (Eigen::Vector3d& w : attitude.rates) w.array() += 0.0;
   if (!record.has_quaternions)
     attitude.computed.emplace_back("the quaternions are computed from Euler angles");

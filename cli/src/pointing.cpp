@@ -7,6 +7,7 @@
 
 #include "angle_figures.hpp"
 #include "figures.hpp"
+#include "hidden.hpp"
 #include "new_file.hpp"
 #include "pointing_error.hpp"
 #include "sample_faults.hpp"
@@ -48,14 +49,18 @@ bool fulfils(const AngleFigures& figures, double required, double percent, const
 }
 
 std::string table(const PointingOptions& options, const AttitudeRecord& record, const std::string& target,
-                  const std::vector<double>& angles) {
+                  const std::vector<double>& angles, const std::vector<bool>& hidden) {
   std::string text = "# Angle between the axis (" + detail::text(options.axis.x()) + ", " +
                      detail::text(options.axis.y()) + ", " + detail::text(options.axis.z()) + ") of " +
                      record.body + " and " + target + ".\n# Attitude of " + record.body + " relative to " +
-                     record.reference + " from " + record.file +
-                     ". Times in UTC, angles in degrees.\ntime_utc,angle_deg\n";
+                     record.reference + " from " + record.file + ". Times in UTC, angles in degrees" +
+                     (hidden.empty() ? ".\ntime_utc,angle_deg\n"
+                                     : "; hidden: 1 if the Earth hides it.\ntime_utc,angle_deg,hidden\n");
   for (std::size_t i = 0; i < angles.size(); ++i)
-    text += exact_text(record.times[i], scale::utc) + "," + detail::text(degrees * angles[i]) + "\n";
+    text += exact_text(record.times[i], scale::utc) + "," + detail::text(degrees * angles[i]) +
+            (hidden.empty() ? "\n"
+             : hidden[i]    ? ",1\n"
+                            : ",0\n");
   return text;
 }
 
@@ -104,12 +109,29 @@ void require_utc(const AttitudeRecord& record) {
                    " TT, is before 1960, and UTC, in which the figures are written, is not known then");
 }
 
+// The figures are of all samples.
+void write_hidden(const std::vector<double>& angles, const std::vector<bool>& hidden, std::ostream& out) {
+  const std::string words = words_of_hidden(hidden, "sample");
+  if (words.empty()) return;
+  std::vector<double> seen;
+  for (std::size_t i = 0; i < angles.size(); ++i)
+    if (!hidden[i]) seen.push_back(angles[i]);
+  out << "  These are of all samples, but " << words;
+  if (!seen.empty()) {
+    const AngleFigures figures(seen);
+    out << ";\n  at the others the angle is " << decimals(figures.value(figures.place_of_least())) << " to "
+        << decimals(figures.value(figures.place_of_largest())) << " deg";
+  }
+  out << ".\n";
+}
+
 bool write_absolute(const PointingOptions& options, const AttitudeRecord& record, const std::string& target,
-                    const std::vector<double>& angles, std::ostream& out) {
+                    const std::vector<double>& angles, const std::vector<bool>& hidden, std::ostream& out) {
   out << "Absolute error, deg: the angle between the axis " << name_of(options.axis) << " of " << record.body
       << "\nand " << target << '\n';
   const AngleFigures figures(angles);
   write(figures, record.times, out);
+  write_hidden(angles, hidden, out);
   return !options.required || fulfils(figures, *options.required, *options.percent, "samples", out);
 }
 
@@ -156,17 +178,22 @@ bool pointing(const PointingOptions& options, std::ostream& out) {
   OrbitSource source = options.orbit;
   source.orientation = read_orientation(options, record);
   const FlownOrbit orbit = read_orbit(source, from_until(record.times.front(), record.times.back()));
-  const auto to_target =
-      directions(record, options.target, options.correction.value_or(geometric), orbit, source.orientation);
-  const auto in_body = seen_in_body(record, to_target);
+  require_orbit_for(options.target, orbit);
+  const auto motions = motions_at(record.times, orbit);
+  const auto lines = lines_to(options.target, record.times, motions, options.correction.value_or(geometric),
+                              source.orientation);
+  const auto hidden = hidden_by_earth(options.target, record.times, motions, static_cast<bool>(orbit), lines,
+                                      source.orientation);
+  const auto in_body = seen_in_body(record, directions_of(lines, record, name_of(options.target)));
   const auto angles = absolute_errors(in_body, options.axis);
   std::optional<RelativeErrors> relative;
   if (options.window) relative = relative_errors(record, in_body, *options.window);
   const std::string target = seen(options, static_cast<bool>(orbit));
 
-  if (!options.csv.empty()) write_new(options.csv, table(options, record, target, angles), options.force);
+  if (!options.csv.empty())
+    write_new(options.csv, table(options, record, target, angles, hidden), options.force);
   write_samples(record, out);
-  bool good = write_absolute(options, record, target, angles, out);
+  bool good = write_absolute(options, record, target, angles, hidden, out);
   if (relative) good = write_relative(options, record, *relative, out) && good;
   return good;
 }

@@ -6,6 +6,7 @@
 
 #include "angle_figures.hpp"
 #include "figures.hpp"
+#include "hidden.hpp"
 #include "new_file.hpp"
 #include "plain_words.hpp"
 #include "result_file/result_file.hpp"
@@ -28,8 +29,11 @@ void write_measures(const Scenario& scenario, const std::vector<Measured>& measu
     const AngleFigures figures(measures[i].angles);
     out << label(scenario.measures[i].name, width + 4) << decimals(figures.value(figures.place_of_least()))
         << " to " << decimals(figures.value(figures.place_of_largest())) << " deg, median "
-        << decimals(figures.quantile(50.0)) << ", rms " << decimals(figures.rms()) << ": " << measures[i].what
-        << '\n';
+        << decimals(figures.quantile(50.0)) << ", rms " << decimals(figures.rms()) << ": "
+        << measures[i].what;
+    if (const std::string words = words_of_hidden(measures[i].hidden, "instant"); !words.empty())
+      out << "; " << words;
+    out << '\n';
   }
   if (!measures.empty()) out << '\n';
 }
@@ -72,12 +76,19 @@ std::string table(const Scenario& scenario, const Flight& flight, const std::vec
   for (std::size_t i = 0; i < measures.size(); ++i)
     text += "# " + scenario.measures[i].name + ": " + measures[i].what + "\n";
   text += "# Attitude of " + flight.attitude.body + " relative to " + flight.attitude.reference + " from " +
-          flight.attitude.file + ". Times in UTC, angles in degrees.\ntime_utc";
-  for (const Measure& measure : scenario.measures) text += "," + measure.name + "_deg";
+          flight.attitude.file +
+          ". Times in UTC, angles in degrees; hidden: 1 if the Earth hides the target.\ntime_utc";
+  for (std::size_t i = 0; i < measures.size(); ++i) {
+    text += "," + scenario.measures[i].name + "_deg";
+    if (!measures[i].hidden.empty()) text += "," + scenario.measures[i].name + "_hidden";
+  }
   text += "\n";
   for (std::size_t i = 0; i < flight.attitude.size(); ++i) {
     text += exact_text(flight.attitude.times[i], scale::utc);
-    for (const Measured& measure : measures) text += "," + detail::text(degrees * measure.angles[i]);
+    for (const Measured& measure : measures) {
+      text += "," + detail::text(degrees * measure.angles[i]);
+      if (!measure.hidden.empty()) text += measure.hidden[i] ? ",1" : ",0";
+    }
     text += "\n";
   }
   return text;

@@ -64,6 +64,7 @@ AttitudeRecord resampled(const AttitudeRecord& record, const std::vector<Epoch>&
   at.times.clear();
   at.numbers.clear();
   at.rates.clear();
+  at.derived_rates.clear();
   for (const Epoch& t : times) {
     const auto step = step_with(record, longest, t);
     if (!step) continue;

@@ -27,8 +27,9 @@ std::vector<std::filesystem::path> files_of(const AttitudeSource& source);
 
 /// The file of an orbit; all are empty if none is given.
 struct OrbitSource {
-  std::filesystem::path elements{}, message{}, kernel{};
+  std::filesystem::path elements{}, message{}, kernel{}, mean_elements{};
   std::optional<OrbitFile> table{};
+  StatedSatellite satellite{};                    // of elements, two lines or messages, of several
   StatedInterpolation interpolation{};            // of a table, or a message that does not say it
   std::optional<EarthOrientation> orientation{};  // of an orbit in ITRF
 };

@@ -17,17 +17,28 @@ inline std::string small(std::string text) {
   return text;
 }
 
+/// In capitals.
+inline std::string capitals(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  return text;
+}
+
 /// A comma and a number that reads back as the same, for each.
 template <class Numbers> void add_fields(std::string& line, const Numbers& numbers) {
   for (const double number : numbers) line += "," + detail::text(number);
 }
 
+/// Whether an attitude kernel of SPICE is to be written.
+inline bool is_kernel_name(const std::filesystem::path& file) {
+  return file.extension() == ".bc";
+}
 /// Whether a table is to be written, or a message. Throws BadInput for another name.
 inline bool is_table_name(const std::filesystem::path& file, const std::string& message) {
   const std::string kind = file.extension().string();
-  if (kind != ".csv" && kind != message)
-    throw BadInput(file.string() + ": the name ends neither in " + message +
-                   " nor in .csv, .czml or .a, which says what to write");
+  if (kind != ".csv" && kind != message && kind != ".xml")
+    throw BadInput(file.string() + ": the name ends in none of " + message +
+                   ", .xml, .csv, .czml and .a, which say what to write");
   return kind == ".csv";
 }
 

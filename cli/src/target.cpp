@@ -65,8 +65,9 @@ std::vector<Vector3d> lines_to_star(const StarTarget& target, const std::vector<
                                     const std::vector<Motion>& motions, const SkyCorrection& correction) {
   const auto still =
       proper_motion_with_cos_declination(0.0 * (si::radian / si::second), 0.0 * (si::radian / si::second));
-  const Star star(in<Gcrf>, target.at, still, 0.0 * si::radian, 0.0 * (si::metre / si::second),
-                  times.front());
+  const StarMotion motion = target.motion.value_or(StarMotion{still, 0.0 * si::radian, times.front()});
+  const Star star(in<Gcrf>, target.at, motion.proper, motion.parallax, 0.0 * (si::metre / si::second),
+                  motion.epoch);
   const Stars stars(from_until(times.front(), times.back()));
   std::vector<Vector3d> lines;
   for (std::size_t i = 0; i < times.size(); ++i)
@@ -146,7 +147,7 @@ bool needs_orbit(const MeasureTarget& target) {
 
 void require_orbit_for(const MeasureTarget& target, const FlownOrbit& orbit) {
   if (needs_orbit(target) && !orbit)
-    throw BadInput("the direction of " + name_of(target) + " needs an orbit: --tle, --oem or --spk");
+    throw BadInput("the direction of " + name_of(target) + " needs an orbit: --tle, --omm, --oem or --spk");
 }
 
 std::vector<Motion> motions_at(const std::vector<Epoch>& times, const FlownOrbit& orbit,

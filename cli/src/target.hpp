@@ -15,10 +15,17 @@ namespace vectrix::cli {
 /// What an axis of the body may look at: the centre of a body, or along the velocity relative to GCRF or to
 /// ITRF.
 enum class Target { sun, moon, earth, velocity, velocity_in_itrf };
-/// A star that does not move.
+/// How a star moves, and when it was at its place.
+struct StarMotion {
+  ProperMotion proper;
+  Quantity<si::angle> parallax;
+  Epoch epoch;
+};
+/// A star, which stands still if it is not said how it moves.
 struct StarTarget {
   std::string name;
   RightAscensionDeclination at;
+  std::optional<StarMotion> motion{};
 };
 struct StationTarget {
   std::string name;

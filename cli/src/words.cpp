@@ -4,6 +4,8 @@
 #include <initializer_list>
 
 #include "scales.hpp"
+#include "stored_attitude.hpp"
+#include "table_text.hpp"
 #include "viewer_text.hpp"
 #include "word.hpp"
 
@@ -27,7 +29,10 @@ Words only_of_kernels(const AttitudeWords& words) {
 }
 
 void refuse_columns_of_message(const AttitudeWords& words) {
-  const std::string is = words.file.string() + ": is a message and says itself what its data are; ";
+  const bool is_result = is_stored_result(words.file);
+  const std::string is = words.file.string() + ": is a " + (is_result ? "stored result" : "message") +
+                         " and says itself what its data are; ";
+  if (is_result) refuse({{"--segment", words.segment}}, is, " is of a message");
   refuse({{"--time", words.time}, {"--scale", words.scale}, {"--reference", words.reference}}, is,
          " is of a table");
   refuse(only_of_attitudes(words), is, " is of a table");
@@ -106,10 +111,11 @@ OrbitColumns columns_of(const AttitudeWords& words, const OrbitWords& orbit) {
 
 }  // namespace
 
-AttitudeSource attitude_source(const AttitudeWords& words) {
+AttitudeSource attitude_source(const AttitudeWords& words, bool writes_kernel) {
   AttitudeSource source{words.file};
   const bool of_kernel = is_kernel(words.file);
-  if (of_kernel) use_leap_seconds_of(words.kernel);  // before the times of the selection are read
+  if (of_kernel || writes_kernel)
+    use_leap_seconds_of(words.kernel);  // before the times of the selection are read
   source.selection = selection_of(words);
   if (of_kernel) {
     const std::string is = words.file.string() + ": is a kernel and says itself what its data are; ";
@@ -120,8 +126,9 @@ AttitudeSource attitude_source(const AttitudeWords& words) {
     source.kernel = words.kernel;
     return source;
   }
-  refuse(only_of_kernels(words), words.file.string() + ": is no kernel of SPICE; ", " is of one");
-  if (is_message(words.file)) {
+  if (!writes_kernel)
+    refuse(only_of_kernels(words), words.file.string() + ": is no kernel of SPICE; ", " is of one");
+  if (is_message(words.file) || is_stored_result(words.file)) {
     refuse_columns_of_message(words);
   } else {
     source.columns = columns_of(words);
@@ -141,6 +148,29 @@ OrbitFile orbit_file(const AttitudeWords& words, const OrbitWords& orbit) {
     file.columns = columns_of(words, orbit);
   }
   return file;
+}
+
+ElementFile element_file(const AttitudeWords& words, const OrbitWords& orbit, ConvertOptions& options,
+                         const MessageWords& message) {
+  const std::string has = words.file.string() + ": has elements of SGP4, which have no samples; ";
+  const InterpolationWords& interpolation = message.interpolation;
+  for (const Words& all : {Words{{"--segment", words.segment},
+                                 {"--from", words.from},
+                                 {"--until", words.until},
+                                 {"--time", words.time},
+                                 {"--scale", words.scale},
+                                 {"--reference", words.reference},
+                                 {"--frame", options.frame}},
+                           only_of_attitudes(words), only_of_kernels(words), only_of_orbits(orbit),
+                           Words{{"--body", message.body},
+                                 {"--aem-version", message.aem_version},
+                                 {"--interpolation", interpolation.method},
+                                 {"--degree", interpolation.degree}}})
+    refuse(all, has, " is not of them");
+  options.text.object_name = message.object_name;
+  options.text.object_id = message.object_id;
+  options.text.originator = message.originator;
+  return {words.file};
 }
 
 bool is_orbit(const AttitudeWords& words, const OrbitWords& orbit) {
@@ -180,6 +210,15 @@ void set_message_words(ConvertOptions& options, const MessageWords& words, bool 
     if (options.out.extension() == ".a")
       refuse({{"--object-name", words.object_name}}, options.out.string() + ": ", " has no place in it");
   }
+  if (is_kernel_name(options.out)) {
+    if (of_orbit) throw BadInput(options.out.string() + ": .bc is of an attitude");
+    refuse({{"--object-name", words.object_name},
+            {"--object-id", words.object_id},
+            {"--originator", words.originator},
+            {"--body", words.body},
+            {"--aem-version", words.aem_version}},
+           options.out.string() + ": is to be a kernel; ", " is of a message");
+  }
   if (of_orbit) {
     refuse({{"--body", words.body}, {"--aem-version", words.aem_version}}, "",
            " is of an attitude, and an orbit is converted");
@@ -205,10 +244,13 @@ std::optional<Interpolation> interpolation_of(const InterpolationWords& words) {
   return given;
 }
 
-void set_interpolation(OrbitSource& orbit, const InterpolationWords& words) {
+void set_orbit_words(OrbitSource& orbit, const InterpolationWords& words) {
   orbit.interpolation.value = interpolation_of(words);
   if (orbit.interpolation.value && orbit.message.empty())
     throw BadInput("--interpolation is of an orbit message; missing: --oem FILE");
+  if (orbit.elements.empty() && orbit.mean_elements.empty())
+    refuse({{"--satellite", orbit.satellite.value}}, "",
+           " is of elements; missing: --tle FILE or --omm FILE");
 }
 
 }  // namespace vectrix::cli

@@ -34,8 +34,13 @@ struct MessageWords {
 
 /// No convention is taken that nobody has stated, and no option is given in vain. Throws BadInput that names
 /// the options which a table misses, or one that does not apply to this file.
-AttitudeSource attitude_source(const AttitudeWords& words);
+/// The words of a kernel may be of the one that is written.
+AttitudeSource attitude_source(const AttitudeWords& words, bool writes_kernel = false);
 OrbitFile orbit_file(const AttitudeWords& words, const OrbitWords& orbit);
+
+/// Throws BadInput for an option that is not of elements.
+ElementFile element_file(const AttitudeWords& words, const OrbitWords& orbit, ConvertOptions& options,
+                         const MessageWords& message);
 
 /// What is to be converted: of a table, --position and --velocity say that it is an orbit.
 bool is_orbit(const AttitudeWords& words, const OrbitWords& orbit);
@@ -44,7 +49,7 @@ void set_message_words(ConvertOptions& options, const MessageWords& words, bool 
 
 /// Nothing if it is not given. Throws BadInput for half of it, and a degree that the method does not have.
 std::optional<Interpolation> interpolation_of(const InterpolationWords& words);
-/// Throws BadInput for an interpolation without --oem.
-void set_interpolation(OrbitSource& orbit, const InterpolationWords& words);
+/// Throws BadInput for an interpolation without --oem, and a satellite without elements.
+void set_orbit_words(OrbitSource& orbit, const InterpolationWords& words);
 
 }  // namespace vectrix::cli

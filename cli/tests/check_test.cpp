@@ -283,7 +283,7 @@ TEST(Check, RefusesWhatItCannotCompare) {
   options = cubesat();
   options.orbit.elements.clear();
   options.target = Target::moon;
-  EXPECT_EQ(refusal(options), "the direction of the Moon needs an orbit: --tle, --oem or --spk");
+  EXPECT_EQ(refusal(options), "the direction of the Moon needs an orbit: --tle, --omm, --oem or --spk");
   options = cubesat();
   options.attitude.columns->reference = "ITRF";
   EXPECT_EQ(refusal(options), "the reference 'ITRF' is none of EME2000, J2000, GCRF, ICRF");

@@ -207,7 +207,7 @@ TEST(ConvertOrbit, RefusesWhatItCannotSay) {
   EXPECT_EQ(refusal({in}, "out.oem", "GCRF"),
             "FILE: the orbit is in 'ITRF2000'; --frame turns EME2000 and GCRF into each other");
   EXPECT_TRUE(says(refusal({in}, "out.aem"),
-                   "the name ends neither in .oem nor in .csv, .czml or .a, which says what to write"));
+                   "the name ends in none of .oem, .xml, .csv, .czml and .a, which say what to write"));
   EXPECT_EQ(refusal({in}, "in.oem"), "FILE: is the same file as " + in.string() + ", which is read");
   EXPECT_EQ(content(in), message("ITRF2000"));
   auto stopped = message("TOD");

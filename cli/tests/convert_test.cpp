@@ -5,8 +5,11 @@
 
 #include <fstream>
 #include <iterator>
+#include <numbers>
 #include <sstream>
 
+#include "cubesat.hpp"
+#include "kernel_writer.hpp"
 #include "plain_attitude.hpp"
 #include "says.hpp"
 #include "space/tests/temporary_file.hpp"
@@ -253,7 +256,7 @@ TEST(Convert, RefusesWhatWouldLoseOrOverwriteSomething) {
   options.force = false;
   options.out = folder.file("out.txt");
   EXPECT_EQ(refusal(options.out),
-            "FILE: the name ends neither in .aem nor in .csv, .czml or .a, which says what to write");
+            "FILE: the name ends in none of .aem, .xml, .csv, .czml and .a, which say what to write");
   options.out = folder.file("new.aem");
   options.frame = "ITRF";
   EXPECT_EQ(refusal(in), "the reference 'ITRF' is none of EME2000, J2000, GCRF, ICRF");
@@ -340,6 +343,145 @@ TEST(Convert, SaysWhichGapsAViewerDoesNotSee) {
   };
   EXPECT_TRUE(says(said_of("2026-11-29T00:00:09"), "  not marked: 1 gap, over which a viewer turns\n"));
   EXPECT_EQ(said_of("2026-11-29T00:00:02").find("not marked"), std::string::npos);
+}
+
+// Of a steady turn about the z axis of the body, which Euler angles 321 have in the first one: 6 deg/s.
+TEST(Convert, HasTheRatesOfDerivatives) {
+  const auto message = [](const std::string& type, const std::string& more, const std::string& lines) {
+    return "CCSDS_AEM_VERS = 2.0\nCREATION_DATE = 2026-11-29T00:00:00\nORIGINATOR = "
+           "ME\nMETA_START\nOBJECT_NAME = "
+           "S\nOBJECT_ID = 2026-001A\nREF_FRAME_A = GCRF\nREF_FRAME_B = SC_BODY_1\nTIME_SYSTEM = "
+           "UTC\nSTART_TIME = "
+           "2026-11-29T00:00:00\nSTOP_TIME = 2026-11-29T00:00:10\nATTITUDE_TYPE = " +
+           type + "\n" + more + "META_STOP\nDATA_START\n" + lines + "DATA_STOP\n";
+  };
+  const auto rate_of = [](const std::string& text, std::string& said) -> Eigen::Vector3d {
+    TemporaryFolder folder;
+    said = convert_to({folder.written("in.aem", text)}, folder.file("out.csv"));
+    const std::string unit = says(said, "computed") || says(said, "divided") ? "rad" : "deg";
+    const std::string name = "rate_in_body_" + unit + "_per_s_";
+    const auto table = CsvTable::read(folder.file("out.csv"), {name + "z"});
+    const double factor = unit == "rad" ? 1.0 : std::numbers::pi / 180.0;
+    return Eigen::Vector3d(table.number(1, name + "x"), table.number(1, name + "y"),
+                           table.number(1, name + "z")) *
+           factor;
+  };
+  const Eigen::Vector3d expected(0.0, 0.0, 6.0 * std::numbers::pi / 180.0);
+  constexpr double of_the_digits = 1e-6;
+  std::string said;
+  // q = (0, 0, sin 30 deg, cos 30 deg), and its derivative half of the rate across it.
+  EXPECT_LE((rate_of(message("QUATERNION/DERIVATIVE", "",
+                             "2026-11-29T00:00:00 0 0 0 1 0 0 0.0523598776 0\n"
+                             "2026-11-29T00:00:10 0 0 0.5 0.8660254038 0 0 0.0453449841 -0.0261799388\n"),
+                     said) -
+             expected)
+                .norm(),
+            of_the_digits);
+  EXPECT_TRUE(says(said, "the rates are computed from the derivatives of the quaternions"));
+  EXPECT_LE((rate_of(message("EULER_ANGLE/DERIVATIVE", "EULER_ROT_SEQ = 321\n",
+                             "2026-11-29T00:00:00 0 0 0 6 0 0\n2026-11-29T00:00:10 60 0 0 6 0 0\n"),
+                     said) -
+             expected)
+                .norm(),
+            of_the_digits);
+  EXPECT_TRUE(says(said, "the rates are computed from the rates of the angles or of the spin"));
+  EXPECT_LE((rate_of(message("EULER_ANGLE/ANGVEL", "EULER_ROT_SEQ = 321\nANGVEL_FRAME = REF_FRAME_B\n",
+                             "2026-11-29T00:00:00 0 0 0 0 0 6\n2026-11-29T00:00:10 60 0 0 0 0 6\n"),
+                     said) -
+             expected)
+                .norm(),
+            of_the_digits);
+  EXPECT_FALSE(says(said, "rates are computed"));
+}
+
+TEST(Convert, SaysWhichMessageItIsNot) {
+  TemporaryFolder folder;
+  const auto refused = [&](const char* text) {
+    const auto file = folder.written("in.txt", text);
+    return complaint(
+        [&] {
+          if (is_message(file)) convert_to({file}, folder.file("out.csv"));
+        },
+        file);
+  };
+  EXPECT_EQ(refused("CCSDS_OPM_VERS = 2.0\n"), "FILE: is a message of the kind OPM, not AEM");
+  EXPECT_EQ(refused("\xff\xfe"
+                    "C"),
+            "FILE: is UTF-16, and no XML; a table or a message in keywords is UTF-8");
+  EXPECT_EQ(refused("<?xml version=\"1.0\"?>\n<x:tdm/>\n"), "FILE: is a message of the kind TDM, not AEM");
+}
+
+// The numbers come back but for the norms and the ticks, which have 1e-7 s in 2023.
+TEST(Convert, WritesAKernelOfSpice) {
+  TemporaryFolder folder;
+  const std::filesystem::path data = std::filesystem::path(VECTRIX_SOURCE_DIR) / "examples/data";
+  const KernelWords words{
+      (data / "CTIM_clock.tsc").string(), (data / "CTIM_frames.tf").string(), {}, "CTIM_COORD"};
+  const AttitudeSource flown = cubesat_attitude();
+  ConvertOptions options;
+  options.out = folder.file("out.bc");
+  options.kernel = words;
+  std::ostringstream said;
+  convert(flown, options, said);
+  EXPECT_TRUE(says(said.str(), "692 samples of the body relative to GCRF"));
+  const AttitudeRecord before = read_attitude(flown), after = read_attitude({options.out, {}, {}, words});
+  ASSERT_EQ(after.size(), before.size());
+  EXPECT_EQ(after.body, "CTIM_COORD");
+  constexpr double of_ticks = 2e-7, rounding = 1e-14;
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    EXPECT_NEAR((after.times[i] - before.times[i]).value(), 0.0, of_ticks);
+    EXPECT_LE(
+        angle_of(before.to_reference(i, before.stated).conjugate() * after.to_reference(i, after.stated)),
+        rounding);
+  }
+  // Intervals end at the gaps: 30 s, three times the usual step.
+  const auto clock = SpacecraftClock::read(words.clock, -152950);
+  const auto frames = FrameKernel::read(words.frames);
+  const auto kernel = AttitudeKernel::open(options.out, clock, frames);
+  const auto attitude =
+      kernel.attitude(of<Body>, relative_to<Gcrf>, kernel.span(), called<Body>("CTIM_COORD"));
+  EXPECT_NO_THROW(attitude(before.times[0] + 5.0 * si::second));
+  options.kernel.frame.clear();
+  EXPECT_TRUE(says(complaint([&] { convert(flown, options, said); }), "missing: --ck-frame NAME"));
+  options.kernel = words;
+  options.frame = "EME2000";
+  EXPECT_TRUE(says(complaint([&] { convert(flown, options, said); }), "--frame GCRF turns it"));
+}
+
+// Rates of body axes in deg/s: a kernel wants the reference, rad/s.
+TEST(Convert, TurnsTheRatesOfAKernel) {
+  PlainAttitude attitude{"B", "GCRF"};
+  const double s = std::sqrt(0.5);
+  attitude.quaternions = {{2.0 * s, 0.0, 0.0, 2.0 * s}};  // R takes x of the body to y
+  attitude.rates = {{180.0, 0.0, 0.0}};
+  attitude.rates_in_degrees = true;
+  const PlainAttitude found = as_in_a_kernel(attitude);
+  constexpr double rounding = 1e-14;
+  EXPECT_LE((found.rates[0] - Eigen::Vector3d(0.0, std::numbers::pi, 0.0)).norm(), rounding);
+  EXPECT_EQ(found.rate_axes, RateAxes::reference);
+  EXPECT_EQ(found.computed.size(), 3U);
+}
+
+TEST(Convert, WritesXml) {
+  TemporaryFolder folder;
+  const auto aem = folder.file("out.aem"), xml = folder.file("out.xml"), again = folder.file("again.aem");
+  const auto source = folder.written("in.csv",
+                                     "t,a,b,c,d\n2026-11-29T00:00:00,0.1,0.2,0.3,0.92736184954957\n"
+                                     "2026-11-29T00:00:10,0,0,0.6,0.8\n");
+  TableColumns columns;
+  columns.time = "t";
+  columns.quaternion = {"a", "b", "c", "d"};
+  columns.stated = {Scalar::last, Maps::to_reference};
+  columns.reference = "GCRF";
+  convert_to({source, columns}, aem);
+  convert_to({aem}, xml);
+  convert_to({xml}, again);
+  const auto content = [](const std::filesystem::path& file) {
+    std::ifstream in(file);
+    return std::string{std::istreambuf_iterator<char>(in), {}};
+  };
+  EXPECT_EQ(content(xml).find("<?xml"), 0U);
+  EXPECT_EQ(content(again), content(aem));
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include "circular_orbit.hpp"
 #include "flown_orbit.hpp"
+#include "space/tests/orbit/check_sum.hpp"
 #include "space/tests/temporary_file.hpp"
 
 namespace vectrix::cli::flown_orbit_test {
@@ -72,7 +73,14 @@ TEST(FlownOrbit, TakesTheFirstSegmentThatHasTheEpoch) {
             of_interpolation);
   EXPECT_GT((orbit(late).position.coordinates() - motion<Gcrf>(late).position.coordinates()).norm(), 0.1);
   EXPECT_EQ(complaint([&] { (void)orbit(start + 1500.0 * si::second); }, file.path()),
-            "FILE: the epoch 2023-04-20T05:25:00.000000 UTC of an attitude is in no segment");
+            "FILE: the epoch 2023-04-20T05:25:00.000000 UTC of an attitude is in no segment; they are from "
+            "2023-04-20T05:00:00.000 to 2023-04-20T05:20:00.000, 2023-04-20T05:30:00.000 to "
+            "2023-04-20T06:00:00.000");
+  // Ticks of a clock are rounded: that is not outside.
+  const auto rounded = start - 2e-7 * si::second;
+  EXPECT_LE((orbit(rounded).position.coordinates() - motion<Gcrf>(rounded).position.coordinates()).norm(),
+            0.002);
+  EXPECT_NE(complaint([&] { (void)orbit(start - 1e-5 * si::second); }), "nothing was thrown");
 }
 
 TEST(FlownOrbit, TakesTemeOfDateByBothNames) {
@@ -96,15 +104,71 @@ TEST(FlownOrbit, RefusesAnEarthFixedMessageAndOldElements) {
   const auto elements = std::filesystem::path(VECTRIX_SOURCE_DIR) / "examples/data/CTIM_20230419.tle";
   const auto later = [](const char* time) { return from_until(Epoch::from_utc(time), 60.0 * si::second); };
   EXPECT_EQ(
-      complaint([&] { (void)orbit_of_elements(elements, later("2023-05-20T05:00:00")); }, elements),
+      complaint(
+          [&] { (void)orbit_of_elements(read_two_lines(elements), elements, later("2023-05-20T05:00:00")); },
+          elements),
       "FILE: the nearest element set, of 2023-04-19T13:52:37 UTC, is 31 days from the attitude; at most "
       "7 are allowed");
   // The end alone is more than a week from it.
-  EXPECT_EQ(complaint([&] { (void)orbit_of_elements(elements, later("2023-04-26T13:52:00")); }, elements),
-            "FILE: the nearest element set, of 2023-04-19T13:52:37 UTC, is 8 days from the attitude; at most "
-            "7 are allowed");
-  EXPECT_EQ(complaint([&] { (void)orbit_of_elements(elements, later("2023-04-26T13:51:00")); }),
+  EXPECT_EQ(
+      complaint(
+          [&] { (void)orbit_of_elements(read_two_lines(elements), elements, later("2023-04-26T13:52:00")); },
+          elements),
+      "FILE: the nearest element set, of 2023-04-19T13:52:37 UTC, is 8 days from the attitude; at most "
+      "7 are allowed");
+  EXPECT_EQ(complaint([&] {
+              (void)orbit_of_elements(read_two_lines(elements), elements, later("2023-04-26T13:51:00"));
+            }),
             "nothing was thrown");
+}
+
+// Two satellites in one file, the second with the nearer epoch, as in a list of many.
+std::string two_lines(const std::string& number, const char* day) {
+  return summed("1 " + number + "U 22074G   231" + day + ".57820907  .00068572  00000-0  17802-2 0  999") +
+         "\n" + summed("2 " + number + "  97.5000 120.0000 0010000 100.0000 260.0000 15.3000000000001") +
+         "\n";
+}
+// The same as a message.
+std::string mean_elements(const std::string& number, const char* epoch) {
+  return "CCSDS_OMM_VERS = 3.0\nCREATION_DATE =\nORIGINATOR =\nOBJECT_NAME = CTIM\nOBJECT_ID = 2022-074G\n"
+         "CENTER_NAME = EARTH\nREF_FRAME = TEME\nTIME_SYSTEM = UTC\nMEAN_ELEMENT_THEORY = SGP4\nEPOCH = " +
+         std::string(epoch) +
+         "\nMEAN_MOTION = 15.3\nECCENTRICITY = .001\nINCLINATION = 97.5\nRA_OF_ASC_NODE = 120\n"
+         "ARG_OF_PERICENTER = 100\nMEAN_ANOMALY = 260\nNORAD_CAT_ID = " +
+         number + "\nBSTAR = 17802E-7\nMEAN_MOTION_DOT = 0\nMEAN_MOTION_DDOT = 0\n";
+}
+
+TEST(FlownOrbit, TakesNoSetOfAnotherSatellite) {
+  const auto place_at = [](const auto& read, const std::string& text, const StatedSatellite& satellite) {
+    TemporaryFile file(text);
+    return Vector3d(
+        orbit_of_elements(read(file.path()), file.path(), span, {}, satellite)(start).position.coordinates());
+  };
+  const std::string first = two_lines("52950", "09"), second = two_lines("A0001", "10");
+  const Vector3d of_first = place_at(read_two_lines, first, {});
+  EXPECT_GT((of_first - place_at(read_two_lines, second, {})).norm(), 1e5);
+  EXPECT_EQ(place_at(read_two_lines, first + second, {"52950"}), of_first);
+  EXPECT_EQ(place_at(read_two_lines, second + first, {"100001"}), place_at(read_two_lines, second, {}));
+  const auto refused = [](const StatedSatellite& satellite) {
+    TemporaryFile file(two_lines("52950", "09") + two_lines("A0001", "10"));
+    return complaint(
+        [&] { (void)orbit_of_elements(read_two_lines(file.path()), file.path(), span, {}, satellite); },
+        file.path());
+  };
+  EXPECT_EQ(refused({}),
+            "FILE: it has the elements of 2 satellites, 52950, 100001; missing: --satellite NUMBER");
+  EXPECT_EQ(refused({"5295"}),
+            "FILE: it has the elements of 2 satellites, 52950, 100001; --satellite is 5295");
+  // The one that is there is not the one that is meant.
+  TemporaryFile one(first);
+  EXPECT_EQ(
+      complaint([&] { (void)orbit_of_elements(read_two_lines(one.path()), one.path(), span, {}, {"25544"}); },
+                one.path()),
+      "FILE: it has the elements of 1 satellite, 52950; --satellite is 25544");
+  const std::string messages = mean_elements("52950", "2023-04-19T13:52:37.263648") +
+                               mean_elements("100001", "2023-04-20T13:52:37.263648");
+  // The epoch of two lines has 1e-8 day, of which the message has 1e-6 s: 8 mm.
+  EXPECT_LE((place_at(read_mean_elements, messages, {"52950"}) - of_first).norm(), 0.01);
 }
 
 const std::string said = "INTERPOLATION = HERMITE\nINTERPOLATION_DEGREE = 7\n";

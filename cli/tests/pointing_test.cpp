@@ -319,7 +319,7 @@ TEST(Pointing, RefusesWhatIsNotStated) {
             "a catalogue says where a star is seen, not where it is; needed: --correction "
             "light_time|apparent");
   EXPECT_EQ(refusal([&](auto& o) { o.target = star, o.correction = apparent, o.orbit = {}; }),
-            "the direction of Vega needs an orbit: --tle, --oem or --spk");
+            "the direction of Vega needs an orbit: --tle, --omm, --oem or --spk");
   const StationTarget station{"Boulder", {GeodeticLatitude(0.0 * si::radian), 0.0 * si::radian, {}}};
   EXPECT_EQ(refusal([&](auto& o) { o.target = station, o.correction.reset(); }),
             "Boulder turns with the Earth; missing: --orientation FILE, finals2000A of the IERS");
@@ -330,7 +330,7 @@ TEST(Pointing, RefusesWhatIsNotStated) {
       says(refusal([&](auto& o) { o.target = station, o.correction.reset(), o.orientation = year_before; }),
            year_before.string() + ": EarthOrientation: the epoch 2023-04-20T05:20:09"));
   EXPECT_EQ(refusal([](auto& o) { o.target = Target::velocity, o.correction.reset(), o.orbit = {}; }),
-            "the direction of the velocity relative to GCRF needs an orbit: --tle, --oem or --spk");
+            "the direction of the velocity relative to GCRF needs an orbit: --tle, --omm, --oem or --spk");
   EXPECT_EQ(
       refusal([](auto& o) { o.required = 1.0; }),
       "--percent, how many of the samples have to fulfil it, goes with --require or --require-relative");

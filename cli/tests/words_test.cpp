@@ -199,7 +199,7 @@ TEST(Words, OfAMessageAreForOne) {
 TEST(Words, OfAnInterpolationSayMethodAndDegree) {
   const auto refused = [](const char* method, const char* degree, const char* message) {
     OrbitSource source{{}, message};
-    return complaint([&] { set_interpolation(source, {method, degree}); });
+    return complaint([&] { set_orbit_words(source, {method, degree}); });
   };
   const std::string together = "--interpolation and --degree go together: --interpolation hermite --degree 7";
   EXPECT_EQ(refused("hermite", "", "o.oem"), together);
@@ -214,6 +214,10 @@ TEST(Words, OfAnInterpolationSayMethodAndDegree) {
   EXPECT_EQ(refused("lagrange", "8", ""), "--interpolation is of an orbit message; missing: --oem FILE");
   EXPECT_EQ(refused("lagrange", "8", "o.oem"), "nothing was thrown");
   EXPECT_EQ(refused("", "", ""), "nothing was thrown");
+  OrbitSource source{{}, "o.oem"};
+  source.satellite.value = "25544";
+  EXPECT_EQ(complaint([&] { set_orbit_words(source, {}); }),
+            "--satellite is of elements; missing: --tle FILE or --omm FILE");
 }
 
 }  // namespace

@@ -68,6 +68,10 @@ void add_interpolation(Options& options, InterpolationWords& words, const char* 
 
 void add_orbit(Options& options, OrbitSource& orbit, InterpolationWords& words) {
   options.add("--tle", orbit.elements, a_file, "two-line elements");
+  options.add("--omm", orbit.mean_elements, a_file, "the same as CCSDS OMM (KVN or XML)");
+  options.add("--satellite", orbit.satellite.value, "NUMBER",
+              "of elements of several satellites: which one, by its number in the catalogue, or its "
+              "designator as written");
   options.add("--oem", orbit.message, a_file, "CCSDS OEM (KVN or XML) in EME2000, GCRF or TEME");
   options.add("--spk", orbit.kernel, a_file, "kernel of SPICE (SPK) with one spacecraft");
   add_interpolation(options, words, "of an OEM that does not say it");
@@ -143,7 +147,8 @@ void add_pointing(CLI::App& app, PointingWords& words) {
 }
 
 void add_convert(CLI::App& app, ConvertWords& words) {
-  auto& convert = *app.add_subcommand("convert", "write an attitude or an orbit as a message or as a table");
+  auto& convert = *app.add_subcommand(
+      "convert", "write an attitude, an orbit or elements of SGP4 as a message or a table");
   convert.footer(
       "A table is written with the scalar first; R(q) takes coordinates to the reference; lengths are in "
       "metres; its\n"
@@ -151,11 +156,13 @@ void add_convert(CLI::App& app, ConvertWords& words) {
       "Exit code: 0, or 2 if the input is wrong; then nothing is written.\n\n"
       "  vectrix convert attitude.aem attitude.csv --frame GCRF");
   add_attitude(convert, words.attitude,
-               "CCSDS AEM or OEM (KVN or XML), a kernel of SPICE (CK), or a table with a header line");
+               "CCSDS AEM, OEM or OMM (KVN or XML), a kernel of SPICE (CK), two-line elements, or a table "
+               "with a header line");
   Options output(convert);
   output
       .add("out", words.options.out, a_file,
-           "attitude.aem or orbit.oem for a message of CCSDS (KVN), a .csv for a table, a .czml for "
+           "attitude.aem, orbit.oem or elements.omm for a message of CCSDS in keywords, .xml for one in XML, "
+           "a .bc for a kernel of SPICE (CK, with --sclk and --ck-frame), a .csv for a table, a .czml for "
            "Cesium, an attitude.a for STK")
       .required();
   Options orbit(convert, "A table of an orbit");

@@ -168,6 +168,11 @@ class ResultReader {
       result.measures.push_back({names[4 * k], names[4 * k + 1], names[4 * k + 2], names[4 * k + 3], axes[k],
                                  numbers(group + "/angle", instants),
                                  unit_vectors(group + "/direction", instants)});
+      if (!file_.has(group + "/hidden")) continue;
+      for (const std::size_t each : counts(group + "/hidden", instants)) {
+        if (each > 1) file_.refuse(group + "/hidden", "holds " + std::to_string(each) + ", neither 0 nor 1");
+        result.measures.back().hidden.push_back(each == 1);
+      }
     }
   }
 

@@ -23,7 +23,7 @@ struct Hdf5Entry {
 };
 
 /// Those of When, in its order.
-inline constexpr std::array<std::string_view, 3> when_words{"always", "sunlight", "shadow"};
+inline constexpr std::array<std::string_view, 4> when_words{"always", "sunlight", "shadow", "visible"};
 
 /// The number in the attribute `form`. A file with another one is refused.
 inline constexpr int result_form = 1;

@@ -149,6 +149,10 @@ class ResultWriter {
     for (std::size_t k = 0; k < measures.size(); ++k) {
       const std::string group = "/measures/" + std::to_string(k + 1);
       add(group + "/angle", measures[k].degrees, {{"name", measures[k].name}, {"what", measures[k].what}});
+      if (!measures[k].hidden.empty()) {
+        add(group + "/hidden", Whole(measures[k].hidden.begin(), measures[k].hidden.end()),
+            {{"name", measures[k].target}});
+      }
       add(group + "/direction", rows(measures[k].directions, itself),
           {{"in", result_.reference}, {"name", measures[k].target}});
     }

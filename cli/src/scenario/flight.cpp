@@ -4,6 +4,7 @@
 
 #include "evidence.hpp"
 #include "figures.hpp"
+#include "hidden.hpp"
 #include "plain_words.hpp"
 #include "quantile.hpp"
 #include "resampled.hpp"
@@ -38,9 +39,16 @@ std::vector<Epoch> instants(const Scenario& scenario, const AttitudeRecord& reco
 }
 
 // Which instants count; empty if all do.
-std::vector<bool> counting(const Requirement& required, const Flight& flight) {
+std::vector<bool> counting(const Requirement& required, const Flight& flight, const Measured& measure) {
   std::vector<bool> all;
   if (required.when == When::always) return all;
+  if (required.when == When::visible) {
+    all = measure.hidden;
+    all.flip();
+    if (std::find(all.begin(), all.end(), true) == all.end())
+      refuse(required.place, "at no instant is " + measure.target + " visible past the Earth");
+    return all;
+  }
   const bool in_sunlight = required.when == When::sunlight;
   for (const double part : flight.visible_sun) all.push_back(part == (in_sunlight ? 1.0 : 0.0));
   if (std::find(all.begin(), all.end(), true) == all.end())
@@ -75,7 +83,7 @@ FlownAttitude read_flown_attitude(const Scenario& scenario) {
     return in_plain_words(scenario.attitude.file.string(), [&] { return read_attitude(scenario.attitude); });
   });
   if (!scenario.body.empty()) record.body = scenario.body;
-  record.longest_step = scenario.gap;
+  if (scenario.gap) record.longest_step = scenario.gap;
   BodyFrames frames(record.body, scenario.frames);
   if (scenario.rates) turn_rates(record, *scenario.rates, frames);
   for (const Measure& measure : scenario.measures) (void)frames.in_body(measure.axis);
@@ -146,6 +154,8 @@ Measured measured(const Measure& measure, const Scenario& scenario, const Flight
                  (flight.orbit ? "the satellite" : "the centre of the Earth");
   const auto lines = lines_to(measure.target, flight.attitude.times, flight.motions,
                               measure.correction.value_or(geometric), scenario.orientation);
+  made.hidden = hidden_by_earth(measure.target, flight.attitude.times, flight.motions,
+                                static_cast<bool>(flight.orbit), lines, scenario.orientation);
   made.directions = directions_of(lines, flight.attitude, made.target);
   made.in_body = seen_in_body(flight.attitude, made.directions);
   const Vector3d axis = flight.flown.frames.in_body(measure.axis);
@@ -169,7 +179,7 @@ std::vector<double> errors_of(const Requirement& required, const Scenario& scena
                               const Measured& measure) {
   if (required.by_budget && required.window)
     return errors_in_windows(required, scenario, flight, measure).from_means;
-  const auto among = counting(required, flight);
+  const auto among = counting(required, flight, measure);
   if (required.window)
     return of_windows(required, [&] {
       return relative_errors(flight.attitude, measure.in_body, *required.window, among).errors;
@@ -182,7 +192,7 @@ std::vector<double> errors_of(const Requirement& required, const Scenario& scena
 
 WindowErrors errors_in_windows(const Requirement& required, const Scenario& scenario, const Flight& flight,
                                const Measured& measure) {
-  const auto among = counting(required, flight);
+  const auto among = counting(required, flight, measure);
   const Vector3d axis = flight.flown.frames.in_body(scenario.measures[required.measure].axis);
   return of_windows(required, [&] {
     return window_errors(flight.attitude, measure.in_body, axis, *required.window, among);

@@ -50,6 +50,7 @@ struct Measured {
   std::vector<Eigen::Vector3d> directions;  // of the target, along the axes of the reference
   std::vector<Eigen::Vector3d> in_body;
   std::vector<double> angles;  // rad
+  std::vector<bool> hidden;    // by the Earth; empty if it cannot be
   std::vector<double>
       by_reading;  // the median angle by each reading of the quaternions, the stated one first
 };

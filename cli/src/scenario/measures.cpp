@@ -4,6 +4,8 @@
 #include <cmath>
 #include <map>
 
+#include "figures.hpp"
+#include "hidden.hpp"
 #include "scenario/fixed_frame.hpp"
 #include "scenario/given.hpp"
 #include "table_text.hpp"
@@ -43,11 +45,33 @@ class MeasureReader {
   }
 
  private:
-  static StarTarget star(const ScenarioTable& from) {
+  StarTarget star(const ScenarioTable& from) const {
     require_at_most_a_turn(from.at("right_ascension"));
     const RightAscensionDeclination at{angle_of(from, "right_ascension"), angle_of(from, "declination")};
     require_latitude(from.at("declination"));
-    return {from.at("name").text(), at};
+    const std::string name = from.at("name").text();
+    const ScenarioTable* const proper = from.table("proper_motion");
+    scenario_.choices.push_back(
+        proper ? Report::Choice{"motion of " + name, "its proper motion", proper->place.line_text()}
+               : Report::Choice{"motion of " + name, "none: no proper motion is given", "the program"});
+    return {name, at, proper ? std::optional(star_motion(*proper)) : std::nullopt};
+  }
+  static StarMotion star_motion(const ScenarioTable& from) {
+    constexpr double year = 365.25 * 86400.0;
+    const auto rate = [&](const char* key) {
+      return from.at(key).as<Amount>().in("arcsec/yr") / (3600.0 * degrees * year) *
+             (si::radian / si::second);
+    };
+    const bool is_included = from.at("cos_declination").text() == "included";
+    const auto of_right_ascension = rate("right_ascension"), of_declination = rate("declination");
+    const auto* const parallax = from.find("parallax");
+    const double arcseconds = parallax ? parallax->as<Amount>().in("arcsec") : 0.0;
+    if (!(arcseconds >= 0.0 && arcseconds <= 1.0))
+      refuse(parallax->place, "'star.proper_motion.parallax' is " + parallax->as<Amount>().text() +
+                                  "; it is from 0 to 1 arcsec");
+    return {is_included ? proper_motion_with_cos_declination(of_right_ascension, of_declination)
+                        : proper_motion_without_cos_declination(of_right_ascension, of_declination),
+            arcseconds / (3600.0 * degrees) * si::radian, from.at("epoch").as<Epoch>()};
   }
   StationTarget station(const ScenarioTable& from) const {
     require_latitude(from.at("latitude"));
@@ -130,10 +154,16 @@ class MeasureReader {
     }
     std::string condition;
     if (const auto* const when = from.find("when")) {
-      made.when = when->text() == "sunlight" ? When::sunlight : When::shadow;
-      condition = " in " + when->text();
+      made.when = when->text() == "sunlight" ? When::sunlight
+                  : when->text() == "shadow" ? When::shadow
+                                             : When::visible;
+      condition = made.when == When::visible ? " while it is visible" : " in " + when->text();
+      if (made.when == When::visible && !may_be_hidden(scenario_.measures[made.measure].target))
+        refuse(when->place, "the Earth hides the Sun, the Moon, stars and stations, and not " +
+                                name_of(scenario_.measures[made.measure].target));
       if (!scenario_.orbit)
-        refuse(when->place, "whether it is in " + when->text() + " needs an orbit; missing: [orbit]");
+        refuse(when->place, "whether it is " + std::string(made.when == When::visible ? "" : "in ") +
+                                when->text() + " needs an orbit; missing: [orbit]");
     }
     made.text = (is_relative ? "relative error in " + window->as<Amount>().text() : "absolute error") +
                 " at most " + (made.by_budget ? "that of the budget" : limit.as<Amount>().text()) + " in " +

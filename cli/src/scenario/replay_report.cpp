@@ -6,6 +6,7 @@
 
 #include "angle_figures.hpp"
 #include "figures.hpp"
+#include "hidden.hpp"
 #include "pointing_error.hpp"
 #include "quantile.hpp"
 #include "reading.hpp"
@@ -22,7 +23,8 @@ std::string span_of(const AttitudeRecord& record) {
   return record.times.front().utc(3) + " to " + record.times.back().utc(3) + " UTC";
 }
 
-std::vector<Report::Fact> facts(const Scenario& scenario, const Flight& flight) {
+std::vector<Report::Fact> facts(const Scenario& scenario, const Flight& flight,
+                                const std::vector<Measured>& measures) {
   const AttitudeRecord& record = flight.flown.record;
   std::vector<Report::Fact> all{
       {"attitude", counted(record.size(), "sample") + " of " + record.body + " relative to " +
@@ -34,6 +36,9 @@ std::vector<Report::Fact> facts(const Scenario& scenario, const Flight& flight) 
   if (scenario.orbit) all.push_back({"orbit", files_of(*scenario.orbit).front().string()});
   for (std::size_t i = 0; i < scenario.measures.size(); ++i)
     all.push_back({"measure", scenario.measures[i].name});
+  for (std::size_t i = 0; i < measures.size(); ++i)
+    if (const std::string words = words_of_hidden(measures[i].hidden, "instant"); !words.empty())
+      all.push_back({"target of " + scenario.measures[i].name, words});
   return all;
 }
 
@@ -175,7 +180,7 @@ Result::Orbit orbit_of(const Scenario& scenario, const Flight& flight) {
 
 void add_measure(Result& result, const Measure& measure, const Measured& found, const BodyFrames& frames) {
   result.measures.push_back({measure.name, found.what, measure.axis.text, found.target,
-                             frames.in_body(measure.axis), found.angles, found.directions});
+                             frames.in_body(measure.axis), found.angles, found.directions, found.hidden});
   for (double& angle : result.measures.back().degrees) angle *= degrees;
 }
 
@@ -196,7 +201,7 @@ Result replay_result(const Scenario& scenario, const Flight& flight, const std::
   const BodyFrames& frames = flight.flown.frames;
   Report texts{.title = scenario.title,
                .start = attitude.times.front(),
-               .facts = facts(scenario, flight),
+               .facts = facts(scenario, flight, measures),
                .version = version};
   if (!measures.empty()) {
     texts.tables.push_back(statistics(scenario, flight, measures));

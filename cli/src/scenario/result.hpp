@@ -35,6 +35,7 @@ struct Result {
     Eigen::Vector3d axis_in_body;
     std::vector<double> degrees;
     std::vector<Eigen::Vector3d> directions;  // of the target, along the axes of the reference
+    std::vector<bool> hidden{};               // by the Earth; empty if it cannot be
   };
   struct Verdict {
     std::size_t measure;

@@ -14,6 +14,7 @@
 #include "scenario/given.hpp"
 #include "scenario/measures.hpp"
 #include "scenario/table.hpp"
+#include "stored_attitude.hpp"
 #include "table_text.hpp"
 
 namespace vectrix::cli {
@@ -124,6 +125,12 @@ class Reader {
     }
     refuse_keys(from, {"clock", "frames", "kernel_frame", "leap_seconds"},
                 "is of a kernel of SPICE; " + file.text() + " is none");
+    if (is_stored_result(file.text())) {
+      const std::string is = file.text() + " is a stored result and says it itself";
+      refuse_keys(from, {"segment"}, "is of a message; " + is);
+      refuse_keys(from, {"time", "quaternion", "rates"}, "is of a table; " + is);
+      return;
+    }
     if (is_message(file.text())) {
       refuse_keys(from, {"time", "quaternion", "rates"},
                   "is of a table; " + file.text() + " is a message and says it itself");
@@ -236,7 +243,7 @@ class Reader {
   }
 
   void read_orbit(const ScenarioTable& from) {
-    const auto& file = one_of(from, {"tle", "oem", "spk", "table"});
+    const auto& file = one_of(from, {"tle", "omm", "oem", "spk", "table"});
     OrbitSource source;
     source.orientation = scenario_.orientation;
     source.interpolation.word = "interpolation = { method = \"hermite\", degree = 7 } in [orbit]";
@@ -252,9 +259,18 @@ class Reader {
     if (!is_table)
       refuse_keys(from, {"time", "position", "velocity", "unit", "frame"},
                   "is of a table, '" + file.path + "' is given");
-    if (file.path == "orbit.tle" || file.path == "orbit.spk") {
+    const bool has_elements = file.path == "orbit.tle" || file.path == "orbit.omm";
+    if (!has_elements) refuse_keys(from, {"satellite"}, "is of elements, '" + file.path + "' is given");
+    source.satellite.word = "satellite = \"NUMBER\" in [orbit]";
+    if (const auto* const given = from.find("satellite")) {
+      source.satellite.value = given->text();
+      choose("satellite of the orbit", given->text(), given->place);
+    }
+    if (has_elements || file.path == "orbit.spk") {
       refuse_keys(from, {"interpolation"}, "is of a table or an OEM, '" + file.path + "' is given");
-      (file.path == "orbit.tle" ? source.elements : source.kernel) = file.text();
+      (file.path == "orbit.tle"   ? source.elements
+       : file.path == "orbit.omm" ? source.mean_elements
+                                  : source.kernel) = file.text();
     } else if (!is_table) {
       source.message = file.text();
     } else {

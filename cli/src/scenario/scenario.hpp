@@ -36,7 +36,8 @@ struct Measure {
   std::optional<SkyCorrection> correction{};  // of the Sun, the Moon and stars
 };
 
-enum class When { always, sunlight, shadow };
+/// While the Sun is seen or not, or the target is not hidden by the Earth.
+enum class When { always, sunlight, shadow, visible };
 
 struct Requirement {
   Place place;

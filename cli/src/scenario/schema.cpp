@@ -59,9 +59,13 @@ Key earth() {
 
 Key orbit() {
   return table(
-      "orbit", optional, "the orbit: one of tle, oem, spk and table",
+      "orbit", optional, "the orbit: one of tle, omm, oem, spk and table",
       {{"tle", Kind::input, optional,
         "file of two-line elements; the set nearest to the middle of the time that is looked at is taken"},
+       {"omm", Kind::input, optional, "the same elements as messages of CCSDS (OMM, KVN or XML)"},
+       {"satellite", Kind::text, optional,
+        "of elements of several satellites: which one, by its number in the catalogue, \"25544\", or its "
+        "designator as written"},
        {"oem", Kind::input, optional,
         "orbit message of CCSDS (OEM, KVN or XML) in EME2000, GCRF, TEME or ITRF"},
        {"spk", Kind::input, optional, "kernel of SPICE (SPK) with one spacecraft"},
@@ -82,8 +86,8 @@ Key attitude() {
   return table(
       "attitude", needed, "the attitude that was flown",
       {{"file", Kind::input, needed,
-        "attitude message of CCSDS (AEM, KVN or XML), which says the rest itself, kernel of SPICE (CK), or "
-        "table (CSV)"},
+        "attitude message of CCSDS (AEM, KVN or XML), which says the rest itself, kernel of SPICE (CK), "
+        "result of an earlier replay (HDF5), of which the samples are taken, or table (CSV)"},
        {"clock", Kind::input, optional, "of a kernel of SPICE, which needs it: its clock kernel (SCLK)"},
        {"frames", Kind::input, optional, "of a kernel of SPICE: its frame kernel (FK), for names"},
        {"kernel_frame", Kind::text, optional,
@@ -128,10 +132,23 @@ Key frame() {
 }
 
 Key star() {
-  return tables("star", "a star as a target",
-                {{"name", Kind::name, needed, "its name"},
-                 amount("right_ascension", needed, Dimension::angle, "along the axes of GCRF, at the date"),
-                 amount("declination", needed, Dimension::angle, "positive north")});
+  return tables(
+      "star", "a star as a target",
+      {{"name", Kind::name, needed, "its name"},
+       amount("right_ascension", needed, Dimension::angle,
+              "along the axes of GCRF, at the epoch of `proper_motion`, or without it at the date"),
+       amount("declination", needed, Dimension::angle, "positive north"),
+       table("proper_motion", optional,
+             "how it moves; without it the star stands still, which for most is below an arcsecond in a "
+             "year. Its "
+             "radial velocity is taken as zero",
+             {{"epoch", Kind::epoch, needed, "of the catalogue, when the star was at this place"},
+              amount("right_ascension", needed, Dimension::proper_motion, "of the right ascension"),
+              amount("declination", needed, Dimension::proper_motion, "of the declination"),
+              choice("cos_declination", needed,
+                     "whether the first rate has the factor cos(declination) in it, as in Hipparcos and Gaia",
+                     {"included", "not included"}),
+              amount("parallax", optional, Dimension::angle, "at most 1 arcsec; by default zero")})});
 }
 
 Key station() {
@@ -202,9 +219,13 @@ Key requirement() {
               {"absolute", "relative"}),
        amount("window", optional, Dimension::duration, "of the relative error"),
        amount("percent", needed, Dimension::share, "of the samples, or of the windows"),
-       choice("when", optional,
-              "only while the whole disc of the Sun is seen (sunlight) or none of it (shadow)",
-              {"sunlight", "shadow"})});
+       choice(
+           "when", optional,
+           "only while the whole disc of the Sun is seen (sunlight) or none of it (shadow), or while the "
+           "Earth does not hide the target (visible): the line to the Sun, the Moon or a star passes beside "
+           "the ellipsoid, a station has the satellite above its horizon; by default hidden ones are judged "
+           "too",
+           {"sunlight", "shadow", "visible"})});
 }
 
 Key output() {

@@ -37,6 +37,8 @@ constexpr std::array units{
     Unit{"deg/s", Dimension::rate, 3600.0},
     Unit{"rad/s", Dimension::rate, 3600.0 * of_radian},
     Unit{"arcsec/s", Dimension::rate, 1.0},
+    Unit{"mas/yr", Dimension::proper_motion, 1.0},  // of Julian years
+    Unit{"arcsec/yr", Dimension::proper_motion, 1e3},
 };
 
 const Unit* unit_called(std::string_view name) {
@@ -96,6 +98,8 @@ std::string name_of(Dimension dimension) {
       return "a length";
     case Dimension::rate:
       return "a rate of turn";
+    case Dimension::proper_motion:
+      return "a proper motion";
     default:
       return "a share";
   }

@@ -9,7 +9,7 @@
 
 namespace vectrix::cli {
 
-enum class Dimension { angle, duration, length, share, rate };
+enum class Dimension { angle, duration, length, share, rate, proper_motion };
 /// "an angle"
 std::string name_of(Dimension dimension);
 /// The names of its units, the usual one first.

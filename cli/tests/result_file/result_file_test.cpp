@@ -136,7 +136,10 @@ TEST(ResultFile, DependsOnTheResultAlone) {
 }
 
 TEST(ResultFile, HasWhatThePageSays) {
-  const Stored stored(example("sentinel1.toml"));
+  // All datasets: with an orbit, rates, and a target that may be hidden.
+  const Stored stored(with(example("sentinel1.toml"), "[[measure]]",
+                           "[[measure]]\nname = \"off-Sun\"\naxis = \"x of satellite\"\ntarget = \"sun\"\n"
+                           "correction = \"geometric\"\n\n[[measure]]"));
   const PlainHdf5 file(stored.file);
   for (const Hdf5Entry& entry : result_entries()) {
     std::string path(entry.path);

@@ -266,7 +266,9 @@ TEST_F(ScenarioWords, SayWhatIsRequired) {
 }
 
 TEST_F(ScenarioWords, NameOneOrbit) {
-  EXPECT_EQ(refusal_with("[orbit]\n"), "FILE:19:1: 'orbit' needs one of: tle, oem, spk, table");
+  EXPECT_EQ(refusal_with("[orbit]\n"), "FILE:19:1: 'orbit' needs one of: tle, omm, oem, spk, table");
+  EXPECT_EQ(refusal_with("[orbit]\nspk = \"t.tle\"\nsatellite = \"25544\"\n"),
+            "FILE:21:13: 'orbit.satellite' is of elements, 'orbit.spk' is given");
   EXPECT_EQ(refusal_with("[orbit]\ntle = \"t.tle\"\noem = \"t.tle\"\n"),
             "FILE:21:7: 'orbit.oem' and 'orbit.tle' are both given; one is needed");
   EXPECT_EQ(refusal_with("[orbit]\ntle = \"t.tle\"\nunit = \"m\"\n"),

@@ -192,24 +192,28 @@ std::vector<detail::KernelAttitudeRecord> AttitudeKernel::records(const detail::
   double last = 0.0;
   for (const detail::AttitudeRecords* const one : sorted) {
     const detail::AttitudeRecords& segment = *one;
-    if (segment.type() == 2)
-      throw BadInput(segment.place() +
-                     ": type 2 has rotations at constant rate, no samples; take attitude()");
-    for (std::size_t i = 0; i < segment.size(); ++i) {
-      const double ticks = segment.ticks(i);
+    const auto add = [&](double ticks, const Eigen::Quaterniond& q_a_from_b, std::size_t i) {
       const double rounding = clock_.rounding(detail::trusted, ticks);
-      if (ticks < segment.first() - rounding || ticks > segment.last() + rounding) continue;
+      if (ticks < segment.first() - rounding || ticks > segment.last() + rounding) return;
       if (before && before != &segment && ticks == last) {  // where two meet, the last in the file counts
-        if (&segment < before) continue;
+        if (&segment < before) return;
         records.pop_back();
       } else if (before && before != &segment && ticks < last) {
         throw BadInput(segment.place() + ": it overlaps with another segment, " + before->place() +
                        "; attitude() takes the last one");
       }
-      records.push_back({clock_.epoch({ticks}), segment.q_a_from_b(i),
+      records.push_back({clock_.epoch({ticks}), q_a_from_b,
                          segment.has_rates() ? std::optional{segment.w_ab_a(i)} : std::nullopt});
       before = &segment;
       last = ticks;
+    };
+    for (std::size_t i = 0; i < segment.size(); ++i) {
+      if (segment.type() == 2) {
+        for (const double ticks : segment.ticks_of_interval(i))
+          add(ticks, segment.at({i, ticks - segment.ticks(i)}, 0.0).q_a_from_b, i);
+      } else {
+        add(segment.ticks(i), segment.q_a_from_b(i), i);
+      }
     }
   }
   return records;

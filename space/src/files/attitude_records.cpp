@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include <vectrix/frames/errors.hpp>
 #include <vectrix/kinematics/samples/slerp.hpp>
@@ -186,6 +187,21 @@ void AttitudeRecords::load_rotating(const DafFile& file, const DafFile::Array& a
     if (const double rate = records_[8 * i + 7]; !(rate >= 0.0))
       fail(", record " + text(from + i + 1) + ": " + text(rate) + " seconds per tick");
   }
+}
+
+std::vector<double> AttitudeRecords::ticks_of_interval(std::size_t i) const {
+  constexpr double quarter_turn = std::numbers::pi / 2.0, most_steps = 10'000.0;
+  const double start = ticks_[i], length = stops_[i] - start;
+  const double turn = w_ab_a(i).norm() * length * records_[i * layout_.stride + 7];
+  const double steps = std::max(1.0, std::ceil(turn / quarter_turn));
+  if (!(steps <= most_steps))
+    fail(", record " + text(i + 1) + " of those that were read: it turns by " +
+         text(turn / (4.0 * quarter_turn)) + " turns at one rate; attitude() has them");
+  std::vector<double> all;
+  for (double step = 0.0; step < steps; ++step) all.push_back(start + step / steps * length);
+  const bool goes_on = i + 1 < ticks_.size() && ticks_[i + 1] <= stops_[i] + rounding_;
+  if (!goes_on && length > 0.0) all.push_back(stops_[i]);
+  return all;
 }
 
 Eigen::Quaterniond AttitudeRecords::q_a_from_b(std::size_t i) const {

@@ -39,6 +39,9 @@ class AttitudeRecords {
 
   [[nodiscard]] Eigen::Quaterniond q_a_from_b(std::size_t i) const;
   [[nodiscard]] Eigen::Vector3d w_ab_a(std::size_t i) const;
+  /// Of type 2: the begin of an interval, its end if the next one does not begin there, and between them
+  /// steps of at most a quarter of a turn.
+  [[nodiscard]] std::vector<double> ticks_of_interval(std::size_t i) const;
   /// Where `ticks` is in an interval: the record before it, and the part of the way to the next, 0 to 1; of
   /// type 2 the ticks since the record. Nothing outside of the intervals.
   struct Place {

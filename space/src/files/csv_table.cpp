@@ -33,6 +33,9 @@ CsvTable CsvTable::read(const std::filesystem::path& file,
   for (const std::string& line : content->lines) {
     ++line_number;
     if (table.header_line_ == 0 && line.starts_with('#')) continue;
+    if (detail::trimmed(line).empty())
+      throw CsvError("table " + file.string() + ", line " + detail::text(line_number) +
+                     ": the line is empty; a table has no empty lines, also at its end");
     if (const auto quote = line.find('"'); quote != std::string::npos) {
       const auto column = static_cast<std::size_t>(
           std::count(line.begin(), line.begin() + static_cast<std::ptrdiff_t>(quote), ','));
@@ -90,7 +93,8 @@ double CsvTable::number(std::size_t row, std::string_view column, int shift) con
   const std::string& written = text(row, column);
   if (const auto value = detail::parse_shifted(written, shift)) return *value;
   const bool is_finite = detail::is_finite_number(written);
-  if (!is_finite && !detail::parse_number(written)) refuse(row, column, "'" + written + "' is not a number");
+  if (!is_finite && !detail::parse_number(written))
+    refuse(row, column, "'" + written + "' is not a number" + detail::exponent_fault(written));
   refuse(
       row, column,
       "'" + written + "'" + (shift == 0 ? "" : " times 10^" + detail::text(shift)) +

@@ -168,8 +168,18 @@ bool is_finite_number(std::string_view text) {
   return stop == end && error != std::errc::invalid_argument && std::isfinite(value);
 }
 
+const char* exponent_fault(std::string_view text) {
+  std::string other{text};
+  const auto at = other.find_first_of("Dd");
+  if (at == std::string::npos) return "";
+  other[at] = 'E';
+  return is_finite_number(other) ? "; its exponent has the letter D, where E is needed" : "";
+}
+
 const char* number_fault(std::string_view text, int shift) {
-  if (!is_finite_number(text)) return "not a finite number";
+  if (!is_finite_number(text))
+    return *exponent_fault(text) == '\0' ? "not a finite number"
+                                         : "its exponent has the letter D, where E is needed";
   if (shift == 0) return "too large or too small for a double, 5e-324 to 1.8e308";
   return text.size() > most_characters ? "a number of more than 100 characters"
                                        : "in SI units too large or too small for a double, 5e-324 to 1.8e308";

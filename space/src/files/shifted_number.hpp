@@ -18,6 +18,8 @@ struct ScannedNumber {
 std::optional<ScannedNumber> scan_shifted(const char* at, const char* end, int shift);
 /// Whether the text is a finite number, of any size and length.
 bool is_finite_number(std::string_view text);
+/// What to do about a number of Fortran, such as 1.5D-03; empty for another text.
+const char* exponent_fault(std::string_view text);
 /// Why parse_shifted gives nothing for the text and the shift.
 const char* number_fault(std::string_view text, int shift);
 /// The shortest text of the number times 10^-shift that parse_shifted reads as the same number, with the

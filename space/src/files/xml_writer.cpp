@@ -50,15 +50,11 @@ class XmlWriter {
 
  private:
   void leaf(const std::string& keyword, std::string_view value, std::string_view attributes = "") {
-    out_.append("<").append(keyword).append(attributes).append(">").append(escaped(value)).append("</");
-    out_.append(keyword).append(">\n");
+    out_ += xml_leaf(keyword, value, attributes);
   }
   void line() {
     if (reader_.is_comment()) {
-      const std::string comment = reader_.comment();
-      if (first_not_utf8(comment) != comment.size())
-        throw BadInput(reader_.place() + ": the comment '" + excerpt(comment) + "' is not UTF-8");
-      leaf("COMMENT", comment);
+      out_ += xml_comment(reader_.place(), reader_.comment());
     } else if (reader_.is("META_START")) {
       end_covariance();
       out_ += std::exchange(in_header_, false) ? "</header>\n<body>\n" : "</data></segment>\n";
@@ -137,6 +133,18 @@ class XmlWriter {
 };
 
 }  // namespace
+
+std::string xml_leaf(std::string_view keyword, std::string_view value, std::string_view attributes) {
+  std::string out;
+  out.append("<").append(keyword).append(attributes).append(">").append(escaped(value)).append("</");
+  return out.append(keyword).append(">\n");
+}
+
+std::string xml_comment(const std::string& place, const std::string& comment) {
+  if (first_not_utf8(comment) != comment.size())
+    throw BadInput(place + ": the comment '" + excerpt(comment) + "' is not UTF-8");
+  return xml_leaf("COMMENT", comment);
+}
 
 std::string xml_of(const std::string& kvn, const MessageKind& kind) {
   return XmlWriter(kvn, kind).text();

@@ -1,6 +1,7 @@
 #include <vectrix/space/orbit/orbit_mean_elements_message.hpp>
 
 #include <algorithm>
+#include <utility>
 
 #include <vectrix/frames/errors.hpp>
 
@@ -23,6 +24,12 @@ bool of_the_standard(std::string_view keyword) {
                      [&](const auto& known) { return known.name == keyword; });
 }
 
+// Its comments stand together, behind the version.
+bool is_of_the_header(std::string_view keyword) {
+  return keyword == "CLASSIFICATION" || keyword == "CREATION_DATE" || keyword == "ORIGINATOR" ||
+         keyword == "MESSAGE_ID";
+}
+
 }  // namespace
 
 namespace detail {
@@ -36,9 +43,17 @@ class OrbitMeanElementsReader {
     if (!omm.has(version_.value)) fail(version_, "the versions are " + omm.list());
   }
 
+  void add_comment(std::string comment) { pending_.push_back(std::move(comment)); }
+
   void add(KvnLine line) {
     if (!of_the_standard(line.keyword)) {
       if (const std::string fault = other_fault(omm, line.keyword); !fault.empty()) fail(line, fault);
+    }
+    if (!pending_.empty()) {
+      auto& comments =
+          comments_[is_of_the_header(line.keyword) ? std::string{version_keyword} : line.keyword];
+      comments.insert(comments.end(), pending_.begin(), pending_.end());
+      pending_.clear();
     }
     entries_.add(std::move(line));
   }
@@ -73,6 +88,8 @@ class OrbitMeanElementsReader {
       message.catalogue_number_ = entries_.whole(*catalogue);
     for (const auto& [keyword, entry] : entries_.all()) message.values_.emplace(keyword, entry.value);
     message.values_.emplace(version_keyword, version_.value);
+    message.comments_ = comments_;
+    if (!pending_.empty()) message.comments_.emplace("", pending_);
     return message;
   }
 
@@ -92,8 +109,11 @@ class OrbitMeanElementsReader {
     if (!(value >= 0.0 && value <= most)) fail(given, "not in [0, " + detail::text(most) + "] deg");
     return convert<si::angle>(value * si::degree);
   }
+
   KvnLine version_;
   KvnEntries entries_;
+  std::vector<std::string> pending_;  // comments before the next keyword
+  std::map<std::string, std::vector<std::string>, std::less<>> comments_;
 };
 
 }  // namespace detail
@@ -113,15 +133,21 @@ std::vector<OrbitMeanElementsMessage> joined(std::vector<std::vector<OrbitMeanEl
 std::vector<OrbitMeanElementsMessage> detail::read_omm(detail::KvnReader& lines) {
   std::vector<OrbitMeanElementsMessage> all;
   std::optional<OrbitMeanElementsReader> reader;
+  std::vector<std::string> before;  // comments before the first message
   while (lines.next()) {
     if (lines.is_comment()) {
-      static_cast<void>(lines.comment());
+      if (reader) {
+        reader->add_comment(lines.comment());
+      } else {
+        before.push_back(lines.comment());
+      }
       continue;
     }
     detail::KvnLine line = lines.keyword();
     if (line.keyword == version_keyword) {
       if (reader) all.push_back(reader->message());
       reader.emplace(lines.place(), std::move(line));
+      for (std::string& comment : std::exchange(before, {})) reader->add_comment(std::move(comment));
     } else if (reader) {
       reader->add(std::move(line));
     } else {

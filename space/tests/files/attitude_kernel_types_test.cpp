@@ -95,6 +95,52 @@ TEST(AttitudeKernel, Type2TurnsAtTheRateOfItsRecord) {
   }
 }
 
+// Three intervals: the second goes on where the first ends, and before the third is a gap.
+TEST(AttitudeKernel, Type2HasSamplesOfEachInterval) {
+  const std::vector<double> starts{0.0, 1000.0, 3000.0}, stops{1000.0, 2000.0, 9000.0};
+  std::vector<double> numbers;
+  for (const double start : starts) {
+    add(numbers, steady(start / 100.0), 5.0, true);
+    numbers.push_back(0.01);  // seconds per tick
+  }
+  numbers.insert(numbers.end(), starts.begin(), starts.end());
+  numbers.insert(numbers.end(), stops.begin(), stops.end());
+  const auto kernel = written({segment("S", 2, true, numbers, 0.0, 9000.0)});
+  const auto body = called<Body>("-77001");
+  const auto samples = kernel.samples(of<Body>, relative_to<Gcrf>, kernel.span(), body);
+  const auto rates = kernel.recorded_rates(of<Body>, relative_to<Gcrf>, kernel.span(), body);
+  // In 60 s it turns by 3.7 rad: three steps of less than a quarter of a turn.
+  const std::vector<double> expected{0.0, 1000.0, 2000.0, 3000.0, 5000.0, 7000.0, 9000.0};
+  ASSERT_EQ(samples.size(), expected.size());
+  ASSERT_EQ(rates.size(), expected.size());
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    EXPECT_NEAR((samples[i].time - at_ticks(expected[i])).value(), 0.0, 1e-9);
+    EXPECT_LT((samples[i].q_a_from_b.eigen().conjugate().toRotationMatrix() -
+               steady(expected[i] / 100.0).q.toRotationMatrix())
+                  .norm(),
+              clock_rounding)
+        << expected[i];
+    EXPECT_EQ(rates[i].coordinates(), w);
+  }
+  EXPECT_EQ(
+      kernel.samples(of<Body>, relative_to<Gcrf>, from_until(at_ticks(900.0), at_ticks(3500.0)), body).size(),
+      3U);
+}
+
+TEST(AttitudeKernel, Type2RefusesSamplesOfTurnsWithoutEnd) {
+  std::vector<double> numbers;
+  Turn fast = steady(0.0);
+  fast.w = {0.0, 0.0, 1e6};
+  add(numbers, fast, 1.0, true);
+  numbers.insert(numbers.end(), {0.01, 0.0, 9000.0});
+  const auto kernel = written({segment("S", 2, true, numbers, 0.0, 9000.0)});
+  EXPECT_NE(
+      complaint([&] {
+        static_cast<void>(kernel.samples(of<Body>, relative_to<Gcrf>, kernel.span(), called<Body>("-77001")));
+      }).find("turns at one rate; attitude() has them"),
+      std::string::npos);
+}
+
 TEST(AttitudeKernel, Type1HasSingleAttitudes) {
   for (const bool rates : {false, true}) {
     const auto ticks = ticks_from(0.0, 100.0, 301);

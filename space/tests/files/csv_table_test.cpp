@@ -121,8 +121,13 @@ TEST(CsvTable, RefusesAWrongHeader) {
 
 TEST(CsvTable, RefusesAWrongNumberOfFields) {
   EXPECT_EQ(refusal("t,x\n1,2\n3\n"), "table FILE, line 3, column 2 ('x'): 1 fields instead of 2");
+  EXPECT_EQ(refusal("t,x\n1,1.5D-03\n"),
+            "table FILE, line 2, column 2 ('x'): '1.5D-03' is not a number; its exponent has the letter D, "
+            "where E is "
+            "needed");
   EXPECT_EQ(refusal("t,x\n1,2,3\n"), "table FILE, line 2, column 4: 3 fields instead of 2");
-  EXPECT_EQ(refusal("t,x\n1,2\n\n"), "table FILE, line 3, column 2 ('x'): 1 fields instead of 2");
+  EXPECT_EQ(refusal("t,x\n1,2\n\n"),
+            "table FILE, line 3: the line is empty; a table has no empty lines, also at its end");
 }
 
 TEST(CsvTable, RefusesWhatIsNotAFiniteNumber) {

@@ -1,5 +1,5 @@
 // Any file is an XML document of messages or is refused. The text of each message in keyword-value notation
-// reads back as the same text; so does the XML of an ephemeris.
+// reads back as the same text; so does the XML of an ephemeris and of mean elements.
 #include <vectrix/space/files/navigation_data_message.hpp>
 
 #include "input_file.hpp"
@@ -32,5 +32,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   require_reads_back(message->attitude_parameters);
   require_reads_back(message->orbit_ephemerides);
   require_reads_back(message->orbit_parameters);
+  require_reads_back(message->orbit_mean_elements);
+  require_xml_reads_back(message->orbit_mean_elements);
   return 0;
 }

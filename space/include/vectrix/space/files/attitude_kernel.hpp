@@ -124,7 +124,9 @@ class VECTRIX_EXPORT AttitudeKernel {
       Of<B>, RelativeTo<A>, const TimeSpan&, const Given&...) const
       -> detail::UnclaimedPair<A, B, Given...> = delete;
 
-  /// The records of types 1 and 3 within the span, in the order of time. BadInput if two segments overlap.
+  /// The records of types 1 and 3 within the span, in the order of time. Of type 2, which has rotations at
+  /// constant rate: the begin of each, its end if the next one does not begin there, and between them steps
+  /// of at most a quarter of a turn. BadInput if two segments overlap.
   template <Frame B, Frame A, class... Given>
   [[nodiscard]] detail::ClaimedPair<A, B, std::vector<AttitudeSample<A, B, Epoch>>, Given...> samples(
       Of<B>, RelativeTo<A>, const TimeSpan& span, const Given&... called) const {
@@ -154,7 +156,7 @@ class VECTRIX_EXPORT AttitudeKernel {
       Of<B>, RelativeTo<A>, const TimeSpan&, const Given&...) const
       -> detail::UnclaimedPair<A, B, Given...> = delete;
 
-  /// The record of types 1 and 3 next to the epoch. BadInput if it is farther away than the tolerance.
+  /// The sample next to the epoch. BadInput if it is farther away than the tolerance.
   template <Frame B, Frame A, class... Given>
   [[nodiscard]] detail::ClaimedPair<A, B, AttitudeSample<A, B, Epoch>, Given...> nearest_sample(
       Of<B>, RelativeTo<A>, const Epoch& t, const Quantity<si::time>& tolerance,

@@ -10,7 +10,9 @@
 #include <vector>
 
 #include <vectrix/frames/export.hpp>
+#include <vectrix/space/files/ephemeris_metadata.hpp>
 #include <vectrix/space/orbit/mean_elements.hpp>
+#include <vectrix/space/orbit/two_line_elements.hpp>
 
 namespace vectrix {
 namespace detail {
@@ -30,6 +32,16 @@ class OrbitMeanElementsReader;
 /// the standard, so that it may be a slip, and one that is there twice are refused. The order is not checked.
 class VECTRIX_EXPORT OrbitMeanElementsMessage {
  public:
+  /// A message of elements, for SGP4. `more` are other keywords and their values: NORAD_CAT_ID,
+  /// USER_DEFINED_X. Throws BadInput for what parse() would refuse.
+  OrbitMeanElementsMessage(const MessageHeader& header, const std::string& object_name,
+                           const std::string& object_id, const MeanElements& elements,
+                           const std::vector<OtherKeyword>& more = {});
+  /// The message of two-line elements, with the same digits: the title is the name of the object, 98067A its
+  /// id 1998-067A. MEAN_MOTION_DOT and MEAN_MOTION_DDOT are, as in the messages of CelesTrak and Space-Track,
+  /// the numbers of the lines: half of the derivative, and a sixth of the second one.
+  OrbitMeanElementsMessage(const MessageHeader& header, const TwoLineElements& set);
+
   /// Of one message. The end of the text ends its last line. Throws BadInput with line, column, keyword and
   /// what was found there, or the keyword that is missing.
   static OrbitMeanElementsMessage parse(std::string_view text);
@@ -50,15 +62,39 @@ class VECTRIX_EXPORT OrbitMeanElementsMessage {
     const auto found = values_.find(keyword);
     return found == values_.end() ? nullptr : &found->second;
   }
+  /// All keywords and values, also of what is not of the standard.
+  [[nodiscard]] const std::map<std::string, std::string, std::less<>>& values() const { return values_; }
+  /// The comments before a keyword, with CCSDS_OMM_VERS those of the header, with "" those behind the last
+  /// one; null if there are none.
+  [[nodiscard]] const std::vector<std::string>* comments(std::string_view keyword) const {
+    const auto found = comments_.find(keyword);
+    return found == comments_.end() ? nullptr : &found->second;
+  }
+
+  /// The message with another value of a keyword. Throws BadInput for one that parse() would refuse.
+  [[nodiscard]] OrbitMeanElementsMessage with(std::string_view keyword, const std::string& value) const;
+
+  /// The message in keyword-value notation, and in XML: each value as it was written, in the order of the
+  /// standard, what is not of it at the end.
+  [[nodiscard]] std::string text() const;
+  [[nodiscard]] std::string xml() const;
+  /// In XML if the name ends in .xml. Throws BadInput if the file cannot be written.
+  void write(const std::filesystem::path& file) const;
+  /// Several in one file; in XML they are a combined message, NDM.
+  static void write(const std::filesystem::path& file, const std::vector<OrbitMeanElementsMessage>& messages);
+  static std::string text_of(const std::vector<OrbitMeanElementsMessage>& messages, bool is_xml);
 
  private:
   friend class detail::OrbitMeanElementsReader;
 
   explicit OrbitMeanElementsMessage(const MeanElements& elements) : elements_(elements) {}
 
+  [[nodiscard]] std::string xml_element() const;
+
   MeanElements elements_;
   std::optional<std::int64_t> catalogue_number_;
   std::map<std::string, std::string, std::less<>> values_;
+  std::map<std::string, std::vector<std::string>, std::less<>> comments_;
 };
 
 }  // namespace vectrix
