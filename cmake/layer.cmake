@@ -55,7 +55,8 @@ function(vectrix_missing layer what wanted)
   message(STATUS "vectrix::${layer} needs ${what}: left out")
 endfunction()
 
-# tests/**_test.cpp of the current folder: one program vectrix_<layer>_tests; files of refused programs: one test each.
+# tests/**_test.cpp of the current folder: one program vectrix_<layer>_tests, a test for each of its suites; files of refused
+# programs: one test each.
 function(vectrix_tests layer)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS tests/*_test.cpp)
   if(VECTRIX_BUILD_TESTS AND sources)
@@ -69,7 +70,12 @@ function(vectrix_tests layer)
       target_precompile_headers(vectrix_${layer}_tests PRIVATE <gtest/gtest.h> <rapidcheck/gtest.h> <vectrix/${layer}.hpp>)
     endif()
     vectrix_compile_together(vectrix_${layer}_tests)
-    gtest_discover_tests(vectrix_${layer}_tests TEST_PREFIX ${layer}. DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 300)
+    set(suites ${CMAKE_CURRENT_BINARY_DIR}/vectrix_${layer}_suites.cmake)
+    file(GENERATE OUTPUT ${suites} CONTENT "set(layer ${layer})
+set(program \"$<TARGET_FILE:vectrix_${layer}_tests>\")
+include(\"${PROJECT_SOURCE_DIR}/cmake/suites.cmake\")
+")
+    set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES ${suites})
   endif()
   if(VECTRIX_REFUSED_TESTS)
     vectrix_refused_tests(${layer})
