@@ -55,7 +55,16 @@ function(vectrix_missing layer what wanted)
   message(STATUS "vectrix::${layer} needs ${what}: left out")
 endfunction()
 
-# tests/**_test.cpp of the current folder: one program vectrix_<layer>_tests; files of refused programs: one test each.
+# Options of the programs of tests alone, which are half of what is compiled. g++ optimises them less than the libraries, the
+# examples, accuracy and validate, which instantiate the same headers at -O2. Under the sanitizers they do not look for null
+# and for wrongly aligned pointers themselves, as the libraries do: the address sanitizer stops at each use of the one, the
+# processor at Eigen's use of the other.
+set(VECTRIX_TEST_OPTIONS "" CACHE STRING "Options of the programs of tests alone")
+separate_arguments(test_options NATIVE_COMMAND "${VECTRIX_TEST_OPTIONS}")
+mark_as_advanced(VECTRIX_TEST_OPTIONS)
+
+# tests/**_test.cpp of the current folder: one program vectrix_<layer>_tests, a test for each of its suites; files of refused
+# programs: one test each.
 function(vectrix_tests layer)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS tests/*_test.cpp)
   if(VECTRIX_BUILD_TESTS AND sources)
@@ -64,12 +73,18 @@ function(vectrix_tests layer)
     target_include_directories(vectrix_${layer}_tests PRIVATE tests ${PROJECT_SOURCE_DIR})
     target_compile_features(vectrix_${layer}_tests PRIVATE cxx_std_20)
     target_compile_definitions(vectrix_${layer}_tests PRIVATE VECTRIX_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+    target_compile_options(vectrix_${layer}_tests PRIVATE ${test_options})
     vectrix_warnings(vectrix_${layer}_tests)
     if(EXISTS ${PROJECT_SOURCE_DIR}/${layer}/include/vectrix/${layer}.hpp)
       target_precompile_headers(vectrix_${layer}_tests PRIVATE <gtest/gtest.h> <rapidcheck/gtest.h> <vectrix/${layer}.hpp>)
     endif()
     vectrix_compile_together(vectrix_${layer}_tests)
-    gtest_discover_tests(vectrix_${layer}_tests TEST_PREFIX ${layer}. DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 300)
+    set(suites ${CMAKE_CURRENT_BINARY_DIR}/vectrix_${layer}_suites.cmake)
+    file(GENERATE OUTPUT ${suites} CONTENT "set(layer ${layer})
+set(program \"$<TARGET_FILE:vectrix_${layer}_tests>\")
+include(\"${PROJECT_SOURCE_DIR}/cmake/suites.cmake\")
+")
+    set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES ${suites})
   endif()
   if(VECTRIX_REFUSED_TESTS)
     vectrix_refused_tests(${layer})

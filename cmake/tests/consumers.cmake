@@ -53,9 +53,16 @@ endif()
 
 consumer(installed package "frames;kinematics;${libraries}" ${hidden})
 consumer(fetched fetch "frames;kinematics" ${hidden})
-consumer(subdirectory subdirectory "frames;kinematics;${libraries}")
 consumer(installed_headers package "frames;kinematics" ${hidden})
 consumer(subdirectory_headers subdirectory "frames;kinematics" ${hidden})
+
+# The library inside a user's project: all layers are configured, one is compiled a second time. How it is compiled is stated
+# by one function for all, and consumer/ sees that no layer takes a path from the user's project.
+set(compiled frames)
+if(TARGET vectrix_space)
+  set(compiled space)
+endif()
+consumer(subdirectory subdirectory "frames;kinematics;${libraries}" BUILD ${compiled})
 
 # Without the solvers space is there, which is decided before anything is compiled. If dynamics is requested explicitly
 # and its solvers are missing, the error is clear; an unknown component is not found.

@@ -57,7 +57,7 @@ Eigen::Vector3d KernelTurns::recorded_rate(const Epoch& epoch) const {
 
 namespace {
 
-bool is_read(int type) {
+bool is_read_attitude(int type) {
   return type >= 1 && type <= 3;
 }
 
@@ -96,7 +96,7 @@ AttitudeKernel AttitudeKernel::open(const std::filesystem::path& file, const Spa
     } catch (const BadInput& error) {
       throw BadInput(place + ": " + error.what());
     }
-    if (is_read(segment.type)) static_cast<void>(detail::attitude_layout(daf, array, place));
+    if (is_read_attitude(segment.type)) static_cast<void>(detail::attitude_layout(daf, array, place));
   }
   if (kernel.segments_.empty()) throw BadInput(daf.place() + ": it has no segments");
   return kernel;
@@ -148,7 +148,7 @@ std::vector<detail::AttitudeRecords> AttitudeKernel::load(const std::vector<std:
     const AttitudeKernelSegment& segment = segments_[i];
     const DafFile::Array& array = file_.arrays()[i];
     if (segment.end < span.start() || span.end() < segment.start) continue;
-    if (!is_read(segment.type))
+    if (!is_read_attitude(segment.type))
       throw BadInput(place_of(i) + ": it is of type " + detail::text(segment.type) +
                      "; the types 1, 2 and 3 are read");
     const double first = span.start() <= segment.start ? array.doubles[0] : clock_.ticks(span.start()).count;

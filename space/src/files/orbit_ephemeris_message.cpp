@@ -18,10 +18,10 @@ using detail::KvnReader, detail::kilo;
 
 constexpr const detail::MessageKind& oem = detail::orbit_ephemeris;
 
-constexpr std::size_t without_acceleration = 6;
+constexpr std::size_t numbers_without_acceleration = 6;
 detail::DataColumns columns() {
   return {{"X", "Y", "Z", "X_DOT", "Y_DOT", "Z_DOT", "X_DDOT", "Y_DDOT", "Z_DDOT"},
-          without_acceleration,
+          numbers_without_acceleration,
           kilo,
           "a line of data has an epoch and 6 numbers, or 9",
           "META_START or COVARIANCE_START"};
@@ -84,11 +84,11 @@ class OrbitSegmentReader {
   detail::OrbitLine line(detail::DataReader& data) const {
     const auto [time, size, x] = data.read();
     detail::OrbitLine line{time, {x[0], x[1], x[2]}, {x[3], x[4], x[5]}, {}};
-    if (size == without_acceleration) return line;
+    if (size == numbers_without_acceleration) return line;
     if (is_oldest(version_)) {
       std::array<std::string_view, KvnReader::most_words> words{};
       static_cast<void>(reader_.words(words));
-      reader_.fail(words[without_acceleration + 1], "X_DDOT", "version 1.0 has no acceleration");
+      reader_.fail(words[numbers_without_acceleration + 1], "X_DDOT", "version 1.0 has no acceleration");
     }
     line.acceleration.emplace(x[6], x[7], x[8]);
     return line;

@@ -6,9 +6,10 @@
 #include <vectrix/space.hpp>
 
 #include "damage.hpp"
+#include "testing/trials.hpp"
 
 // Damaged ephemerides: a reader accepts them, and then what it writes reads back as the same, or throws a
-// BadInput with the place and a reason.
+// BadInput with the place and a reason. Under the sanitizers the fuzz programs of both readers do more.
 namespace vectrix::damaged_ephemerides_test {
 namespace {
 
@@ -80,7 +81,8 @@ template <class Message> std::optional<Message> read(const std::string& text, co
 template <class Message> void run(const std::string& text, const std::string& place, std::uint64_t seed) {
   Damage damage(seed);
   int accepted = 0, refused = 0;
-  for (int i = 0; i < 4000; ++i) {
+  const int times = vectrix_test::trials(4000);
+  for (int i = 0; i < times; ++i) {
     const std::string damaged = damage.of(text);
     const auto message = read<Message>(damaged, place);
     ++(message ? accepted : refused);
@@ -92,8 +94,8 @@ template <class Message> void run(const std::string& text, const std::string& pl
       ADD_FAILURE() << "what was read is not written and read again: " << error.what() << " of\n" << damaged;
     }
   }
-  EXPECT_GT(accepted, 50);
-  EXPECT_GT(refused, 3000);
+  EXPECT_GT(accepted, times / 80);
+  EXPECT_GT(refused, times * 3 / 4);
 }
 
 TEST(DamagedEphemerides, OfOrbits) {

@@ -39,6 +39,9 @@ inline constexpr bool converts =
 template <class U, class V>
 inline constexpr double conversion_factor = bu::conversion_factor(boost_unit<V>{}, boost_unit<U>{});
 
+/// 1/U, for an operand T: looked up for a division alone, which few units have.
+template <class U, class T> struct Inverse { using type = unit_quotient<si::dimensionless, U>; };
+
 /// The one of two scalars that the other fits into.
 template <class S, class T>
   requires FitsInto<T, S> || FitsInto<S, T>
@@ -171,7 +174,7 @@ template <Unit U, class S> class Quantity {
     return {detail::trusted, x.value_ / detail::factor<S>(k)};
   }
   template <detail::Number T>
-  friend constexpr Quantity<unit_quotient<si::dimensionless, U>, detail::Wider<S, T>> operator/(
+  friend constexpr Quantity<typename detail::Inverse<U, T>::type, detail::Wider<S, T>> operator/(
       const T& k, const Quantity& x) {
     return {detail::trusted, detail::factor<S>(k) / x.value_};
   }
@@ -207,7 +210,7 @@ template <Unit U> struct UnitConstant {
     return {detail::trusted, static_cast<detail::Measure<S>>(number)};
   }
   template <detail::Number S>
-  friend constexpr Quantity<unit_quotient<si::dimensionless, U>, detail::Measure<S>> operator/(
+  friend constexpr Quantity<typename detail::Inverse<U, S>::type, detail::Measure<S>> operator/(
       const S& number, UnitConstant) {
     return {detail::trusted, static_cast<detail::Measure<S>>(number)};
   }

@@ -32,6 +32,10 @@ template <class U, long base, long power>
 using Scaled = typename bu::make_scaled_unit<U, bu::scale<base, bu::static_rational<power>>>::type;
 
 struct UnitTag {};
+/// base^power times a unit.
+template <class U, long base, long power> struct Multiple;
+/// A tag with a definition, which Boost is asked for when the unit is used.
+template <class Definition> struct DefinedAs : UnitTag { using definition = Definition; };
 
 // Boost's own degree is off by 6.6e-14 of itself: it writes pi with twelve digits. The number orders the base
 // units of one system.
@@ -58,6 +62,7 @@ namespace si {
 template <int metre, int kilogram, int second, int radian = 0, int ampere = 0, int kelvin = 0>
 struct unit : detail::UnitTag {
   using coherent = unit;
+  using definition = unit;
 };
 
 struct dimensionless : unit<0, 0, 0> {};
@@ -87,23 +92,23 @@ struct gravitational_parameter : unit<3, 0, -2> {};
 /// Of mass.
 struct density : unit<-3, 1, 0> {};
 
-// Not coherent with SI: convert<U>() takes them in, nothing else does.
-struct kilometre_unit : detail::UnitTag {};
-struct millisecond_unit : detail::UnitTag {};
-struct minute_unit : detail::UnitTag {};
-struct hour_unit : detail::UnitTag {};
-/// 86400 s; a day of UTC may have 86401.
-struct day_unit : detail::UnitTag {};
-struct degree_unit : detail::UnitTag {};
-struct arcsecond_unit : detail::UnitTag {};
-struct revolution_unit : detail::UnitTag {};
-struct revolution_per_minute_unit : detail::UnitTag {};
-struct degree_per_second_unit : detail::UnitTag {};
-struct nanotesla_unit : detail::UnitTag {};
-
 /// A product or a quotient that is neither coherent nor has a name: per<degree_unit, hour_unit>.
 template <Unit U, Unit V> struct times : detail::UnitTag {};
 template <Unit U, Unit V> struct per : detail::UnitTag {};
+
+// Not coherent with SI: convert<U>() takes them in, nothing else does.
+struct kilometre_unit : detail::DefinedAs<detail::Multiple<length, 10, 3>> {};
+struct millisecond_unit : detail::DefinedAs<detail::Multiple<time, 10, -3>> {};
+struct minute_unit : detail::DefinedAs<detail::Multiple<time, 60, 1>> {};
+struct hour_unit : detail::DefinedAs<detail::Multiple<time, 60, 2>> {};
+/// 86400 s; a day of UTC may have 86401.
+struct day_unit : detail::DefinedAs<detail::Multiple<time, 86400, 1>> {};
+struct degree_unit : detail::UnitTag {};
+struct arcsecond_unit : detail::DefinedAs<detail::Multiple<degree_unit, 60, -2>> {};
+struct revolution_unit : detail::DefinedAs<detail::Multiple<degree_unit, 360, 1>> {};
+struct revolution_per_minute_unit : detail::DefinedAs<per<revolution_unit, minute_unit>> {};
+struct degree_per_second_unit : detail::DefinedAs<per<degree_unit, time>> {};
+struct nanotesla_unit : detail::DefinedAs<detail::Multiple<magnetic_flux_density, 10, -9>> {};
 /// Any other unit of Boost's.
 template <class BoostUnit> struct derived : detail::UnitTag {};
 
@@ -117,7 +122,7 @@ template <class Dimension, int power, class Others>
 using WithDimension =
     std::conditional_t<power == 0, Others, bu::list<bu::dim<Dimension, bu::static_rational<power>>, Others>>;
 
-template <class U> struct BoostUnit : BoostUnit<typename U::coherent> {};
+template <class U> struct BoostUnit : BoostUnit<typename U::definition> {};
 template <int m, int kg, int s, int rad, int A, int K> struct BoostUnit<si::unit<m, kg, s, rad, A, K>> {
   using Powers = WithDimension<
       bu::length_base_dimension, m,
@@ -139,21 +144,10 @@ template <class U, class V> struct BoostUnit<si::per<U, V>> {
 };
 template <class U> struct BoostUnit<si::derived<U>> { using type = U; };
 
-template <> struct BoostUnit<si::kilometre_unit> { using type = Scaled<BoostUnitOf<si::length>, 10, 3>; };
-template <> struct BoostUnit<si::millisecond_unit> { using type = Scaled<BoostUnitOf<si::time>, 10, -3>; };
-template <> struct BoostUnit<si::minute_unit> { using type = Scaled<BoostUnitOf<si::time>, 60, 1>; };
-template <> struct BoostUnit<si::hour_unit> { using type = Scaled<BoostUnitOf<si::time>, 60, 2>; };
-template <> struct BoostUnit<si::day_unit> { using type = Scaled<BoostUnitOf<si::time>, 86400, 1>; };
+template <class U, long base, long power> struct BoostUnit<Multiple<U, base, power>> {
+  using type = Scaled<BoostUnitOf<U>, base, power>;
+};
 template <> struct BoostUnit<si::degree_unit> { using type = Degree::unit_type; };
-template <> struct BoostUnit<si::arcsecond_unit> { using type = Scaled<Degree::unit_type, 60, -2>; };
-template <> struct BoostUnit<si::revolution_unit> { using type = Scaled<Degree::unit_type, 360, 1>; };
-template <>
-struct BoostUnit<si::revolution_per_minute_unit> : BoostUnit<si::per<si::revolution_unit, si::minute_unit>> {
-};
-template <> struct BoostUnit<si::degree_per_second_unit> : BoostUnit<si::per<si::degree_unit, si::time>> {};
-template <> struct BoostUnit<si::nanotesla_unit> {
-  using type = Scaled<BoostUnitOf<si::magnetic_flux_density>, 10, -9>;
-};
 
 // And back. A table is a class whose bases are its rows: the compiler finds the row of a key, and takes the
 // key itself where there is none.

@@ -112,9 +112,11 @@ LinearCraft<C, Input...> linearise(const CraftScenario<C, Parts...>& scenario, c
   std::array<Dual, inputs + 1> u{};
   auto rates = detail::dual_rates(duals, detail::held_loads(scenario.parts(), start.held),
                                   detail::InputLoad<C, Dual, Input...>{u.data()});
-  LinearSystem system;
-  Eigen::MatrixXd of_outputs;
-  const auto column = [&](const Eigen::VectorXd& along, Eigen::Index i) {
+  LinearCraft<C, Input...> system{LinearSystem{}};
+  decltype(system.A) of_outputs;
+  // Along the error i; along none from n on.
+  const auto column = [&](Eigen::Index i) {
+    const auto along = decltype(of_outputs)::Identity(n, n + m).col(i).eval();
     typename CraftState<C, Dual>::Numbers y{}, ydot{};
     errors.depart(start.y, along, y);
     rates(state.time().value(), y.data(), ydot.data());
@@ -134,18 +136,16 @@ LinearCraft<C, Input...> linearise(const CraftScenario<C, Parts...>& scenario, c
   of_outputs.resize(0, n + m);
   system.A.resize(n, n);
   system.B.resize(n, m);
-  for (Eigen::Index i = 0; i < n; ++i) system.A.col(i) = column(Eigen::VectorXd::Unit(n, i), i);
+  for (Eigen::Index i = 0; i < n; ++i) system.A.col(i) = column(i);
   for (Eigen::Index i = 0; i < m; ++i) {
     u[static_cast<std::size_t>(i)] = {0.0, 1.0};
-    system.B.col(i) = column(Eigen::VectorXd::Zero(n), n + i);
+    system.B.col(i) = column(n + i);
     u[static_cast<std::size_t>(i)] = 0.0;
   }
   system.C = of_outputs.leftCols(n);
   system.D = of_outputs.rightCols(m);
 
-  const auto add = [](std::vector<std::string>& names, const std::vector<std::string>& more) {
-    names.insert(names.end(), more.begin(), more.end());
-  };
+  const auto add = [](auto& names, const auto& more) { names.insert(names.end(), more.begin(), more.end()); };
   system.state_names = errors.names();
   (add(system.input_names, detail::InputOn<C, Input>::names()), ...);
   std::apply(
@@ -157,7 +157,7 @@ LinearCraft<C, Input...> linearise(const CraftScenario<C, Parts...>& scenario, c
   detail::require_derivatives(core, system.B, system.state_names, system.input_names);
   detail::require_derivatives(core, system.C, system.output_names, system.state_names);
   detail::require_derivatives(core, system.D, system.output_names, system.input_names);
-  return LinearCraft<C, Input...>(std::move(system));
+  return system;
 }
 
 template <CraftType C, class... Parts, CraftType GivenC, class Inputs = CraftInputs<>,

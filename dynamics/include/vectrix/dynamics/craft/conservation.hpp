@@ -28,7 +28,7 @@ template <class F, class U> Eigen::Vector3d plain_value(const Vector<F, U>& valu
 inline double size_of(double value) {
   return std::abs(value);
 }
-inline double size_of(const Eigen::Vector3d& value) {
+template <class S> S size_of(const Eigen::Matrix<S, 3, 1>& value) {
   return value.norm();
 }
 

@@ -13,9 +13,9 @@ using Square3 = multibody::Square<double>;
 template <class S> multibody::Column<S> numbers(const Eigen::Matrix<S, 3, 1>& v) {
   return {v.x(), v.y(), v.z()};
 }
-inline Square3 numbers(const Eigen::Matrix3d& m) {
-  return {numbers(Eigen::Vector3d(m.col(0))), numbers(Eigen::Vector3d(m.col(1))),
-          numbers(Eigen::Vector3d(m.col(2)))};
+template <class S> multibody::Square<S> numbers(const Eigen::Matrix<S, 3, 3>& m) {
+  const auto column = [&m](Eigen::Index j) { return multibody::Column<S>{m(0, j), m(1, j), m(2, j)}; };
+  return {column(0), column(1), column(2)};
 }
 /// The six numbers of a symmetric matrix.
 inline multibody::Symmetric<double> symmetric(const Eigen::Matrix3d& m) {
@@ -29,7 +29,7 @@ template <class S> Eigen::Matrix<S, 3, 3> eigen(const multibody::Square<S>& m) {
   matrix << m.x.x, m.y.x, m.z.x, m.x.y, m.y.y, m.z.y, m.x.z, m.y.z, m.z.z;
   return matrix;
 }
-inline void append(std::vector<double>& numbers, const Eigen::Vector3d& v) {
+template <class S> void append(std::vector<S>& numbers, const Eigen::Matrix<S, 3, 1>& v) {
   numbers.insert(numbers.end(), {v.x(), v.y(), v.z()});
 }
 template <class S> multibody::Square<S> transposed(const multibody::Square<S>& m) {

@@ -10,7 +10,7 @@ namespace vectrix::detail {
 /// for x < 0, which sets errno, and saves all registers around it.
 template <class S> S square_root(const S& x) {
   if constexpr (std::is_same_v<S, double>) {
-    return Eigen::Array2d(x, x).sqrt()[0];
+    return Eigen::Array<S, 2, 1>(x, x).sqrt()[0];
   } else {
     using std::sqrt;
     return sqrt(x);

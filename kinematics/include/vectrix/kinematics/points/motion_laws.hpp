@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <utility>
 #include <vectrix/kinematics/points/moving_transform.hpp>
 #include <vectrix/kinematics/rates/hat.hpp>
 #include <vectrix/kinematics/samples/instant.hpp>
@@ -49,7 +50,8 @@ void require_motion_laws(const Function& f, const I& t, const Quantity<si::time>
   using Known = LevelOf<Value>;
   using A = typename Known::first;
   using B = typename Known::second;
-  using Eigen::Matrix3d, Eigen::Vector3d;
+  using Matrix = std::remove_cvref_t<decltype(rotation_of(std::declval<Value>()).matrix())>;
+  using Column = Eigen::Matrix<typename Matrix::Scalar, 3, 1>;
   const double h = step.value();
   if (!(h > 0.0 && std::isfinite(h)))
     throw BadInput("require_motion_laws: the step is " + detail::text(h) + " s");
@@ -60,27 +62,28 @@ void require_motion_laws(const Function& f, const I& t, const Quantity<si::time>
   };
 
   const Value now = at(0.0);
-  const auto rotation = [&](double s) -> Matrix3d { return rotation_of(at(s)).matrix(); };
-  const Matrix3d R = rotation(0.0);
-  const double apart = (R.transpose() * R - Matrix3d::Identity()).cwiseAbs().maxCoeff<Eigen::PropagateNaN>();
+  const auto rotation = [&](double s) -> Matrix { return rotation_of(at(s)).matrix(); };
+  const Matrix R = rotation(0.0);
+  const double apart =
+      (R.transpose() * R - Matrix::Identity()).cwiseAbs().template maxCoeff<Eigen::PropagateNaN>();
   if (!(apart <= tolerance)) {
     throw BadInput("the rotation of " + frame_name<B>() + " relative to " + frame_name<A>() + " at " +
                    detail::instant_text(t) + " is none: R^T R differs from I by " + detail::text(apart));
   }
   if constexpr (Known::level >= Level::rate) {
-    const Matrix3d Rdot = R * hat(angular_velocity_of(now).coordinates());
+    const Matrix Rdot = R * hat(angular_velocity_of(now).coordinates());
     law("the rate", "rotation", rotation, Rdot);
     if constexpr (Known::placed) {
-      const auto position = [&](double s) -> Vector3d { return at(s).translation.coordinates(); };
+      const auto position = [&](double s) -> Column { return at(s).translation.coordinates(); };
       law("the velocity", "position", position, now.velocity.coordinates());
     }
   }
   if constexpr (Known::level >= Level::acceleration) {
-    const auto rate = [&](double s) -> Vector3d { return angular_velocity_of(at(s)).coordinates(); };
+    const auto rate = [&](double s) -> Column { return angular_velocity_of(at(s)).coordinates(); };
     law("the angular acceleration", "rate", rate,
         angular_acceleration_of(accelerating_part(now)).coordinates());
     if constexpr (Known::placed) {
-      const auto velocity = [&](double s) -> Vector3d { return at(s).velocity.coordinates(); };
+      const auto velocity = [&](double s) -> Column { return at(s).velocity.coordinates(); };
       law("the acceleration", "velocity", velocity, now.acceleration.coordinates());
     }
   }
