@@ -4,12 +4,12 @@
 //                             |
 //                          Station
 //
-//     r^teme, v^teme      SGP4 from two-line elements, v the derivative of r; the axes of Satellite are those
-//     of Teme R_itrf^gcrf, w      IAU 2006/2000A over the day, with sub-daily tides: EarthMotion R_itrf^teme,
-//     w      the same by the sidereal time of 1982: the Earth as SGP4 sees it X_station^itrf      east,
-//     north, up at the place R_gcrf^body         z to nadir, y along -(r x v): lvlh() of what the graph knows
-//     of Satellite R_body^antenna      tilted about y by 30 deg: the boresight, z of the antenna, looks
-//     forward
+//     r^teme, v^teme      SGP4 from two-line elements, v the derivative of r; axes of Satellite as of Teme
+//     R_itrf^gcrf, w      IAU 2006/2000A over the day, with sub-daily tides: EarthMotion
+//     R_itrf^teme, w      the same by the sidereal time of 1982: the Earth as SGP4 sees it
+//     X_station^itrf      east, north, up at the place
+//     R_gcrf^body         z to nadir, y along -(r x v): lvlh() of what the graph knows of Satellite
+//     R_body^antenna      tilted about y by 30 deg: the boresight, z of the antenna, looks forward
 //
 // Every question is a path through the graph, at one instant:
 //     azimuth, elevation, range and their rates      r and v of Satellite relative to Station, in Station

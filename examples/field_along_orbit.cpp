@@ -60,7 +60,7 @@ void run(const std::filesystem::path& data) {
   const auto revolution = from_until(set.epoch(), convert<si::time>(95.0 * si::minute));
   for (const Epoch& t : every(convert<si::time>(5.0 * si::minute), revolution)) {
     const auto now = graph.at(t);
-    const auto r_itrf = now.position(of<Satellite>, relative_to<Itrf>, in<Itrf>).vector();
+    const auto r_itrf = now.position(of<Satellite>, relative_to<Itrf>, in<Itrf>);
     const auto R_lvlh_from_itrf = now.rotation(to<Lvlh>, from<Itrf>);
     const auto B_lvlh = R_lvlh_from_itrf * igrf.at(r_itrf, t);
     const auto g_lvlh = R_lvlh_from_itrf * egm.acceleration(r_itrf);

@@ -6,10 +6,7 @@
 //     r^teme, v^teme      SGP4 from two-line elements; the axes of Satellite are those of Teme
 //     R_itrf^teme, w      sidereal time of 1982 and the observed pole: the Earth as SGP4 sees it
 //     R_itrf^gcrf, w      IAU 2006/2000A, observed by the IERS
-//     R_gcrf^body         quaternions each 10 s, scalar first, of norm 2e9; the turn between two has a
-//     constant
-//                         rate
-//
+//     R_gcrf^body         quaternions each 10 s, scalar first, of norm 2e9; between two the rate is constant
 //     R_radiometer^body   the mounting, a quaternion
 //
 // The instrument looks along -z of the radiometer. Every figure is an angle between that axis and a body of

@@ -125,7 +125,7 @@ Look look(const Graph& graph, const Epoch& epoch, const Vector<Body, si::angular
 
   const auto axis_itrf = now.rotation(to<Itrf>, from<Antenna>) * unit_x(in<Antenna>);
   const auto r_itrf = now.position(of<Satellite>, relative_to<Itrf>, in<Itrf>);
-  const auto ground = wgs84::first_intersection(r_itrf.vector(), axis_itrf);
+  const auto ground = wgs84::first_intersection(r_itrf, axis_itrf);
   if (!ground) throw BadInput("the antenna's axis misses the Earth at " + epoch.utc());
   const Geodetic place = wgs84::geodetic(*ground);
 

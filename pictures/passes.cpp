@@ -65,7 +65,7 @@ std::string passes() {
   for (const Epoch& t : every(minutes(0.25), shown)) {
     const auto now = graph.at(t);
     const auto r_itrf = now.position(of<Station>, relative_to<Itrf>, in<Itrf>);
-    const Geodetic below = wgs84::geodetic(r_itrf.vector());
+    const Geodetic below = wgs84::geodetic(r_itrf);
     const Point at{below.longitude.in(si::degree), below.latitude.angle.in(si::degree)};
     track.push_back(at);
     if (look(t).elevation > degrees(0.0)) seen_track.push_back(at);

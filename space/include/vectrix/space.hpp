@@ -8,6 +8,7 @@
 #include <vectrix/space/earth/frames_of_date.hpp>
 #include <vectrix/space/earth/intermediate_frames.hpp>
 #include <vectrix/space/earth/look_angles.hpp>
+#include <vectrix/space/earth/position_in_itrf.hpp>
 #include <vectrix/space/earth/site.hpp>
 #include <vectrix/space/earth/teme.hpp>
 #include <vectrix/space/fields/exponential_atmosphere.hpp>
@@ -37,6 +38,7 @@
 #include <vectrix/space/orbit/orbit_mean_elements_message.hpp>
 #include <vectrix/space/orbit/perifocal.hpp>
 #include <vectrix/space/orbit/sgp4.hpp>
+#include <vectrix/space/orbit/third_body.hpp>
 #include <vectrix/space/orbit/two_body.hpp>
 #include <vectrix/space/orbit/two_line_elements.hpp>
 #include <vectrix/space/pointing/earth_directions.hpp>

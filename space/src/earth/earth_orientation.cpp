@@ -27,7 +27,16 @@ EarthOrientation::EarthOrientation(std::vector<Epoch> epochs, std::vector<EarthO
 }
 
 EarthOrientation EarthOrientation::read(const std::filesystem::path& finals2000A) {
-  auto [epochs, rows] = detail::read_finals2000A(finals2000A);
+  return of_file(finals2000A, false);
+}
+
+EarthOrientation EarthOrientation::read(const std::filesystem::path& finals2000A, OffsetsFromIau2006) {
+  return of_file(finals2000A, true);
+}
+
+EarthOrientation EarthOrientation::of_file(const std::filesystem::path& finals2000A,
+                                           bool offsets_are_from_iau_2006) {
+  auto [epochs, rows] = detail::read_finals2000A(finals2000A, offsets_are_from_iau_2006);
   return {std::move(epochs), std::move(rows)};
 }
 

@@ -104,7 +104,7 @@ Normal nearest(const Eigen::Vector3d& r) {
 
 }  // namespace
 
-Geodetic geodetic(const Vector<earth::Itrf, si::length>& r_itrf) {
+Geodetic geodetic(const earth::PositionInItrf& r_itrf) {
   const Eigen::Vector3d r = r_itrf.coordinates();
   detail::require_place({"wgs84::geodetic"}, r);
   const double longitude = detail::longitude_of(r);
@@ -122,7 +122,7 @@ Vector<earth::Itrf, si::length> position(const Geodetic& geodetic) {
   return vector<si::length>(in<earth::Itrf>, r);
 }
 
-Vector<earth::Itrf, si::dimensionless> up(const Vector<earth::Itrf, si::length>& r_itrf) {
+Vector<earth::Itrf, si::dimensionless> up(const earth::PositionInItrf& r_itrf) {
   return {detail::trusted, detail::normal_at({"wgs84::up"}, r_itrf.coordinates()).up};
 }
 
@@ -130,7 +130,7 @@ Vector<earth::Itrf, si::dimensionless> up(const Vector<earth::Itrf, si::length>&
 // sphere at
 //     t = (-u.v - sqrt(v.v (1 - n.n))) / v.v = (u.u - 1) / (-u.v + sqrt(v.v (1 - n.n)))
 std::optional<Vector<earth::Itrf, si::length>> first_intersection(
-    const Vector<earth::Itrf, si::length>& r_itrf, const Vector<earth::Itrf, si::dimensionless>& d_itrf) {
+    const earth::PositionInItrf& r_itrf, const Vector<earth::Itrf, si::dimensionless>& d_itrf) {
   const Eigen::Vector3d d = direction(d_itrf).coordinates();
   const Eigen::Vector3d u = scaled(r_itrf.coordinates());
   const Eigen::Vector3d v = scaled(d);
@@ -138,7 +138,8 @@ std::optional<Vector<earth::Itrf, si::length>> first_intersection(
   if (!std::isfinite(outside))
     throw BadInput("wgs84::first_intersection: |r| is " + detail::text(r_itrf.coordinates().stableNorm()) +
                    " m; the origin is too far");
-  if (std::abs(outside) <= surface_tolerance) return r_itrf;
+  if (std::abs(outside) <= surface_tolerance)
+    return vector<si::length>(in<earth::Itrf>, r_itrf.coordinates());
   if (outside < 0.0) {
     throw BadInput("wgs84::first_intersection: the origin lies inside the ellipsoid, at a height of " +
                    detail::text(static_cast<double>(nearest(r_itrf.coordinates()).height)) + " m");

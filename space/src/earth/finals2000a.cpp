@@ -26,6 +26,11 @@ constexpr std::array<Field, 5> parameter_fields{
 // table lacks.
 constexpr Quantity<si::time> largest_change_in_a_day = 0.01 * si::second;
 
+// From 1980 to 1988 both kinds of offsets are as small as the errors of that time. Of the square sums of any
+// four neighbouring rows of finals2000A, shifted by what makes them those of finals.all, the ratio is 0.014
+// at least.
+constexpr double clearly = 0.01;
+
 // dX, dY, and in the same columns of finals.all dPsi, dEps, milliarcseconds.
 struct Offsets {
   double first, second;
@@ -47,7 +52,8 @@ Offsets offsets_from_iau_1980(int day) {
 
 class Finals2000AReader {
  public:
-  explicit Finals2000AReader(const std::filesystem::path& file) : file_(file) {}
+  Finals2000AReader(const std::filesystem::path& file, bool offsets_are_from_iau_2006)
+      : file_(file), offsets_are_from_iau_2006_(offsets_are_from_iau_2006) {}
 
   [[noreturn]] void fail(const std::string& reason) const {
     throw BadInput("Earth orientation " + file_.string() + (line_ > 0 ? ", line " + text(line_) : "") + ": " +
@@ -158,7 +164,8 @@ class Finals2000AReader {
     Offsets offsets;
   };
 
-  // Fails if the offsets are nearer to those from IAU 1980 than to zero. Some rows of the file say it.
+  // Fails unless the offsets are clearly nearer to zero than to those from IAU 1980; if they are about as
+  // near to both, unless the caller has said what they are. Some rows of the file tell.
   void require_offsets_from_iau_2006() {
     constexpr std::size_t examined = 64;
     const std::size_t step = 1 + days_.size() / examined;
@@ -169,15 +176,25 @@ class Finals2000AReader {
       from_1980 += (days_[i].offsets - offsets_from_iau_1980(days_[i].mjd)).square();
       if (days_[i].offsets.square() > largest->offsets.square()) largest = &days_[i];
     }
-    if (from_2006 <= from_1980) return;
+    if (from_2006 <= clearly * from_1980) return;
+    const bool unclear = clearly * from_2006 < from_1980;
+    if (unclear && offsets_are_from_iau_2006_) return;
     line_ = largest->line;
-    fail(parameter_fields[3],
-         text(largest->offsets.first) + " and " + text(largest->offsets.second) +
-             " milliarcseconds are offsets of the pole from IAU 1980, as finals.all has them in "
-             "these columns, not from IAU 2006/2000A; read finals2000A");
+    const std::string found =
+        text(largest->offsets.first) + " and " + text(largest->offsets.second) + " milliarcseconds ";
+    if (unclear)
+      fail(parameter_fields[3],
+           found +
+               "may be offsets of the pole from IAU 2006/2000A, or from IAU 1980, as "
+               "finals.all has them in these columns: these rows do not tell; read more of "
+               "the file, or say offsets_from_iau_2006");
+    fail(parameter_fields[3], found +
+                                  "are offsets of the pole from IAU 1980, as finals.all has them in these "
+                                  "columns, not from IAU 2006/2000A; read finals2000A");
   }
 
   const std::filesystem::path& file_;
+  bool offsets_are_from_iau_2006_;
   std::size_t line_ = 0;
   std::optional<double> last_day_;
   std::size_t incomplete_line_ = 0;
@@ -190,8 +207,8 @@ class Finals2000AReader {
 }  // namespace
 
 std::pair<std::vector<Epoch>, std::vector<EarthOrientationParameters>> read_finals2000A(
-    const std::filesystem::path& file) {
-  Finals2000AReader reader{file};
+    const std::filesystem::path& file, bool offsets_are_from_iau_2006) {
+  Finals2000AReader reader{file, offsets_are_from_iau_2006};
   const auto content = read_lines(file);
   if (!content) reader.fail("cannot be read");
   for (const std::string& line : content->lines) reader.row(line);

@@ -6,7 +6,7 @@
 
 namespace vectrix::earth {
 
-Spherical spherical(const Vector<Itrf, si::length>& r_itrf) {
+Spherical spherical(const PositionInItrf& r_itrf) {
   const Eigen::Vector3d r = r_itrf.coordinates();
   detail::require_place({"earth::spherical"}, r);
   return {GeocentricLatitude(std::atan2(r.z(), std::hypot(r.x(), r.y())) * si::radian),

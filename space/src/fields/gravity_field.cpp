@@ -85,8 +85,7 @@ Quantity<si::length> GravityField::radius() const {
   return series_->radius * si::metre;
 }
 
-Vector<earth::Itrf, si::acceleration> GravityField::acceleration(
-    const Vector<earth::Itrf, si::length>& r_itrf) const {
+Vector<earth::Itrf, si::acceleration> GravityField::acceleration(const earth::PositionInItrf& r_itrf) const {
   const Eigen::Vector3d& r = r_itrf.coordinates();
   const double distance = series_->distance(r);
   const auto rest = series_->acceleration.at(r);
@@ -95,7 +94,7 @@ Vector<earth::Itrf, si::acceleration> GravityField::acceleration(
                                series_->mu / (distance * distance * distance) * r};
 }
 
-GravityField::WithGradient GravityField::with_gradient(const Vector<earth::Itrf, si::length>& r_itrf) const {
+GravityField::WithGradient GravityField::with_gradient(const earth::PositionInItrf& r_itrf) const {
   const Eigen::Vector3d& r = r_itrf.coordinates();
   const double distance = series_->distance(r);
   const auto rest = series_->with_gradient.at(r);

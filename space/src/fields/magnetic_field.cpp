@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <vectrix/frames/errors.hpp>
 
@@ -52,15 +53,16 @@ struct MagneticField::Series {
       fields.push_back(series_of(model.epochs[i].potential, model.epochs[i + 1].potential));
   }
 
-  // Years and parts of a year since the first.
-  [[nodiscard]] double years_until(const Epoch& epoch) const {
+  // Years and parts of a year since the first, and the length of the year, s.
+  [[nodiscard]] std::pair<double, double> years_until(const Epoch& epoch) const {
     if (!(epoch >= years.front() && epoch <= years.back())) {
       throw BadInput("MagneticField " + name + ": the epoch " + epoch.tt() + " TT is outside the model, " +
                      years.front().tt(0) + " to " + years.back().tt(0) + " TT");
     }
     const auto next = std::min(std::ranges::upper_bound(years, epoch), std::prev(years.end()));
     const auto start = std::prev(next);
-    return static_cast<double>(start - years.begin()) + (epoch - *start) / (*next - *start);
+    const auto year = *next - *start;
+    return {static_cast<double>(start - years.begin()) + (epoch - *start) / year, year.value()};
   }
 };
 
@@ -78,21 +80,29 @@ const Epoch& MagneticField::last() const {
   return series_->years.back();
 }
 
-Vector<earth::Itrf, si::magnetic_flux_density> MagneticField::at(
-    const Vector<earth::Itrf, si::length>& r_itrf, const Epoch& epoch) const {
+MagneticField::WithRate MagneticField::with_rate(const earth::PositionInItrf& r_itrf,
+                                                 const Epoch& epoch) const {
   const Eigen::Vector3d& r = r_itrf.coordinates();
   if (!(r.norm() >= smallest_distance)) {
     throw BadInput("MagneticField " + series_->name + ": the point is " + text(r.norm()) +
                    " m from the centre; the series holds outside the Earth");
   }
-  const double years = series_->years_until(epoch);
+  const auto [years, of_a_year] = series_->years_until(epoch);
   const auto& spans = series_->spans;
   const auto next = std::min(std::ranges::upper_bound(spans, years), std::prev(spans.end()));
   const auto span = static_cast<std::size_t>(next - spans.begin()) - 1;
-  const double part = (years - spans[span]) / (spans[span + 1] - spans[span]);
+  const double length = spans[span + 1] - spans[span];
   const auto sums = series_->fields[span].at(r);
   const Eigen::Vector3d start(sums[0], sums[1], sums[2]), change(sums[3], sums[4], sums[5]);
-  return {detail::trusted, -tesla_in_nanotesla * (start + part * change)};
+  using Rate = Derivative<earth::Itrf, earth::Itrf, si::magnetic_flux_density>;
+  return {{detail::trusted, -tesla_in_nanotesla * (start + (years - spans[span]) / length * change)},
+          Rate{detail::trusted, Vector<earth::Itrf, Rate::unit>{
+                                    detail::trusted, -tesla_in_nanotesla / (length * of_a_year) * change}}};
+}
+
+Vector<earth::Itrf, si::magnetic_flux_density> MagneticField::at(const earth::PositionInItrf& r_itrf,
+                                                                 const Epoch& epoch) const {
+  return with_rate(r_itrf, epoch).field;
 }
 
 }  // namespace vectrix

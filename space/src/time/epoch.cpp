@@ -18,6 +18,7 @@ constexpr double modified_julian_zero = 2400000.5;
 constexpr double gps_zero = 2444244.5;  // 1980 January 6, 0 h
 constexpr std::int64_t seconds_of_week = 604800;
 constexpr double days_of_week = 7.0;
+constexpr double one_instant = 1e-9;  // s: the clock has 1e-11, and a day before 1972 some roundings more
 
 JulianDate<scale::Tai> as_tai(const Date& date) {
   return {date.day, date.fraction};
@@ -33,13 +34,27 @@ std::string text_of(const JulianDate<scale::Tai>& tai, const TimeScale& scale, D
   return detail::calendar_text(date, length, style, decimals);
 }
 
+std::string difference(const TimeScale& ut1) {
+  return std::string{ut1.kind() == TimeScale::Kind::ut1_by_tai ? "UT1-TAI " : "UT1-UTC "} +
+         detail::text(ut1.ut1_offset().value()) + " s";
+}
+
 }  // namespace
 
 Epoch Epoch::from(const TimeScale& scale, AnyDateText text) {
-  if (!text.written_in().empty() && text.written_in() != scale.name())
-    throw BadInput("epoch '" + std::string{text} + "' in " + scale.name() + ": it was written in " +
-                   std::string{text.written_in()});
-  return detail::EpochReader(scale).read(text);
+  const auto& written_in = text.written_in();
+  if (!written_in) return detail::EpochReader(scale).read(text);
+  const auto refuse = [&](const std::string& in, const std::string& reason) {
+    throw BadInput("epoch '" + std::string{text} + "' in " + in + ": it was written " + reason);
+  };
+  if (std::string_view{written_in->name()} != scale.name())
+    refuse(scale.name(), std::string{"in "} + written_in->name());
+  const Epoch read = detail::EpochReader(scale).read(text);
+  // UT1-TAI and UT1-UTC may be two words for one difference.
+  const auto apart = read - detail::EpochReader(*written_in).read(text);
+  if (std::abs(apart.value()) > one_instant)
+    refuse("UT1 with " + difference(scale), "with " + difference(*written_in));
+  return read;
 }
 
 Epoch Epoch::from(std::string_view text) {

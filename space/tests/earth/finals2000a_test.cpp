@@ -33,6 +33,30 @@ TEST(Finals2000AFile, OfAnotherModelIsRefused) {
       << in_1973;
 }
 
+// Four rows of 1982, made of those of 2022: the offsets of both models are within the errors of that time.
+TEST(Finals2000AFile, OfAnUnclearModelIsRefusedUnlessTheCallerKnows) {
+  std::string rows;
+  std::ifstream in(april_2022);
+  int day = 45000;
+  for (std::string line; day < 45004 && std::getline(in, line);) {
+    if (line.starts_with('#')) continue;
+    line.replace(7, 5, std::to_string(day++));
+    rows += line.replace(97, 9, "    2.100").replace(116, 9, "   -1.600") + '\n';
+  }
+  const TemporaryFile file(rows);
+  const auto refusal = complaint([&] { EarthOrientation::read(file.path()); }, file.path());
+  EXPECT_EQ(
+      refusal,
+      "Earth orientation FILE, line 1: columns 98-106 (dX): 2.1 and -1.6 milliarcseconds may be offsets "
+      "of the pole from IAU 2006/2000A, or from IAU 1980, as finals.all has them in these columns: these "
+      "rows do not tell; read more of the file, or say offsets_from_iau_2006");
+  const auto claimed = EarthOrientation::read(file.path(), offsets_from_iau_2006);
+  EXPECT_NEAR(claimed.parameters(claimed.first()).dX.value(), 2.1e-3 * arcsecond, 1e-9 * arcsecond);
+  // What the rows do tell, no word changes.
+  EXPECT_THROW(EarthOrientation::read(source / "space/tests/data/finals_all_2022.txt", offsets_from_iau_2006),
+               BadInput);
+}
+
 class Finals2000A : public ::testing::Test {
  protected:
   Finals2000A() {

@@ -141,6 +141,16 @@ TEST(HarrisPriester, IsThatOfOrekit) {
 }
 
 // Never a step, and always less further up.
+// What a graph answers is taken as it is.
+TEST(HarrisPriester, TakesADisplacementFromTheCentreOfTheEarth) {
+  struct Satellite : moving_frame {};
+  const auto r = above(20.0, 90.0, 400.0);
+  const auto r_eq = displacement(of<Satellite>, relative_to<earth::Itrf>, r);
+  const auto sun = towards(10.0, 40.0);
+  EXPECT_EQ(HarrisPriester(3.0).density(r_eq, sun).value(), HarrisPriester(3.0).density(r, sun).value());
+  EXPECT_EQ(ExponentialAtmosphere::vallado().density(r_eq).value(),
+            ExponentialAtmosphere::vallado().density(r).value());
+}
 TEST(HarrisPriester, DecreasesUpwards) {
   const HarrisPriester model(3.0);
   const auto sun = towards(10.0, 40.0);

@@ -32,8 +32,9 @@ Vector3d nanotesla(const Vector<Itrf, si::magnetic_flux_density>& B) {
 // The model's publishers ask for 0.1 nT; the values are printed to 0.1 nT or better.
 TEST(MagneticField, ReproducesTheTestValuesOfTheWorldMagneticModel) {
   constexpr double printed_to = 0.01;  // nT
-  const auto table = CsvTable::read(source / "space/tests/data/wmm2025_test_values.csv",
-                                    {"year", "altitude_km", "latitude_deg", "longitude_deg", "x_nT"});
+  const auto table =
+      CsvTable::read(source / "space/tests/data/wmm2025_test_values.csv",
+                     {"year", "altitude_km", "latitude_deg", "longitude_deg", "x_nT", "dx_nT_per_year"});
   ASSERT_GT(table.rows(), 50U);
   const MagneticField model = MagneticField::wmm2025();
   for (std::size_t i = 0; i < table.rows(); ++i) {
@@ -43,12 +44,21 @@ TEST(MagneticField, ReproducesTheTestValuesOfTheWorldMagneticModel) {
     const auto latitude = angle("latitude_deg"), longitude = angle("longitude_deg");
     const auto r = wgs84::position(
         {GeodeticLatitude(latitude), longitude, 1e3 * table.number(i, "altitude_km") * si::metre});
-    const Vector3d B = nanotesla(model.at(r, year(table.number(i, "year"))));
+    const double decimal = table.number(i, "year");
+    const auto [field, rate] = model.with_rate(r, year(decimal));
+    const Vector3d B = nanotesla(field);
+    EXPECT_EQ(B, nanotesla(model.at(r, year(decimal)))) << i;
+    const double of_a_year = (year(std::floor(decimal) + 1.0) - year(std::floor(decimal))).value();
+    const Vector3d dB = 1e9 * of_a_year * rate.vector().coordinates();
     const double sp = std::sin(latitude.value()), cp = std::cos(latitude.value());
     const double sl = std::sin(longitude.value()), cl = std::cos(longitude.value());
-    EXPECT_NEAR(B.dot(Vector3d(-sp * cl, -sp * sl, cp)), table.number(i, "x_nT"), printed_to) << i;
-    EXPECT_NEAR(B.dot(Vector3d(-sl, cl, 0.0)), table.number(i, "y_nT"), printed_to) << i;
-    EXPECT_NEAR(B.dot(Vector3d(-cp * cl, -cp * sl, -sp)), table.number(i, "z_nT"), printed_to) << i;
+    const Vector3d north(-sp * cl, -sp * sl, cp), east(-sl, cl, 0.0), down(-cp * cl, -cp * sl, -sp);
+    EXPECT_NEAR(B.dot(north), table.number(i, "x_nT"), printed_to) << i;
+    EXPECT_NEAR(B.dot(east), table.number(i, "y_nT"), printed_to) << i;
+    EXPECT_NEAR(B.dot(down), table.number(i, "z_nT"), printed_to) << i;
+    EXPECT_NEAR(dB.dot(north), table.number(i, "dx_nT_per_year"), printed_to) << i;
+    EXPECT_NEAR(dB.dot(east), table.number(i, "dy_nT_per_year"), printed_to) << i;
+    EXPECT_NEAR(dB.dot(down), table.number(i, "dz_nT_per_year"), printed_to) << i;
   }
 }
 
@@ -79,6 +89,36 @@ TEST(MagneticField, IsLinearInTheTimeBetweenTheEpochsOfTheModel) {
   // Continuous where two spans meet.
   const auto before = nanotesla(model.at(r, year(2020.0) + -1.0 * si::second));
   EXPECT_LE((nanotesla(model.at(r, year(2020.0))) - before).norm(), 1e-4);
+}
+
+// A year of 365 days, within which the model is linear; at the end of a span the rate is that of the next
+// one.
+TEST(MagneticField, RateIsTheDerivative) {
+  const MagneticField model = MagneticField::igrf14();
+  const auto r = at(3e6, -5e6, 4e6);
+  const auto rate = [&](const Epoch& t) -> Vector3d {
+    return 1e9 * model.with_rate(r, t).rate.vector().coordinates();
+  };
+  const auto slope = [&](const Epoch& from, const Epoch& until) -> Vector3d {
+    return (nanotesla(model.at(r, until)) - nanotesla(model.at(r, from))) / (until - from).value();
+  };
+  constexpr double rounding = 1e-17;  // nT/s: of 1e-11 nT in the field, over a year
+  EXPECT_LE((rate(year(2013.5)) - slope(year(2013.0), year(2014.0))).norm(), rounding);
+  EXPECT_LE((rate(year(2020.0)) - slope(year(2020.0), year(2021.0))).norm(), rounding);
+  EXPECT_GT((rate(year(2020.0)) - rate(year(2019.5))).norm(), 1e-8);
+  EXPECT_LE((rate(model.last()) - slope(year(2029.0), year(2030.0))).norm(), rounding);
+}
+
+// A graph answers where a satellite is: what it says is taken as it is.
+TEST(MagneticField, TakesADisplacementFromTheCentreOfTheEarth) {
+  struct Satellite : moving_frame {};
+  const MagneticField model = MagneticField::wmm2025();
+  const auto r = at(3e6, -5e6, 4e6);
+  const auto t = model.first();
+  EXPECT_EQ(model.at(displacement(of<Satellite>, relative_to<Itrf>, r), t).coordinates(),
+            model.at(r, t).coordinates());
+  EXPECT_EQ(model.at(displacement(of<Satellite>, relative_to<earth::Gcrf>, r), t).coordinates(),
+            model.at(r, t).coordinates());
 }
 
 // The two models were made by different groups from mostly the same data: they agree to some tens of nT.

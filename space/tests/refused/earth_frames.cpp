@@ -65,3 +65,16 @@ auto on_the_earth(const Dcm<Itrf, Tirf>& R_itrf_from_tirf, const Dcm<Tirf, Cirf>
 #endif
 }
 }  // namespace polar_motion_without_the_turn_of_the_day
+
+namespace motion_of_the_earth_at_an_instant {
+// mistake: the rotation of the Earth over a span, of one instant
+// expect: Given = .(vectrix::)?Epoch
+// expect: a TimeSpan
+auto motion(const EarthOrientation& orientation, const Epoch& t) {
+#ifdef REPAIRED
+  return EarthMotion(orientation, from_until(t, 60.0 * si::second));
+#else
+  return EarthMotion(orientation, t);
+#endif
+}
+}  // namespace motion_of_the_earth_at_an_instant

@@ -159,3 +159,18 @@ auto place(const Quantity<si::angle>& latitude, const Quantity<si::angle>& longi
 #endif
 }
 }  // namespace latitude_that_does_not_say_which
+
+namespace place_from_a_station_for_one_from_the_centre {
+// mistake: the position relative to a station for that relative to the centre of the Earth
+// expect: Displacement<Station, Satellite, (vectrix::)?In<(vectrix::)?(earth::)?Itrf
+// expect: Displacement<earth::Itrf, Q, In<earth::Itrf>>
+auto place(const Displacement<Itrf, Station, In<Itrf>>& r_station,
+           const Displacement<Station, Satellite, In<Itrf>>& r_from_station) {
+#ifdef REPAIRED
+  return wgs84::geodetic(r_station + r_from_station);
+#else
+  static_cast<void>(r_station);
+  return wgs84::geodetic(r_from_station);
+#endif
+}
+}  // namespace place_from_a_station_for_one_from_the_centre

@@ -86,17 +86,45 @@ Epoch instant(const JulianDate<scale::Utc>& utc) {
 }  // namespace utc_date_for_tt
 
 namespace ut1_date_without_its_difference {
-// mistake: an instant of a date in UT1, which no clock shows
+// mistake: a date in UT1, which no clock shows, without the UT1-TAI that makes it
 // expect: UT1 needs UT1-TAI
-Epoch instant(const JulianDate<scale::Ut1>& ut1, const Quantity<si::time>& ut1_minus_tai) {
+// expect: scale::Ut1
+Epoch instant(double day, double fraction, const Quantity<si::time>& ut1_minus_tai) {
 #ifdef REPAIRED
-  return Epoch::from_julian_date(scale::Ut1::minus_tai(ut1_minus_tai), ut1.day, ut1.fraction);
+  const JulianDate<scale::Ut1> ut1{day, fraction, scale::Ut1::minus_tai(ut1_minus_tai)};
 #else
   static_cast<void>(ut1_minus_tai);
-  return Epoch::from_julian_date(ut1);
+  const JulianDate<scale::Ut1> ut1{day, fraction};
 #endif
+  return Epoch::from_julian_date(ut1);
 }
 }  // namespace ut1_date_without_its_difference
+
+namespace julian_date_without_a_scale {
+// mistake: a Julian date that does not say its scale
+// expect: Given = double
+// expect: the scale first
+Epoch instant() {
+#ifdef REPAIRED
+  return Epoch::from_julian_date(scale::tt, 2451545.0);
+#else
+  return Epoch::from_julian_date(2451545.0);
+#endif
+}
+}  // namespace julian_date_without_a_scale
+
+namespace epoch_of_a_bare_text {
+// mistake: an epoch of a text, without the scale in which it is
+// expect: Epoch
+// expect: Epoch::from_utc\(text\)
+Epoch instant() {
+#ifdef REPAIRED
+  return Epoch::from_utc("2022-04-14T10:22:11");
+#else
+  return Epoch("2022-04-14T10:22:11");
+#endif
+}
+}  // namespace epoch_of_a_bare_text
 
 namespace utc_text_read_as_tt {
 // mistake: reads the text of an instant in UTC as one in TT: 69 s off

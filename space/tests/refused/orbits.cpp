@@ -291,3 +291,32 @@ auto longest_age() {
 #endif
 }
 }  // namespace longest_age_in_another_dimension
+
+namespace attraction_by_an_image {
+// mistake: the attraction by the Sun where it is seen, not where it is
+// expect: Image<(vectrix::)?(sky::)?Sun, (vectrix::)?Apparent>
+// expect: geometric
+auto pull(const Ephemeris<sky::Sun>& sun, const Epoch& t,
+          const PointMotion<earth::Gcrf, Ship, earth::Gcrf>& motion) {
+#ifdef REPAIRED
+  return third_body_acceleration(sky::sun_mu, motion.position, sun.motion(t).position);
+#else
+  const auto r_sun = motion.position + sun.line_of_sight(t, motion, apparent);
+  return third_body_acceleration(sky::sun_mu, motion.position, r_sun);
+#endif
+}
+}  // namespace attraction_by_an_image
+
+namespace attraction_from_two_origins {
+// mistake: the Moon relative to the ship for the Moon relative to the Earth
+// expect: Displacement<Ship, (vectrix::)?(sky::)?Moon
+// expect: relative to one p
+auto pull(const Displacement<earth::Gcrf, Ship, In<earth::Gcrf>>& r_ship,
+          const Displacement<Ship, sky::Moon, In<earth::Gcrf>>& r_ship_moon) {
+#ifdef REPAIRED
+  return third_body_acceleration(sky::moon_mu, r_ship, r_ship + r_ship_moon);
+#else
+  return third_body_acceleration(sky::moon_mu, r_ship, r_ship_moon);
+#endif
+}
+}  // namespace attraction_from_two_origins

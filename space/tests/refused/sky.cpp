@@ -138,3 +138,16 @@ double seen(const Dcm<earth::Itrf, Gcrf>& R_itrf_from_gcrf,
 #endif
 }
 }  // namespace ellipsoid_without_its_axis
+
+namespace place_of_a_body_that_has_no_series {
+// mistake: asks the series of the Sun, the Moon and the planets for a satellite
+// expect: Of<Satellite>
+// expect: the Moon or a planet
+auto place(const Epoch& t) {
+#ifdef REPAIRED
+  return geocentric(of<sky::Moon>, t);
+#else
+  return geocentric(of<Satellite>, t);
+#endif
+}
+}  // namespace place_of_a_body_that_has_no_series

@@ -199,10 +199,33 @@ TEST(TimeScale, ATextIsNotReadInAnotherScaleThatIsKnownAtRunTime) {
   };
   EXPECT_EQ(read_in(scale::gps), "nothing was thrown");
   EXPECT_EQ(read_in(scale::tt), "epoch '2017-01-01T00:00:17.250' in TT: it was written in GPS");
-  // UT1 may be known by another difference than the one it was written with.
-  const auto ut1 = t.text(scale::Ut1::minus_tai(-36.4 * si::second), 3);
+  // UT1 may be known by another difference than the one it was written with, if it is of the same instant. In
+  // a leap second UT1-UTC is that of the second after it.
+  const auto by_tai = scale::Ut1::minus_tai(-36.4 * si::second);
   const TimeScale& by_utc = scale::Ut1::minus_utc(0.6 * si::second);
-  EXPECT_NO_THROW(Epoch::from(by_utc, ut1));
+  const auto later = Epoch::from_utc("2017-01-01T12:00:00");
+  EXPECT_LE(apart(Epoch::from(by_utc, later.text(by_tai)), later), clock_rounding);
+  EXPECT_THROW(Epoch::from(by_utc, t.text(by_tai, 3)), BadInput);
+}
+
+// A table of Earth orientation and its successor differ by microseconds, a forgotten leap second by one.
+TEST(TimeScale, Ut1OfAnotherSourceIsRefused) {
+  const auto t = Epoch::from_utc("2022-04-14T10:22:11");
+  const auto early = scale::Ut1::minus_tai(-37.09912 * si::second),
+             late = scale::Ut1::minus_tai(-37.09913 * si::second);
+  const auto text = t.text(early, 6);
+  EXPECT_EQ(complaint([&] { Epoch::from(late, text); }),
+            "epoch '2022-04-14T10:22:10.900880' in UT1 with UT1-TAI -37.09913 s: it was written with UT1-TAI "
+            "-37.09912 s");
+  EXPECT_EQ(
+      complaint([&] { Epoch::from(scale::Ut1::minus_utc(-0.2 * si::second), t.day_of_year_text(early)); }),
+      "epoch '2022-104T10:22:10.900880' in UT1 with UT1-UTC -0.2 s: it was written with UT1-TAI "
+      "-37.09912 s");
+  EXPECT_THROW(Epoch::from(late, exact_text(t, early)), BadInput);
+  EXPECT_LE(apart(Epoch::from(early, text), t), clock_rounding);
+  // A date knows its own.
+  EXPECT_LE(apart(Epoch::from_julian_date(t.julian_date(early)), t), clock_rounding);
+  EXPECT_LE(apart(Epoch::from_julian_date(t.julian_date(late)), t), clock_rounding);
 }
 
 // 9 decimals, a nanosecond, of the 11 that an epoch has.

@@ -25,6 +25,11 @@ class VECTRIX_EXPORT EarthMotion {
  public:
   EarthMotion(const EarthOrientation& orientation, const TimeSpan& span);
   EarthMotion(const EarthOrientation& orientation, const TimeSpan& span, SubdailyTides);
+  template <class First, class... Given>
+    requires(sizeof...(Given) > 0)
+  EarthMotion(  // an EarthOrientation, a TimeSpan, and subdaily_tides by choice
+      const First&, const Given&...)
+  = delete;
 
   [[nodiscard]] const TimeSpan& span() const { return span_; }
 

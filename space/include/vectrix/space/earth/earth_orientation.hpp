@@ -37,6 +37,10 @@ struct Tirf : moving_frame {};
 struct SubdailyTides {};
 inline constexpr SubdailyTides subdaily_tides{};
 
+/// The word that claims what dX and dY of a file are, where its rows do not tell: EarthOrientation::read.
+struct OffsetsFromIau2006 {};
+inline constexpr OffsetsFromIau2006 offsets_from_iau_2006{};
+
 /// The observed parameters of the Earth's orientation at an instant (IERS Conventions 2010, chapter 5), and
 /// their derivatives by TAI. The functions that take them throw BadInput for one that is not finite, and for
 /// a pole or an offset of more than 60 arcsec: a hundred times what has been observed.
@@ -73,10 +77,12 @@ class VECTRIX_EXPORT EarthOrientation {
   /// values: rows after the last complete one are not used. Throws BadInput with file, line, columns and
   /// reason if a field is no number, a complete row follows an incomplete one, rows are not a day apart,
   /// UT1-TAI jumps as at a leap second that ERFA does not know, the file ends within a line, or fewer than
-  /// four rows are complete; and if dX and dY are nearer to the offsets from IAU 1980, which finals.all has
-  /// in the same columns, than to zero. Until 1988 both are a few milliarcsec, as are the errors of that
-  /// time, so that an excerpt of those years alone may be mistaken.
+  /// four rows are complete; and if dX and dY are not clearly nearer to zero than to the offsets from IAU
+  /// 1980, which finals.all has in the same columns. From 1980 to 1988 both are a few milliarcsec, as are the
+  /// errors of that time. A short excerpt of those years alone does not tell, and is refused, unless you say
+  /// what it is: read(file, offsets_from_iau_2006).
   static EarthOrientation read(const std::filesystem::path& finals2000A);
+  static EarthOrientation read(const std::filesystem::path& finals2000A, OffsetsFromIau2006);
 
   /// A word for spans without data: the pole at x = y = dX = dY = 0, and UT1-TAI at its value at the start of
   /// the span, where UT1-UTC is given. From 1973 to 2026 x, y reach 0.6 arcsec, 19 m on the ground, and dX,
@@ -100,6 +106,8 @@ class VECTRIX_EXPORT EarthOrientation {
 
  private:
   friend class EarthMotion;
+
+  static EarthOrientation of_file(const std::filesystem::path& finals2000A, bool offsets_are_from_iau_2006);
 
   EarthOrientation(std::vector<Epoch> epochs, std::vector<EarthOrientationParameters> rows);
 

@@ -3,7 +3,7 @@
 #include <optional>
 
 #include <vectrix/frames/export.hpp>
-#include <vectrix/space/earth/earth_orientation.hpp>
+#include <vectrix/space/earth/position_in_itrf.hpp>
 
 namespace vectrix {
 
@@ -37,7 +37,7 @@ struct Spherical {
   Quantity<si::length> distance;
 };
 /// On the axis the longitude is 0. Throws BadInput for the centre of the Earth and what is not finite.
-VECTRIX_EXPORT Spherical spherical(const Vector<Itrf, si::length>& r_itrf);
+VECTRIX_EXPORT Spherical spherical(const PositionInItrf& r_itrf);
 /// The inverse. Throws BadInput if a number is not finite, |latitude| exceeds pi/2, or the distance is
 /// negative. The way to the geodetic latitude: wgs84::geodetic(earth::position(spherical)).
 VECTRIX_EXPORT Vector<Itrf, si::length> position(const Spherical& spherical);
@@ -55,14 +55,14 @@ inline constexpr double flattening = 1.0 / 298.257223563;
 /// the equatorial disc inside it the latitude jumps from north to south, and on the disc it is the northern
 /// one. Throws BadInput for the centre of the Earth, which has no latitude, and for what is not finite or too
 /// far to be squared.
-VECTRIX_EXPORT Geodetic geodetic(const Vector<earth::Itrf, si::length>& r_itrf);
+VECTRIX_EXPORT Geodetic geodetic(const earth::PositionInItrf& r_itrf);
 
 /// The inverse. Throws BadInput if a number is not finite or |latitude| exceeds pi/2.
 VECTRIX_EXPORT Vector<earth::Itrf, si::length> position(const Geodetic& geodetic);
 
 /// The unit normal of the ellipsoid at the latitude and longitude of r; it points up. Throws BadInput for the
 /// centre of the Earth.
-VECTRIX_EXPORT Vector<earth::Itrf, si::dimensionless> up(const Vector<earth::Itrf, si::length>& r_itrf);
+VECTRIX_EXPORT Vector<earth::Itrf, si::dimensionless> up(const earth::PositionInItrf& r_itrf);
 
 /// The radii of curvature of the ellipsoid below a place, along the meridian and across it:
 ///     M = a (1 - e^2) / (1 - e^2 sin^2 phi)^(3/2)       N = a / (1 - e^2 sin^2 phi)^(1/2)
@@ -88,7 +88,7 @@ VECTRIX_EXPORT Quantity<si::angle> horizon_dip(const Geodetic& place, const Quan
 /// vector but zero. If the origin is within about 10 micrometres of the surface, the result is the origin.
 /// Throws BadInput if the origin is inside or too far for its square, or d is zero.
 VECTRIX_EXPORT std::optional<Vector<earth::Itrf, si::length>> first_intersection(
-    const Vector<earth::Itrf, si::length>& r_itrf, const Vector<earth::Itrf, si::dimensionless>& d_itrf);
+    const earth::PositionInItrf& r_itrf, const Vector<earth::Itrf, si::dimensionless>& d_itrf);
 
 }  // namespace wgs84
 }  // namespace vectrix

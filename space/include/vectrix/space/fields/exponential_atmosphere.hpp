@@ -3,7 +3,7 @@
 #include <vector>
 
 #include <vectrix/frames/export.hpp>
-#include <vectrix/space/earth/earth_orientation.hpp>
+#include <vectrix/space/earth/position_in_itrf.hpp>
 
 namespace vectrix {
 
@@ -29,6 +29,11 @@ class VECTRIX_EXPORT ExponentialAtmosphere {
   /// At a height, or at a position. Throws BadInput if the height is negative or not finite.
   [[nodiscard]] Quantity<si::density> density(const Quantity<si::length>& height) const;
   [[nodiscard]] Quantity<si::density> density(const Vector<earth::Itrf, si::length>& r_itrf) const;
+  template <class E, class Q>
+    requires detail::is_earth<E>
+  [[nodiscard]] Quantity<si::density> density(const Displacement<E, Q, In<earth::Itrf>>& r_eq) const {
+    return density(r_eq.vector());
+  }
   template <class Given>
   auto density(  // of a height in m, or a position in m along the axes of earth::Itrf
       const Given&) const -> Refused = delete;

@@ -4,7 +4,7 @@
 #include <memory>
 
 #include <vectrix/frames/export.hpp>
-#include <vectrix/space/earth/earth_orientation.hpp>
+#include <vectrix/space/earth/position_in_itrf.hpp>
 #include <vectrix/space/fields/gravity_gradient.hpp>
 
 namespace vectrix {
@@ -30,15 +30,14 @@ class VECTRIX_EXPORT GravityField {
 
   /// g at a point, m/s^2. Throws BadInput if the point is less than 0.98 a from the centre: inside the Earth
   /// the series does not hold.
-  [[nodiscard]] Vector<earth::Itrf, si::acceleration> acceleration(
-      const Vector<earth::Itrf, si::length>& r_itrf) const;
+  [[nodiscard]] Vector<earth::Itrf, si::acceleration> acceleration(const earth::PositionInItrf& r_itrf) const;
 
   struct WithGradient {
     Vector<earth::Itrf, si::acceleration> acceleration;
     GravityGradient<earth::Itrf> gradient;
   };
   /// The same with its gradient, for less than the cost of two.
-  [[nodiscard]] WithGradient with_gradient(const Vector<earth::Itrf, si::length>& r_itrf) const;
+  [[nodiscard]] WithGradient with_gradient(const earth::PositionInItrf& r_itrf) const;
 
  private:
   struct Series;

@@ -4,7 +4,7 @@
 
 #include <vectrix/frames/displacement.hpp>
 #include <vectrix/frames/export.hpp>
-#include <vectrix/space/earth/earth_orientation.hpp>
+#include <vectrix/space/earth/position_in_itrf.hpp>
 #include <vectrix/space/sky/bodies.hpp>
 
 namespace vectrix {
@@ -34,6 +34,12 @@ class VECTRIX_EXPORT HarrisPriester {
   [[nodiscard]] std::enable_if_t<detail::is_sun<S>, Quantity<si::density>> density(
       const Vector<earth::Itrf, si::length>& r_itrf, const Displacement<P, S, In<earth::Itrf>>& r_ps) const {
     return density(r_itrf, r_ps.vector());
+  }
+  template <class E, class Q, class Sun>
+    requires detail::is_earth<E>
+  [[nodiscard]] auto density(const Displacement<E, Q, In<earth::Itrf>>& r_eq, const Sun& to_the_sun) const
+      -> decltype(density(r_eq.vector(), to_the_sun)) {
+    return density(r_eq.vector(), to_the_sun);
   }
   template <class... Given>
   auto density(  // (r_itrf, to_the_sun): a position in m and the Sun, both in earth::Itrf

@@ -3,7 +3,8 @@
 #include <memory>
 
 #include <vectrix/frames/export.hpp>
-#include <vectrix/space/earth/earth_orientation.hpp>
+#include <vectrix/kinematics/points/derivative.hpp>
+#include <vectrix/space/earth/position_in_itrf.hpp>
 #include <vectrix/space/time/epoch.hpp>
 
 namespace vectrix {
@@ -27,8 +28,16 @@ class VECTRIX_EXPORT MagneticField {
 
   /// B at a point and an instant. Throws BadInput outside the times of the model, and if the point is less
   /// than 6200 km from the centre: inside the Earth the series does not hold.
-  [[nodiscard]] Vector<earth::Itrf, si::magnetic_flux_density> at(
-      const Vector<earth::Itrf, si::length>& r_itrf, const Epoch& epoch) const;
+  [[nodiscard]] Vector<earth::Itrf, si::magnetic_flux_density> at(const earth::PositionInItrf& r_itrf,
+                                                                  const Epoch& epoch) const;
+
+  struct WithRate {
+    Vector<earth::Itrf, si::magnetic_flux_density> field;
+    Derivative<earth::Itrf, earth::Itrf, si::magnetic_flux_density> rate;  ///< T/s
+  };
+  /// The same with its secular variation, dB/dt at a point fixed to the Earth: constant between the years of
+  /// the model, where it jumps to that of the years after.
+  [[nodiscard]] WithRate with_rate(const earth::PositionInItrf& r_itrf, const Epoch& epoch) const;
 
  private:
   struct Series;

@@ -36,5 +36,8 @@ template <SkyBody B> PointMotion<earth::Gcrf, B, earth::Gcrf> geocentric(Of<B>, 
                       vector<si::length>(in<earth::Gcrf>, plain.position),
                       vector<si::velocity>(in<earth::Gcrf>, plain.velocity));
 }
+template <class OfBody, class Given>
+auto geocentric(  // of<sky::Sun>, the Moon or a planet from Mercury to Neptune; an Epoch
+    OfBody, const Given&) -> Refused = delete;
 
 }  // namespace vectrix

@@ -17,9 +17,6 @@ VECTRIX_EXPORT double angular_radius_towards(const char* what, const Eigen::Vect
                                              const Eigen::Vector3d& to_centre, double equatorial,
                                              double polar);
 
-template <class P>
-inline constexpr bool is_earth = std::same_as<P, earth::Itrf> || std::same_as<P, earth::Gcrf>;
-
 }  // namespace detail
 
 /// The angle under which the radius of the spherical body b is seen from p: asin(R/|r_pb|). Throws BadInput

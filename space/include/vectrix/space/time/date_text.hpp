@@ -1,6 +1,7 @@
 #pragma once
 
 #include <concepts>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -14,15 +15,22 @@ namespace vectrix {
 template <ScaleType Scale> class DateText : public std::string {
  public:
   /// A claim: the text was written in this scale.
-  explicit DateText(std::string text) : std::string(std::move(text)) {}
+  explicit DateText(std::string text, const Scale& = {}) : std::string(std::move(text)) {}
 
-  static constexpr const char* scale_name() {
-    if constexpr (std::same_as<Scale, scale::Ut1>) {
-      return "UT1";
-    } else {
-      return Scale{}.name();
-    }
-  }
+  static constexpr Scale written_in() { return {}; }
+};
+
+/// A text in UT1 keeps the UT1-TAI, or UT1-UTC, with which it was written. Epoch::from does not read it with
+/// another.
+template <> class DateText<scale::Ut1> : public std::string {
+ public:
+  explicit DateText(std::string text, const scale::Ut1& written_in)
+      : std::string(std::move(text)), written_in_(written_in) {}
+
+  [[nodiscard]] const scale::Ut1& written_in() const { return written_in_; }
+
+ private:
+  scale::Ut1 written_in_;
 };
 
 /// A text that is to be read in one scale: any text, but not one that was written in another scale.
@@ -37,21 +45,20 @@ template <ScaleType Scale> class DateTextView : public std::string_view {
   = delete;
 };
 
-/// A text that is to be read in a scale which is known at run time only: any text, with the name of the scale
-/// in which it was written if its type has it.
+/// A text that is to be read in a scale which is known at run time only: any text, with the scale in which it
+/// was written if its type has it.
 class AnyDateText : public std::string_view {
  public:
   template <std::convertible_to<std::string_view> Text>
   AnyDateText(const Text& text) : std::string_view(text) {}
   template <class Written>
-  AnyDateText(const DateText<Written>& text)
-      : std::string_view(text), written_in_(DateText<Written>::scale_name()) {}
+  AnyDateText(const DateText<Written>& text) : std::string_view(text), written_in_(text.written_in()) {}
 
-  /// Empty if it is not known.
-  [[nodiscard]] std::string_view written_in() const { return written_in_; }
+  /// Nothing if it is not known.
+  [[nodiscard]] const std::optional<TimeScale>& written_in() const { return written_in_; }
 
  private:
-  std::string_view written_in_{};
+  std::optional<TimeScale> written_in_{};
 };
 
 }  // namespace vectrix

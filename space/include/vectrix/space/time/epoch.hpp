@@ -27,10 +27,14 @@ class EpochReader;
 /// for a newer table.
 class VECTRIX_EXPORT Epoch {
  public:
+  template <class Given>
+  explicit Epoch(  // Epoch::from_utc(text), from(scale, text), from_julian_date(scale, day, fraction), ...
+      const Given&) = delete;
+
   /// From "2022-04-14T10:22:11.874999" or, by the day of the year, "2022-104T10:22:11.874999", with 0 to 12
   /// decimals; the name of the scale may follow, " UTC", " TT", or in UTC a 'Z'. The second 60 is accepted
   /// where UTC has a leap second. Throws BadInput for any other text, also if it names or was written in
-  /// another scale, and for dates that do not exist.
+  /// another scale, in UT1 also with another UT1-TAI, and for dates that do not exist.
   static Epoch from(const TimeScale& scale, AnyDateText text);
   /// Epoch::from(scale::utc, text), Epoch::from(scale::tt, text)
   static Epoch from_utc(DateTextView<scale::Utc> text) { return from(scale::utc, text); }
@@ -50,10 +54,11 @@ class VECTRIX_EXPORT Epoch {
   static Epoch from_modified_julian_date(const TimeScale& scale, double day, double fraction = 0.0);
   /// From a date that has its scale in its type: JulianDate<scale::Tt>{2459683.5, 0.25}.
   template <class Scale> static Epoch from_julian_date(const JulianDate<Scale>& date) {
-    return from_julian_date(Scale{}, date.day, date.fraction);
+    return from_julian_date(detail::scale_of(date), date.day, date.fraction);
   }
-  static Epoch from_julian_date(  // UT1 needs UT1-TAI: (scale::Ut1::minus_tai(...), day, fraction)
-      const JulianDate<scale::Ut1>&) = delete;
+  template <class Given>
+  static Epoch from_julian_date(  // the scale first, (scale::tt, day, fraction); or a JulianDate
+      const Given&) = delete;
   /// From a modified Julian day of UTC and the elapsed fraction of that day, in [0, 1). The fraction is of
   /// the day's own length: a day with a leap second has 86401 s. Throws BadInput if the fraction is outside.
   static Epoch from_utc_mjd(int day, double part = 0.0);
@@ -70,13 +75,13 @@ class VECTRIX_EXPORT Epoch {
   /// 1980. The type of the text has the scale, unless the scale is known at run time only.
   [[nodiscard]] std::string text(const TimeScale& scale, int decimals = 6) const;
   template <ScaleType Scale> [[nodiscard]] DateText<Scale> text(const Scale& scale, int decimals = 6) const {
-    return DateText<Scale>{text(static_cast<const TimeScale&>(scale), decimals)};
+    return DateText<Scale>{text(static_cast<const TimeScale&>(scale), decimals), scale};
   }
   /// The same with the day of the year, "2022-104T10:22:11.874999".
   [[nodiscard]] std::string day_of_year_text(const TimeScale& scale, int decimals = 6) const;
   template <ScaleType Scale>
   [[nodiscard]] DateText<Scale> day_of_year_text(const Scale& scale, int decimals = 6) const {
-    return DateText<Scale>{day_of_year_text(static_cast<const TimeScale&>(scale), decimals)};
+    return DateText<Scale>{day_of_year_text(static_cast<const TimeScale&>(scale), decimals), scale};
   }
   /// text(scale::utc, decimals), text(scale::tt, decimals)
   [[nodiscard]] DateText<scale::Utc> utc(int decimals = 6) const { return text(scale::utc, decimals); }
@@ -85,7 +90,7 @@ class VECTRIX_EXPORT Epoch {
   /// The Julian date in a scale: epoch.julian_date(scale::tdb) is a JulianDate<scale::Tdb>.
   template <ScaleType Scale> [[nodiscard]] JulianDate<Scale> julian_date(const Scale& scale) const {
     const auto date = date_in(scale);
-    return {date.day, date.fraction};
+    return detail::date_by(scale, date.day, date.fraction);
   }
   [[nodiscard]] const JulianDate<scale::Tai>& tai() const { return tai_; }
   [[nodiscard]] JulianDate<scale::Tt> tt_date() const { return julian_date(scale::tt); }

@@ -13,7 +13,7 @@ namespace vectrix {
 /// BadInput as Epoch::text does, and outside the years 0 to 9999.
 VECTRIX_EXPORT std::string exact_text(const Epoch& epoch, const TimeScale& scale);
 template <ScaleType Scale> DateText<Scale> exact_text(const Epoch& epoch, const Scale& scale) {
-  return DateText<Scale>{exact_text(epoch, static_cast<const TimeScale&>(scale))};
+  return DateText<Scale>{exact_text(epoch, static_cast<const TimeScale&>(scale)), scale};
 }
 
 }  // namespace vectrix

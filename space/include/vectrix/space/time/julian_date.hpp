@@ -29,11 +29,16 @@ template <std::derived_from<TimeScale> Scale> struct JulianDate {
       -> std::partial_ordering = delete;
 };
 
-/// A date in UT1 follows from an observed UT1-TAI. Another table gives another date for the same instant, so
-/// these dates do not compare.
+/// A date in UT1 follows from an observed UT1-TAI, which it keeps. Another table gives another date for the
+/// same instant, so these dates do not compare.
 template <> struct JulianDate<scale::Ut1> {
   double day;
   double fraction;
+  scale::Ut1 scale;  ///< with the UT1-TAI, or UT1-UTC, of this date
+
+  JulianDate(double whole_day, double of_day, const scale::Ut1& difference)
+      : day(whole_day), fraction(of_day), scale(difference) {}
+  JulianDate(double, double) = delete;  // UT1 needs UT1-TAI: {day, fraction, scale::Ut1::minus_tai(...)}
 
   [[nodiscard]] constexpr double modified_day() const { return day - 2400000.5; }
 
@@ -43,6 +48,23 @@ template <> struct JulianDate<scale::Ut1> {
   auto operator<=>(const Other&) const  // UT1 is as its table has it: compare the epochs
       -> std::partial_ordering = delete;
 };
+
+namespace detail {
+
+template <class Scale> JulianDate<Scale> date_by(const Scale&, double day, double fraction) {
+  return {day, fraction};
+}
+inline JulianDate<scale::Ut1> date_by(const scale::Ut1& scale, double day, double fraction) {
+  return {day, fraction, scale};
+}
+template <class Scale> Scale scale_of(const JulianDate<Scale>&) {
+  return {};
+}
+inline const scale::Ut1& scale_of(const JulianDate<scale::Ut1>& date) {
+  return date.scale;
+}
+
+}  // namespace detail
 
 // Its sums and differences are refused.
 template <class Scale> inline constexpr bool detail::is_framed<JulianDate<Scale>> = true;
