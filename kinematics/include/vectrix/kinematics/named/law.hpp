@@ -71,10 +71,8 @@ template <class... Typed> auto named_value(const Lent& lent, const std::tuple<Ty
 }
 
 /// The type as the compiler writes it, without the scalar: Twist<Some<'a'>, Some<'b'>, At<Some<'b'>>, ...
-template <class T> std::string type_text() {
-  const std::string_view signature = __PRETTY_FUNCTION__;
-  const auto begin = signature.find("T = ") + 4;
-  std::string text = short_name(signature.substr(begin, signature.find_first_of(";]", begin) - begin));
+template <class F> std::string type_text() {
+  std::string text = name_in(__PRETTY_FUNCTION__);
   replace_all(text, ", double", "");
   replace_all(text, " >", ">");
   return text;
