@@ -221,20 +221,20 @@ TEST(Tree, AHeldRotorTakesTheTorqueOfItsDrive) {
   RandomCraft random(20260308);
   for (int trial = 0; trial < trials(100); ++trial) {
     Case c(random, 1 + random.below(9));
-    const auto motors = c.acting.motors;
+    const std::vector<double> motors(c.acting.motors.begin(), c.acting.motors.end());
     const auto solve = [&](const std::vector<double>& torques, const std::vector<mb::Hold>& held) {
       c.tree.place(c.y.data(), c.k);
       for (std::size_t i = 0; i < torques.size(); ++i) c.k.motors[i] = torques[i];
       for (std::size_t i = 0; i < held.size(); ++i) {
         c.k.held_rotors[i] = held[i];
-        if (held[i] == mb::Hold::driven) c.k.given_spins[i] = c.acting.motors[i] - 1.0;
+        if (held[i] == mb::Hold::driven) c.k.given_spins[i] = motors[i] - 1.0;
       }
       c.tree.solve(c.y.data(), c.ydot.data(), c.k);
       return c.ydot;
     };
     std::vector<mb::Hold> held(motors.size());
     for (auto& hold : held) hold = mb::Hold(random.below(3));
-    std::vector<double> torques(motors.begin(), motors.end());
+    std::vector<double> torques = motors;
     const auto driven = solve(torques, held);
     double scale = 1.0;
     for (const double x : driven) scale = std::max(scale, std::abs(x));

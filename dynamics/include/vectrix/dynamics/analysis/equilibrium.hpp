@@ -29,7 +29,7 @@ CraftState<C> equilibrium(const CraftScenario<C, Parts...>& scenario, const Craf
   const auto y =
       detail::steady_state({core, start.y, [&](const Dual* state, Dual* ydot) { rates(t, state, ydot); },
                             rates.work(), tolerances});
-  typename CraftState<C>::Numbers numbers;
+  typename CraftState<C>::Numbers numbers{};
   std::copy(y.begin(), y.end(), numbers.begin());
   return {detail::trusted, guess.time(), numbers};
 }
