@@ -15,7 +15,8 @@ template <class X> void agree_on_derivatives(const Words& words, const X& x) {
   const auto second = [](const auto&... y) { return second_rate(y...); };
   const auto velocity = [](const auto&... y) { return angular_velocity_from(y...); };
   const auto acceleration = [](const auto&... y) { return angular_acceleration_from(y...); };
-  const auto w_b = any_rate(of<B>, relative_to<A>, in<B>), w_a = any_rate(of<B>, relative_to<A>, in<A>);
+  const auto w_b = any_rate(of<B>, relative_to<A>, in<B>);
+  const auto w_a = any_rate(of<B>, relative_to<A>, in<A>);
   words.agree(first, x, w_b);
   words.agree(first, x, w_a);
   words.agree(second, x, w_b, any_change(of<B>, relative_to<A>, in<B>));
