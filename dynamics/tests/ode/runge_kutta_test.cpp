@@ -119,6 +119,35 @@ TYPED_TEST(InlinedRungeKutta, its_dense_output_meets_the_nodes_and_their_rates) 
   }
 }
 
+/// Of a size known at run time the rates stand in pairs; of an odd size the last number has one of its own.
+TYPED_TEST(InlinedRungeKutta, of_any_size_is_that_of_a_fixed_size) {
+  constexpr std::size_t size = 5, terms = size * TypeParam::degree;
+  constexpr double end = 1.0, h = 0.1;
+  const auto rates = [](double, std::span<const double> y, std::span<double> ydot) {
+    for (std::size_t c = 0; c < size; ++c) ydot[c] = y[(c + 1) % size] * y[(c + 3) % size] - y[c];
+  };
+  std::array<double, size> absolute;
+  absolute.fill(accepts_all);
+  RungeKutta<TypeParam, size, decltype(rates)> fixed(rates, accepts_all, absolute);
+  RungeKutta<TypeParam, std::dynamic_extent, decltype(rates)> any(rates, accepts_all, absolute);
+  const std::array<double, size> y{1.0, -0.4, 0.7, 0.2, -0.9};
+  fixed.start(0.0, y, h);
+  any.start(0.0, y, h);
+  constexpr double rounding = 1e-14;  // of sums of ten numbers, which a compiler may contract
+  constexpr double weights = 1e4;     // of the interpolant, up to
+  Advance advance = Advance::stepped;
+  while (advance == Advance::stepped) {
+    advance = fixed.step(end, h);
+    ASSERT_EQ(any.step(end, h), advance);
+    EXPECT_LT(distance(any.state(), fixed.state()), rounding);
+    EXPECT_LT(distance(any.rate(), fixed.rate()), rounding);
+    std::array<double, terms> of_fixed, of_any;
+    fixed.terms(of_fixed);
+    any.terms(of_any);
+    EXPECT_LT(distance(of_any, of_fixed), weights * rounding);
+  }
+}
+
 TYPED_TEST(InlinedRungeKutta, a_polynomial_of_its_degree_is_exact_everywhere) {
   constexpr int degree = TypeParam::order;
   struct Power {
