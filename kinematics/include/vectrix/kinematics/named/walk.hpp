@@ -55,7 +55,7 @@ class RotationProduct {
   }
   Square<double> result() {
     turn_quaternion();
-    return empty_ ? Square<double>(Square<double>::Identity()) : R_;
+    return R_;
   }
 
  private:
@@ -66,8 +66,8 @@ class RotationProduct {
   }
 
   bool empty_ = true, pending_ = false;
-  Square<double> R_;
-  Eigen::Quaterniond q_;
+  Square<double> R_ = Square<double>::Identity();
+  Eigen::Quaterniond q_ = Eigen::Quaterniond::Identity();
 };
 
 /// R_a^b along the path from b to a.
