@@ -42,7 +42,7 @@ HarrisPriester::HarrisPriester(double exponent) : exponent_(exponent) {
   }
 }
 
-Quantity<si::density> HarrisPriester::under_the_sun(const Vector<earth::Itrf, si::length>& r_itrf,
+Quantity<si::density> HarrisPriester::under_the_sun(const earth::PositionInItrf& r_itrf,
                                                     const Eigen::Vector3d& to_the_sun) const {
   const double height = wgs84::geodetic(r_itrf).height.value() / 1e3;
   const Shell* const last = std::prev(std::end(shells));
@@ -53,7 +53,7 @@ Quantity<si::density> HarrisPriester::under_the_sun(const Vector<earth::Itrf, si
   const Eigen::Vector3d apex(std::cos(lag) * to_the_sun.x() - std::sin(lag) * to_the_sun.y(),
                              std::sin(lag) * to_the_sun.x() + std::cos(lag) * to_the_sun.y(), to_the_sun.z());
   // cos^2(psi/2) = |u + a|^2/4 of the two unit vectors, which is not negative
-  const double cosine_squared = 0.25 * (direction(r_itrf).coordinates() + apex).squaredNorm();
+  const double cosine_squared = 0.25 * (r_itrf.coordinates().normalized() + apex).squaredNorm();
   const double bulge = std::pow(cosine_squared, 0.5 * exponent_);
 
   const Shell* const upper = std::upper_bound(std::next(std::begin(shells)), last, height,

@@ -68,7 +68,7 @@ auto on_the_earth(const Dcm<Itrf, Tirf>& R_itrf_from_tirf, const Dcm<Tirf, Cirf>
 
 namespace motion_of_the_earth_at_an_instant {
 // mistake: the rotation of the Earth over a span, of one instant
-// expect: Given = .(vectrix::)?Epoch
+// expect: \b(vectrix::)?Epoch\b
 // expect: a TimeSpan
 auto motion(const EarthOrientation& orientation, const Epoch& t) {
 #ifdef REPAIRED

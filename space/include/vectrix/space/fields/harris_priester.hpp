@@ -1,6 +1,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <concepts>
+#include <type_traits>
 
 #include <vectrix/frames/displacement.hpp>
 #include <vectrix/frames/export.hpp>
@@ -8,6 +10,16 @@
 #include <vectrix/space/sky/bodies.hpp>
 
 namespace vectrix {
+namespace detail {
+
+template <class Given>
+inline constexpr bool is_place = std::convertible_to<const Given&, earth::PositionInItrf>;
+template <class Given> inline constexpr bool is_towards_sun = false;
+template <class U> inline constexpr bool is_towards_sun<Vector<earth::Itrf, U>> = true;
+template <class P, class S>
+inline constexpr bool is_towards_sun<Displacement<P, S, In<earth::Itrf>>> = is_sun<S>;
+
+}  // namespace detail
 
 /// The density of the atmosphere by Harris and Priester, for a mean activity of the Sun (Montenbruck and
 /// Gill, Satellite Orbits, section 3.5.2, table 3.8), from 100 to 1000 km above the ellipsoid WGS-84:
@@ -25,28 +37,18 @@ class VECTRIX_EXPORT HarrisPriester {
   /// At a position, with the direction to the Sun, or to its image, of any length; both along the axes of
   /// earth::Itrf. The Sun seen from the position serves as well as from the centre of the Earth. Throws
   /// BadInput if the height is outside 100 to 1000 km, or the direction is zero.
-  template <class U>
-  [[nodiscard]] Quantity<si::density> density(const Vector<earth::Itrf, si::length>& r_itrf,
-                                              const Vector<earth::Itrf, U>& to_the_sun) const {
-    return under_the_sun(r_itrf, direction(to_the_sun).coordinates());
-  }
-  template <class P, class S>
-  [[nodiscard]] std::enable_if_t<detail::is_sun<S>, Quantity<si::density>> density(
-      const Vector<earth::Itrf, si::length>& r_itrf, const Displacement<P, S, In<earth::Itrf>>& r_ps) const {
-    return density(r_itrf, r_ps.vector());
-  }
-  template <class E, class Q, class Sun>
-    requires detail::is_earth<E>
-  [[nodiscard]] auto density(const Displacement<E, Q, In<earth::Itrf>>& r_eq, const Sun& to_the_sun) const
-      -> decltype(density(r_eq.vector(), to_the_sun)) {
-    return density(r_eq.vector(), to_the_sun);
+  template <class Place, class Sun>
+  [[nodiscard]] std::enable_if_t<detail::is_place<Place> && detail::is_towards_sun<Sun>,
+                                 Quantity<si::density>>
+  density(const Place& r_itrf, const Sun& to_the_sun) const {
+    return under_the_sun(r_itrf, direction(detail::plain(to_the_sun)).coordinates());
   }
   template <class... Given>
   auto density(  // (r_itrf, to_the_sun): a position in m and the Sun, both in earth::Itrf
       const Given&...) const -> Refused = delete;
 
  private:
-  [[nodiscard]] Quantity<si::density> under_the_sun(const Vector<earth::Itrf, si::length>& r_itrf,
+  [[nodiscard]] Quantity<si::density> under_the_sun(const earth::PositionInItrf& r_itrf,
                                                     const Eigen::Vector3d& to_the_sun) const;
 
   double exponent_;

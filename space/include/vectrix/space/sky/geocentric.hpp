@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <type_traits>
 
 #include <vectrix/frames/export.hpp>
 #include <vectrix/kinematics/points/point_motion.hpp>
@@ -30,7 +31,8 @@ VECTRIX_EXPORT PlainMotion geocentric_motion(Body body, const Epoch& epoch);
 /// 71, 76,000; Saturn 81, 267,000; Uranus 86, 712,000; Neptune 11, 253,000. Near the Earth a planet is
 /// seen with up to four times these angles. Their velocities are wrong by 0.4 m/s (Mercury) to 20 m/s.
 /// Ephemeris answers in a thousandth of the Sun's time. Throws BadInput outside the years 1900 to 2099.
-template <SkyBody B> PointMotion<earth::Gcrf, B, earth::Gcrf> geocentric(Of<B>, const Epoch& epoch) {
+template <class B>
+std::enable_if_t<SkyBody<B>, PointMotion<earth::Gcrf, B, earth::Gcrf>> geocentric(Of<B>, const Epoch& epoch) {
   const auto plain = detail::geocentric_motion(detail::body_of<B>, epoch);
   return point_motion(of<B>, relative_to<earth::Gcrf>, observed_from<earth::Gcrf>,
                       vector<si::length>(in<earth::Gcrf>, plain.position),
