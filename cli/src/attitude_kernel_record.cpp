@@ -99,6 +99,7 @@ AttitudeRecord read_kernel(const std::filesystem::path& file, const KernelWords&
     record.times.push_back(time);
     record.numbers.push_back({q.w(), q.x(), q.y(), q.z()});
   }
+  record.interval_starts = kernel.interval_starts(of<Body>, relative_to<Reference>, span, body, reference);
   const auto& segments = kernel.segments();
   if (std::all_of(segments.begin(), segments.end(),
                   [&](const auto& segment) { return segment.has_rates || segment.frame != frame; })) {

@@ -53,6 +53,7 @@ struct AttitudeRecord {
   std::string derived_from{};
   TimeScale time_scale = scale::utc;     // in which the file has the times
   std::optional<MessageText> message{};  // of a message
+  std::vector<Epoch> interval_starts{};  // of a kernel: to these samples nothing leads from the one before
   std::optional<double> longest_step{};  // s: a longer one is a gap; by default three times the median
 
   [[nodiscard]] std::size_t size() const { return times.size(); }

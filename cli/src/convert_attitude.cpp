@@ -111,6 +111,9 @@ void convert(const AttitudeSource& source, const ConvertOptions& options, std::o
   out << options.out.string() << ": " << attitude.times.size() << " samples of " << attitude.body
       << " relative to " << attitude.reference << '\n';
   for (const std::string& what : attitude.computed) out << "  not to the last digit: " << what << '\n';
+  if (const std::size_t breaks = faults_of(record).breaks.count; breaks > 0)
+    out << "  left out: " << counted(breaks, "end")
+        << " of intervals, behind which the kernel has no attitude\n";
   if (const std::size_t gaps = is_for_viewer ? faults_of(record).gaps.count : 0; gaps > 0)
     out << "  not marked: " << counted(gaps, "gap") << ", over which a viewer turns\n";
 }

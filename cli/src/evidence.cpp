@@ -40,7 +40,7 @@ std::vector<Step> steps_of(const AttitudeRecord& record) {
   const double longest = longest_step(record, median(durations));
   std::vector<Step> steps;
   for (std::size_t i = 0; i < durations.size(); ++i)
-    if (durations[i] <= longest) steps.push_back({i, durations[i]});
+    if (!is_gap(record, i, longest)) steps.push_back({i, durations[i]});
   return steps;
 }
 

@@ -30,8 +30,7 @@ class Windows {
   void begin(std::size_t first) {
     const auto later = [&](std::size_t i) { return (record_.times[i] - record_.times[first]).value(); };
     stretch_ = std::max(stretch_, first);
-    while (stretch_ + 1 < record_.size() && counts(stretch_ + 1) &&
-           (record_.times[stretch_ + 1] - record_.times[stretch_]).value() <= longest_)
+    while (stretch_ + 1 < record_.size() && counts(stretch_ + 1) && !is_gap(record_, stretch_, longest_))
       ++stretch_;
     last_ = std::max(last_, first);
     while (last_ < stretch_ && later(last_ + 1) <= seconds_ + rounding) ++last_;

@@ -16,7 +16,7 @@ std::optional<std::size_t> step_with(const AttitudeRecord& record, double longes
   if (t < times.front() || times.back() < t) return std::nullopt;
   const auto after = std::upper_bound(times.begin() + 1, times.end() - 1, t);
   auto i = static_cast<std::size_t>(after - times.begin()) - 1;
-  const auto is_step = [&](std::size_t k) { return (times[k + 1] - times[k]).value() <= longest; };
+  const auto is_step = [&](std::size_t k) { return !is_gap(record, k, longest); };
   if (is_step(i)) return i;
   if (times[i] == t && i > 0 && is_step(i - 1)) return i - 1;
   return std::nullopt;
@@ -65,6 +65,7 @@ AttitudeRecord resampled(const AttitudeRecord& record, const std::vector<Epoch>&
   at.numbers.clear();
   at.rates.clear();
   at.derived_rates.clear();
+  at.interval_starts.clear();
   for (const Epoch& t : times) {
     const auto step = step_with(record, longest, t);
     if (!step) continue;

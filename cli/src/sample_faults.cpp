@@ -48,6 +48,8 @@ void write_faults(const AttitudeRecord& record, const SampleFaults& faults, std:
       record.longest_step ? shown(*record.longest_step) + " s" : "three times the usual one";
   line(faults.gaps, "gap, a step longer than " + longer, "gaps, steps longer than " + longer,
        shown(faults.gaps.largest) + " s, which ends");
+  line(faults.breaks, "step over which the kernel has no attitude, the end of an interval",
+       "steps over which the kernel has no attitude, the ends of intervals", "");
   line(faults.sign_flips, "change from q to -q: the attitude is one, its numbers are not",
        "changes from q to -q: the attitude is one, its numbers are not", "");
   line(faults.half_turns, "step near half a turn: rates must say which way it turned",
@@ -60,8 +62,8 @@ void write_faults(const AttitudeRecord& record, const SampleFaults& faults, std:
        shown(faults.norm_errors.largest) + " of it");
   if (std::abs(faults.scale - 1.0) > 1e-6)
     out << "  the norm of the quaternions is " << shown(faults.scale) << ", not 1\n";
-  if (faults.gaps.count + faults.sign_flips.count + faults.half_turns.count + faults.jumps.count +
-          faults.norm_errors.count ==
+  if (faults.gaps.count + faults.breaks.count + faults.sign_flips.count + faults.half_turns.count +
+          faults.jumps.count + faults.norm_errors.count ==
       0)
     out << "  no gaps, changes of sign, half turns, jumps or differing norms\n";
   out << '\n';
@@ -94,7 +96,11 @@ SampleFaults faults_of(const AttitudeRecord& record) {
   const double usual = median(speeds);
   constexpr double least_jump = 0.5 / degrees;
   for (std::size_t i = 0; i < turns.size(); ++i) {
-    if (durations[i] > longest_step(record, found.median_step)) add(found.gaps, durations[i], i + 1);
+    if (durations[i] > longest_step(record, found.median_step)) {
+      add(found.gaps, durations[i], i + 1);
+    } else if (is_break(record, i)) {
+      add(found.breaks, 0.0, i + 1);
+    }
     if (turns[i] > nearly_half_a_turn) add(found.half_turns, turns[i], i + 1);
     if (speeds[i] > 10.0 * usual && turns[i] > least_jump) add(found.jumps, turns[i], i + 1);
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <iosfwd>
 #include <numbers>
 #include <vector>
@@ -15,6 +16,16 @@ inline double longest_step(const AttitudeRecord& record, double median_step) {
   return record.longest_step.value_or(3.0 * median_step);
 }
 
+/// Whether a new interval of a kernel begins behind the step from a sample: its attitude is not interpolated.
+inline bool is_break(const AttitudeRecord& record, std::size_t sample) {
+  const auto& starts = record.interval_starts;
+  return std::binary_search(starts.begin(), starts.end(), record.times[sample + 1]);
+}
+/// Whether the step from a sample is a break, or longer than `longest`, s.
+inline bool is_gap(const AttitudeRecord& record, std::size_t sample, double longest) {
+  return (record.times[sample + 1] - record.times[sample]).value() > longest || is_break(record, sample);
+}
+
 /// rad. Which way a step turns that turns by more is not known.
 inline constexpr double nearly_half_a_turn = 0.9 * std::numbers::pi;
 
@@ -28,6 +39,7 @@ struct SampleFaults {
 
   double median_step;   // s
   Extreme gaps;         // steps longer than longest_step, s
+  Extreme breaks;       // shorter ones over which a kernel has no attitude
   Extreme sign_flips;   // q and -q are one attitude, but not to who interpolates the numbers
   Extreme half_turns;   // steps that turn by more than 0.9 of half a turn, rad: which way is not known
   Extreme jumps;        // steps more than ten times as fast as the median and 0.5 deg, rad

@@ -38,6 +38,7 @@ inline bool is_table_name(const std::filesystem::path& file, const std::string& 
   const std::string kind = file.extension().string();
   if (kind != ".csv" && kind != message && kind != ".xml")
     throw BadInput(file.string() + ": the name ends in none of " + message +
+                   (message == ".aem" ? ", .bc" : "") +
                    ", .xml, .csv, .czml and .a, which say what to write");
   return kind == ".csv";
 }

@@ -256,7 +256,7 @@ TEST(Convert, RefusesWhatWouldLoseOrOverwriteSomething) {
   options.force = false;
   options.out = folder.file("out.txt");
   EXPECT_EQ(refusal(options.out),
-            "FILE: the name ends in none of .aem, .xml, .csv, .czml and .a, which say what to write");
+            "FILE: the name ends in none of .aem, .bc, .xml, .csv, .czml and .a, which say what to write");
   options.out = folder.file("new.aem");
   options.frame = "ITRF";
   EXPECT_EQ(refusal(in), "the reference 'ITRF' is none of EME2000, J2000, GCRF, ICRF");

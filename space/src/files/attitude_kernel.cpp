@@ -192,27 +192,29 @@ std::vector<detail::KernelAttitudeRecord> AttitudeKernel::records(const detail::
   double last = 0.0;
   for (const detail::AttitudeRecords* const one : sorted) {
     const detail::AttitudeRecords& segment = *one;
-    const auto add = [&](double ticks, const Eigen::Quaterniond& q_a_from_b, std::size_t i) {
+    const auto add = [&](double ticks, const Eigen::Quaterniond& q_a_from_b, std::size_t i, bool begins) {
       const double rounding = clock_.rounding(detail::trusted, ticks);
       if (ticks < segment.first() - rounding || ticks > segment.last() + rounding) return;
       if (before && before != &segment && ticks == last) {  // where two meet, the last in the file counts
         if (&segment < before) return;
+        begins = records.back().begins;
         records.pop_back();
       } else if (before && before != &segment && ticks < last) {
         throw BadInput(segment.place() + ": it overlaps with another segment, " + before->place() +
                        "; attitude() takes the last one");
       }
       records.push_back({clock_.epoch({ticks}), q_a_from_b,
-                         segment.has_rates() ? std::optional{segment.w_ab_a(i)} : std::nullopt});
+                         segment.has_rates() ? std::optional{segment.w_ab_a(i)} : std::nullopt, begins});
       before = &segment;
       last = ticks;
     };
     for (std::size_t i = 0; i < segment.size(); ++i) {
       if (segment.type() == 2) {
         for (const double ticks : segment.ticks_of_interval(i))
-          add(ticks, segment.at({i, ticks - segment.ticks(i)}, 0.0).q_a_from_b, i);
+          add(ticks, segment.at({i, ticks - segment.ticks(i)}, 0.0).q_a_from_b, i,
+              segment.begins(i) && ticks == segment.ticks(i));
       } else {
-        add(segment.ticks(i), segment.q_a_from_b(i), i);
+        add(segment.ticks(i), segment.q_a_from_b(i), i, segment.begins(i));
       }
     }
   }

@@ -189,6 +189,11 @@ void AttitudeRecords::load_rotating(const DafFile& file, const DafFile::Array& a
   }
 }
 
+bool AttitudeRecords::begins(std::size_t i) const {
+  if (layout_.type == 2) return i == 0 || ticks_[i] > stops_[i - 1] + rounding_;
+  return layout_.type == 3 && begins_[i] != 0;
+}
+
 std::vector<double> AttitudeRecords::ticks_of_interval(std::size_t i) const {
   constexpr double quarter_turn = std::numbers::pi / 2.0, most_steps = 10'000.0;
   const double start = ticks_[i], length = stops_[i] - start;
@@ -199,7 +204,7 @@ std::vector<double> AttitudeRecords::ticks_of_interval(std::size_t i) const {
          text(turn / (4.0 * quarter_turn)) + " turns at one rate; attitude() has them");
   std::vector<double> all;
   for (double step = 0.0; step < steps; ++step) all.push_back(start + step / steps * length);
-  const bool goes_on = i + 1 < ticks_.size() && ticks_[i + 1] <= stops_[i] + rounding_;
+  const bool goes_on = i + 1 < ticks_.size() && !begins(i + 1);
   if (!goes_on && length > 0.0) all.push_back(stops_[i]);
   return all;
 }

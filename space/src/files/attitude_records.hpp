@@ -39,6 +39,8 @@ class AttitudeRecords {
 
   [[nodiscard]] Eigen::Quaterniond q_a_from_b(std::size_t i) const;
   [[nodiscard]] Eigen::Vector3d w_ab_a(std::size_t i) const;
+  /// Whether an interval begins with the record, to which none before leads.
+  [[nodiscard]] bool begins(std::size_t i) const;
   /// Of type 2: the begin of an interval, its end if the next one does not begin there, and between them
   /// steps of at most a quarter of a turn.
   [[nodiscard]] std::vector<double> ticks_of_interval(std::size_t i) const;

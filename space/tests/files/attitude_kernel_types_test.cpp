@@ -30,6 +30,11 @@ TEST(AttitudeKernel, Type3StopsAtTheEndOfAnInterval) {
   const auto attitude = attitude_of(kernel);
   for (const double t : {0.0, 399.9, 400.0, 500.0, 500.1, 900.0}) expect_steady(attitude, t);
   for (const double t : {400.1, 450.0, 499.9}) EXPECT_THROW(attitude(at_ticks(t)), BadInput) << t;
+  const auto starts =
+      kernel.interval_starts(of<Body>, relative_to<Gcrf>, kernel.span(), called<Body>("-77001"));
+  ASSERT_EQ(starts.size(), 2U);
+  EXPECT_EQ(starts[0], kernel.span().start());
+  EXPECT_NEAR((starts[1] - at_ticks(500.0)).value(), 0.0, clock_rounding);
   // Read in parts, it stops there, too.
   for (const double from : {150.0, 350.0, 400.0, 450.0}) {
     const auto part = kernel.attitude(of<Body>, relative_to<Gcrf>,
@@ -122,6 +127,10 @@ TEST(AttitudeKernel, Type2HasSamplesOfEachInterval) {
         << expected[i];
     EXPECT_EQ(rates[i].coordinates(), w);
   }
+  const auto begins = kernel.interval_starts(of<Body>, relative_to<Gcrf>, kernel.span(), body);
+  ASSERT_EQ(begins.size(), 2U);
+  EXPECT_EQ(begins[0], samples[0].time);
+  EXPECT_EQ(begins[1], samples[3].time);
   EXPECT_EQ(
       kernel.samples(of<Body>, relative_to<Gcrf>, from_until(at_ticks(900.0), at_ticks(3500.0)), body).size(),
       3U);

@@ -26,11 +26,12 @@ struct KernelTurn {
   Eigen::Quaterniond q_a_from_b;
   Eigen::Vector3d w_ab_b;
 };
-/// A record: q_b^a, and w_ab^a if the segment has rates.
+/// A record: q_b^a, w_ab^a if the segment has rates, and whether it begins an interval.
 struct KernelAttitudeRecord {
   Epoch time;
   Eigen::Quaterniond q_a_from_b;
   std::optional<Eigen::Vector3d> w_ab_a;
+  bool begins;
 };
 
 class AttitudeRecords;
@@ -153,6 +154,23 @@ class VECTRIX_EXPORT AttitudeKernel {
   }
   template <class B, class A, class... Given>
   auto recorded_rates(  // of<B>, relative_to<A>, span; if F has no standard name in a file: called<F>("NAME")
+      Of<B>, RelativeTo<A>, const TimeSpan&, const Given&...) const
+      -> detail::UnclaimedPair<A, B, Given...> = delete;
+
+  /// When intervals begin: the times of those samples to which nothing leads from the one before. Type 1 has
+  /// no intervals.
+  template <Frame B, Frame A, class... Given>
+  [[nodiscard]] detail::ClaimedPair<A, B, std::vector<Epoch>, Given...> interval_starts(
+      Of<B>, RelativeTo<A>, const TimeSpan& span, const Given&... called) const {
+    std::vector<Epoch> all;
+    for (const auto& record :
+         records(detail::claim_among<B>(called...), detail::claim_among<A>(called...), span))
+      if (record.begins) all.push_back(record.time);
+    return all;
+  }
+  template <class B, class A, class... Given>
+  auto
+  interval_starts(  // of<B>, relative_to<A>, span; if F has no standard name in a file: called<F>("NAME")
       Of<B>, RelativeTo<A>, const TimeSpan&, const Given&...) const
       -> detail::UnclaimedPair<A, B, Given...> = delete;
 
