@@ -61,6 +61,7 @@ STANDARD = {
     "concepts": "same_as integral floating_point invocable convertible_to derived_from constructible_from "
                 "default_initializable copyable movable regular",
     "cstddef": "size_t ptrdiff_t byte nullptr_t",
+    "cstring": "memcpy memcmp memset strlen",
     "cstdint": "uint8_t uint16_t uint32_t uint64_t int8_t int16_t int32_t int64_t uintptr_t",
     "deque": "deque",
     "exception": "exception exception_ptr nested_exception throw_with_nested rethrow_if_nested current_exception "
@@ -72,7 +73,7 @@ STANDARD = {
     "iterator": "next prev distance back_inserter advance begin end ssize input_iterator_tag input_iterator",
     "limits": "numeric_limits",
     "map": "map multimap",
-    "memory": "unique_ptr shared_ptr weak_ptr make_unique make_shared allocator enable_shared_from_this addressof",
+    "memory": "unique_ptr shared_ptr weak_ptr make_unique make_shared allocator enable_shared_from_this addressof assume_aligned",
     "mutex": "mutex lock_guard unique_lock scoped_lock try_to_lock once_flag call_once",
     "numbers": "numbers",
     "numeric": "iota accumulate inner_product midpoint",

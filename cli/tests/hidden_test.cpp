@@ -92,7 +92,7 @@ TEST(Hidden, TheSunIsWhereMostOfItsDiscIs) {
     if (std::abs(seen[i] - 0.5) > near_half) {
       EXPECT_EQ(hidden[i], seen[i] < 0.5) << i << ' ' << seen[i];
     }
-    count += hidden[i] ? 1 : 0;
+    count += hidden[i] ? 1U : 0U;
   }
   EXPECT_GT(count, 100U);
   EXPECT_LT(count, times.size() - 100U);

@@ -92,7 +92,8 @@ TEST(AttitudeEphemerisMessage, EveryFaultHasALineAColumnAndAReason) {
            "1: '2000-01-01T11:59:28.000 0.6 0 0 0.8 1': 6 fields; a line of QUATERNION has an epoch and 4 "
            "numbers"),
       data("2000-01-01T11:59:28.000 0.6 0 nan 0.8", "31 (Q3): 'nan': not a finite number"),
-      data("2000-01-01T11:59:28.000 0.6 0 0 0.8D0", "33 (QC): '0.8D0': not a finite number"),
+      data("2000-01-01T11:59:28.000 0.6 0 0 0.8D0",
+           "33 (QC): '0.8D0': its exponent has the letter D, where E is needed"),
       data("2000-01-01T11:59:28.000 0.6 -inf 0 0.8", "29 (Q2): '-inf': not a finite number"),
       data("2000-01-01T11:59:28.000 3735472A^0 0 0 0.8", "25 (Q1): '3735472A^0': not a finite number"),
       data("2000-01-01T11:59:28.000 0.6 0 0 0.6",

@@ -43,7 +43,8 @@ TEST(AttitudeParameterMessage, EveryFaultHasALineAColumnAndAReason) {
         "such "
         "day"},
        {"Q3              = 0.39158\n", "", "the quaternion from line 11 on: there is no Q3"},
-       {"0.39158", "0.39158D0", "line 17, column 19 (Q3): '0.39158D0': not a finite number"},
+       {"0.39158", "0.39158D0",
+        "line 17, column 19 (Q3): '0.39158D0': its exponent has the letter D, where E is needed"},
        {"0.39158", "0.89158",
         "line 15, column 19 (Q1): '0.03123': of a quaternion whose norm is 1.2812417869395303; it may differ "
         "from 1 "

@@ -215,7 +215,7 @@ TEST(OrbitParameterMessage, EveryFaultHasALineAColumnAndAReason) {
        {"3.11548208    [km/s]", "3.11548208 [m\xC3\x97s\xE2\x81\xBB\xC2\xB9]",
         "line 15, column 39: the byte 195 is no printable character of ASCII"},
        {"3.11548208    [km/s]", "3.11548208D0",
-        "line 15, column 26 (X_DOT): '3.11548208D0': not a finite number"},
+        "line 15, column 26 (X_DOT): '3.11548208D0': its exponent has the letter D, where E is needed"},
        {"3.11548208    [km/s]", "inf", "line 15, column 26 (X_DOT): 'inf': not a finite number"},
        {"SOLAR_RAD_AREA    =      10.000        [m**2]", "SOLAR_RAD_AREA    = 10.000 [s]",
         "line 28, column 21 (SOLAR_RAD_AREA): '10.000 [s]': the unit is [m**2]"},

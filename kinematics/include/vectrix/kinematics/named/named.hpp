@@ -12,17 +12,18 @@ namespace detail {
 
 template <class... Fs> struct FrameList { static constexpr std::size_t size = sizeof...(Fs); };
 
-template <class... Lists> struct Joined;
-template <class... Fs> struct Joined<FrameList<Fs...>> : std::type_identity<FrameList<Fs...>> {};
+template <class... Lists> struct JoinedFrames;
+template <class... Fs> struct JoinedFrames<FrameList<Fs...>> : std::type_identity<FrameList<Fs...>> {};
 template <class... Fs, class... Gs, class... Rest>
-struct Joined<FrameList<Fs...>, FrameList<Gs...>, Rest...> : Joined<FrameList<Fs..., Gs...>, Rest...> {};
+struct JoinedFrames<FrameList<Fs...>, FrameList<Gs...>, Rest...>
+    : JoinedFrames<FrameList<Fs..., Gs...>, Rest...> {};
 
 /// The frames among the arguments of a type, in their order: of AngularVelocity<A, B, In<C>> A, B, C.
 template <class T> struct FramesIn : std::type_identity<FrameList<>> {};
 template <Frame F> struct FramesIn<F> : std::type_identity<FrameList<F>> {};
 template <template <class...> class T, class... Args>
   requires(!Frame<T<Args...>>)
-struct FramesIn<T<Args...>> : Joined<FrameList<>, typename FramesIn<Args>::type...> {};
+struct FramesIn<T<Args...>> : JoinedFrames<FrameList<>, typename FramesIn<Args>::type...> {};
 template <class T> inline constexpr std::size_t frames_in = FramesIn<T>::type::size;
 
 /// T with Some<next>, Some<next + 1>, ... in place of its frames.
