@@ -388,7 +388,7 @@ void drive(Forces<Sat>& forces) {
 
 namespace a_wheel_with_the_motion_of_a_joint {
 // mistake: an angle for a wheel, whose state is its speed alone
-// expect: of a rotor: RotorMotion\{rad/s, rad/s\^2\}
+// expect: of a rotor: RotorMotion
 auto throttle(const Sat& sat) {
   const auto steady = [](const Quantity<si::time>&) {
 #ifdef REPAIRED
@@ -403,7 +403,7 @@ auto throttle(const Sat& sat) {
 
 namespace an_axis_of_a_hinge {
 // mistake: the motion about one axis of a gimbal, on a hinge
-// expect: about one axis of a gimbal
+// expect: AboutAxis<1>
 auto scan(const Sat& sat) {
   const auto still = [](const Quantity<si::time>&) {
     return JointMotion{0.1 * rad, 0.0 * rad / s, 0.0 * rad / s / s};

@@ -44,9 +44,19 @@ template <class U, class S, class Given> inline constexpr bool acts_as_quantity 
 template <class U, class S, class T>
 inline constexpr bool acts_as_quantity<U, S, Quantity<U, T>> = acts_in<T, S>;
 
-/// Whether values are the accelerations of the axes of the joint of b, or of a rotor.
+template <class Given> inline constexpr int axis_of = 0;
+template <int axis> inline constexpr int axis_of<AboutAxis<axis>> = axis;
+/// 1 or 2 if the first value is a word, about_axis<1> or about_axis<2>; else 0.
+template <class... Given> inline constexpr int driven_axis = 0;
+template <class First, class... Others> inline constexpr int driven_axis<First, Others...> = axis_of<First>;
+
+/// Whether values are the accelerations of the axes of the joint of b, of one of the axes of a gimbal, or of
+/// a rotor.
 template <class Shape, class S, class B, class... Given> constexpr bool is_acceleration_of() {
-  if constexpr (Shape::template has_axes<B>) {
+  if constexpr (driven_axis<Given...> != 0) {
+    return Shape::template has_joint_of<B, JointKind::gimbal> && sizeof...(Given) == 2 &&
+           (... + int(acts_as_quantity<si::angular_acceleration, S, Given>)) == 1;
+  } else if constexpr (Shape::template has_axes<B>) {
     constexpr JointKind kind = Shape::template Part<B>::joint;
     return sizeof...(Given) == counts_of(kind).axes &&
            (acts_as_quantity<typename JointUnits<kind>::acceleration, S, Given> && ...);
@@ -175,7 +185,9 @@ template <CraftType C, class S = double> class Forces {
   template <class B, class... Given>
     requires is_acceleration<B, Given...>
   void drive(Of<B>, const Given&... acceleration) {
-    if constexpr (Shape::template has_rotor<B>) {
+    if constexpr (detail::driven_axis<Given...> != 0) {
+      drive_axis<B>(acceleration...);
+    } else if constexpr (Shape::template has_rotor<B>) {
       hold<B>(work_->held_rotors[rotor<B>], multibody::Hold::driven);
       ((work_->given_spins[rotor<B>] = S(acceleration.value())), ...);
     } else {
@@ -183,13 +195,6 @@ template <CraftType C, class S = double> class Forces {
       std::size_t at = Shape::template speed_at<B> - Shape::speeds_begin;
       ((work_->given[at++] = S(acceleration.value())), ...);
     }
-  }
-  template <class B, int axis, class Given>
-    requires(Shape::template has_joint_of<B, JointKind::gimbal>&&
-                 detail::acts_as_quantity<si::angular_acceleration, S, Given>)
-  void drive(Of<B>, AboutAxis<axis>, const Given& acceleration) {
-    hold<B>(work_->held[Shape::template link_of<B>() - 3 + axis], multibody::Hold::driven);
-    work_->given[Shape::template speed_at<B> - Shape::speeds_begin + axis - 1] = S(acceleration.value());
   }
   template <class B, class... Given>
   auto drive(  // of b: rad/s^2 of a hinge or rotor, m/s^2 of a slider; a gimbal: both, or about_axis<i>, one
@@ -233,6 +238,10 @@ template <CraftType C, class S = double> class Forces {
       detail::refuse_to_hold_twice((Shape::template has_rotor<B> ? "the rotor " : "the joint of ") +
                                    frame_name<B>());
     held = how;
+  }
+  template <class B, int axis, class Given> void drive_axis(AboutAxis<axis>, const Given& acceleration) {
+    hold<B>(work_->held[Shape::template link_of<B>() - 3 + axis], multibody::Hold::driven);
+    work_->given[Shape::template speed_at<B> - Shape::speeds_begin + axis - 1] = S(acceleration.value());
   }
   template <class B> void hold_joint(multibody::Hold how) {
     constexpr std::size_t end = Shape::template link_of<B>();

@@ -3,6 +3,7 @@
 #include <concepts>
 #include <cstddef>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 #include <vectrix/dynamics/craft/craft_scenario.hpp>
 
@@ -50,7 +51,7 @@ template <class... Parts> struct EachPart {
 /// The same load, or change, for each of several: f(of<B>) gives that of one.
 ///     each(of_numbered<Panel, 1, 4>, [&](auto b) { return spring(craft, b, k, q_0); })
 template <class... B, class F>
-  requires(sizeof...(B) > 0 && (std::invocable<const F&, Of<B>> && ...))
+  requires(sizeof...(B) > 0 && (std::is_invocable_v<const F&, Of<B>> && ...))
 auto each(OfEach<B...>, const F& f) {
   return EachPart<std::invoke_result_t<const F&, Of<B>>...>{{f(of<B>)...}};
 }

@@ -103,6 +103,31 @@ template <CraftType C, class B, int axis, class F> struct PrescribedAxis {
   }
 };
 
+namespace detail {
+
+/// What prescribed(craft, of<B>, f) and prescribed(craft, of<B>, about_axis<i>, f) make, and of what they
+/// make it: one function for both, so that a refusal names few.
+template <class C, class B, class... F> struct IsPrescribed : std::false_type { using given = void; };
+template <class C, class B, class F>
+struct IsPrescribed<C, B, F> : std::bool_constant<is_motion<C, B, typename GivenMotion<F>::type>()> {
+  using given = typename GivenMotion<F>::type;
+  using type = PrescribedJoint<C, B, F>;
+};
+template <class C, class B, int axis, class F>
+struct IsPrescribed<C, B, AboutAxis<axis>, F>
+    : std::bool_constant<is_motion_of_axis<C, B, typename GivenMotion<F>::type>> {
+  using given = typename GivenMotion<F>::type;
+  using type = PrescribedAxis<C, B, axis, F>;
+};
+template <class F> const F& last_of(const F& f) {
+  return f;
+}
+template <class Axis, class F> const F& last_of(const Axis&, const F& f) {
+  return f;
+}
+
+}  // namespace detail
+
 /// The joint of b moves as f(t) says, a JointMotion of a hinge or slider, a std::array of two of a gimbal; a
 /// rotor turns at a speed of time, a RotorMotion:
 ///     u' = f''(t), whatever acts on it; CraftMotion::holding_effort(of<B>) is what the drive gives for it
@@ -111,27 +136,14 @@ template <CraftType C, class B, int axis, class F> struct PrescribedAxis {
 /// does not start at f and f' to 1e-6 of their largest values, or if f' and f'' are not the derivatives of f
 /// and f' to 1e-5, at five times from its start to its end; and it fails if the joint is also locked. A
 /// gimbal may be driven about one axis, about_axis<1> or about_axis<2>, and free about the other.
-template <CraftType C, class B, class F>
-  requires(detail::is_motion<C, B, typename detail::GivenMotion<F>::type>())
-PrescribedJoint<C, B, std::decay_t<F>> prescribed(const C&, Of<B>, const F& motion) {
-  return {motion};
+template <CraftType C, class B, class... F>
+  requires(detail::IsPrescribed<C, B, F...>::value)
+typename detail::IsPrescribed<C, B, F...>::type prescribed(const C&, Of<B>, const F&... motion) {
+  return {detail::last_of(motion...)};
 }
-template <CraftType C, class B, int axis, class F>
-  requires(detail::is_motion_of_axis<C, B, typename detail::GivenMotion<F>::type>)
-PrescribedAxis<C, B, axis, std::decay_t<F>> prescribed(const C&, Of<B>, AboutAxis<axis>, const F& motion) {
-  return {motion};
-}
-template <class C, class B, class F, class Given = typename detail::GivenMotion<F>::type>
-  requires(!detail::is_motion<C, B, Given>() && !C::shape::template has_rotor<B>)
-auto prescribed(  // f(t) of a hinge: JointMotion{rad, rad/s, rad/s^2}, two of a gimbal; slider: m, m/s, m/s^2
-    const C&, Of<B>, const F&) -> Refused = delete;
-template <class C, class B, class F, class Given = typename detail::GivenMotion<F>::type>
-  requires(!detail::is_motion<C, B, Given>() && C::shape::template has_rotor<B>)
-auto prescribed(  // f(t) of a rotor: RotorMotion{rad/s, rad/s^2}
-    const C&, Of<B>, const F&) -> Refused = delete;
-template <class C, class B, int axis, class F, class Given = typename detail::GivenMotion<F>::type>
-  requires(!detail::is_motion_of_axis<C, B, Given>)
-auto prescribed(  // about one axis of a gimbal; f(t): JointMotion{rad, rad/s, rad/s^2}
-    const C&, Of<B>, AboutAxis<axis>, const F&) -> Refused = delete;
+template <class C, class B, class... F, class Given = typename detail::IsPrescribed<C, B, F...>::given>
+  requires(!detail::IsPrescribed<C, B, F...>::value)
+auto prescribed(  // f(t) of a hinge: JointMotion{rad, rad/s, rad/s^2}; of a rotor: RotorMotion
+    const C&, Of<B>, const F&...) -> Refused = delete;
 
 }  // namespace vectrix
