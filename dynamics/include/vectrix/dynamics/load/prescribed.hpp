@@ -111,13 +111,13 @@ template <class C, class B, class... F> struct IsPrescribed : std::false_type { 
 template <class C, class B, class F>
 struct IsPrescribed<C, B, F> : std::bool_constant<is_motion<C, B, typename GivenMotion<F>::type>()> {
   using given = typename GivenMotion<F>::type;
-  using type = PrescribedJoint<C, B, F>;
+  using type = PrescribedJoint<C, B, std::decay_t<F>>;
 };
 template <class C, class B, int axis, class F>
 struct IsPrescribed<C, B, AboutAxis<axis>, F>
     : std::bool_constant<is_motion_of_axis<C, B, typename GivenMotion<F>::type>> {
   using given = typename GivenMotion<F>::type;
-  using type = PrescribedAxis<C, B, axis, F>;
+  using type = PrescribedAxis<C, B, axis, std::decay_t<F>>;
 };
 template <class F> const F& last_of(const F& f) {
   return f;
