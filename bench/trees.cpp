@@ -169,7 +169,10 @@ bool measure(const Craft& craft) {
                                    si::newton_metre);
     }
   };
-  const auto problem = named.problem(named.state(y), 0.0 * si::second, 1.0 * si::second, 1e-9, {}, springs);
+  const CraftTolerances tolerances{1e-9 * si::radian, 1e-9 * (si::radian / si::second), 1e-9 * si::metre,
+                                   1e-9 * (si::metre / si::second), 1e-9};
+  const auto problem =
+      named.problem(named.state(y), 0.0 * si::second, 1.0 * si::second, 1e-9, tolerances, springs);
   // Each call needs the result of the last, as in an integrator.
   const int calls = 10 + 20000 / (20 + 10 * craft.hinged);
   Row by_engine{[&] {
