@@ -4,6 +4,7 @@
 #include <vectrix/dynamics/mass/mass_properties.hpp>
 #include <vectrix/frames/dcm_doors.hpp>
 #include <vectrix/kinematics/named/nearest_name.hpp>
+#include <vectrix/kinematics/named/some.hpp>
 #include <vectrix/kinematics/rates/hat.hpp>
 
 #include "named_craft_core.hpp"
@@ -17,10 +18,6 @@ constexpr double least_angle =
 [[noreturn]] void refuse(const std::string& part, const std::string& fault) {
   throw BadInput(part + ": " + fault);
 }
-void rename(std::string& text, const std::string& from, const std::string& to) {
-  for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
-    text.replace(at, from.size(), to);
-}
 /// Calls a typed door; its errors get the name of the part, also where they say its frame or its parent's.
 template <class Door>
 auto through(const std::string& part, const Door& door, const std::string& parent = "its parent") {
@@ -28,8 +25,8 @@ auto through(const std::string& part, const Door& door, const std::string& paren
     return door();
   } catch (const BadInput& error) {
     std::string said = error.what();
-    rename(said, frame_name<ThisBody>(), part.substr(1, part.size() - 2));
-    rename(said, frame_name<ParentBody>(), parent);
+    replace_all(said, frame_name<ThisBody>(), part.substr(1, part.size() - 2));
+    replace_all(said, frame_name<ParentBody>(), parent);
     refuse(part, said);
   }
 }

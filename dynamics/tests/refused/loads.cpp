@@ -388,7 +388,7 @@ void drive(Forces<Sat>& forces) {
 
 namespace a_wheel_with_the_motion_of_a_joint {
 // mistake: an angle for a wheel, whose state is its speed alone
-// expect: of a rotor: RotorMotion
+// expect: rotor: RotorMotion
 auto throttle(const Sat& sat) {
   const auto steady = [](const Quantity<si::time>&) {
 #ifdef REPAIRED
@@ -404,6 +404,7 @@ auto throttle(const Sat& sat) {
 namespace an_axis_of_a_hinge {
 // mistake: the motion about one axis of a gimbal, on a hinge
 // expect: AboutAxis<1>
+// expect: gimbal: two, or an axis
 auto scan(const Sat& sat) {
   const auto still = [](const Quantity<si::time>&) {
     return JointMotion{0.1 * rad, 0.0 * rad / s, 0.0 * rad / s / s};

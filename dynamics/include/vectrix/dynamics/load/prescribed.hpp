@@ -143,7 +143,7 @@ typename detail::IsPrescribed<C, B, F...>::type prescribed(const C&, Of<B>, cons
 }
 template <class C, class B, class... F, class Given = typename detail::IsPrescribed<C, B, F...>::given>
   requires(!detail::IsPrescribed<C, B, F...>::value)
-auto prescribed(  // f(t) of a hinge: JointMotion{rad, rad/s, rad/s^2}; of a rotor: RotorMotion
+auto prescribed(  // of a hinge: JointMotion{rad, rad/s, rad/s^2}, gimbal: two, or an axis; rotor: RotorMotion
     const C&, Of<B>, const F&...) -> Refused = delete;
 
 }  // namespace vectrix
