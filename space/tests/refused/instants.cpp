@@ -169,3 +169,43 @@ bool is_before(const Epoch& a, const EarthOrientation& early, const Epoch& b, co
 #endif
 }
 }  // namespace ut1_dates_of_two_sources
+
+namespace texts_of_two_scales {
+// mistake: asks whether the text of an instant in TT is that in UTC, letter by letter
+// expect: texts of one scale compare; else the epochs
+// expect: scale::Utc\b
+// expect: scale::Tt\b
+bool is_same(const Epoch& a, const Epoch& b) {
+#ifdef REPAIRED
+  return a.utc() == b.utc() && a.utc() != "2022-04-14T10:22:11.874999" && a == b;
+#else
+  return a.utc() == b.tt();
+#endif
+}
+}  // namespace texts_of_two_scales
+
+namespace order_of_texts_of_two_scales {
+// mistake: sorts by the text of one instant in UTC and that of another in GPS time, 18 s apart
+// expect: texts of one scale compare; else the epochs
+// expect: scale::Gps\b
+bool is_before(const Epoch& a, const Epoch& b) {
+#ifdef REPAIRED
+  return exact_text(a, scale::gps) < exact_text(b, scale::gps);
+#else
+  return exact_text(a, scale::utc) < exact_text(b, scale::gps);
+#endif
+}
+}  // namespace order_of_texts_of_two_scales
+
+namespace ut1_text_compared_with_utc {
+// mistake: compares a text in UT1 with one in UTC
+// expect: texts of one scale compare; else the epochs
+// expect: scale::Ut1\b
+bool is_same(const Epoch& t, const std::string& text, const scale::Ut1& ut1) {
+#ifdef REPAIRED
+  return t.text(ut1) == text;
+#else
+  return t.text(ut1) == t.utc() && text.empty();
+#endif
+}
+}  // namespace ut1_text_compared_with_utc
