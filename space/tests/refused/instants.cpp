@@ -209,3 +209,31 @@ bool is_same(const Epoch& t, const std::string& text, const scale::Ut1& ut1) {
 #endif
 }
 }  // namespace ut1_text_compared_with_utc
+
+namespace utc_claimed_of_a_text_in_tt {
+// mistake: claims that a text in TT is one in UTC
+// expect: a text stays in the scale in which it was written
+// expect: scale::Utc\b
+// expect: scale::Tt\b
+DateText<scale::Utc> text(const Epoch& t) {
+#ifdef REPAIRED
+  return t.utc();
+#else
+  return DateText<scale::Utc>{t.tt()};
+#endif
+}
+}  // namespace utc_claimed_of_a_text_in_tt
+
+namespace ut1_of_another_source_claimed {
+// mistake: claims that a text in UT1 was written with the UT1-TAI of another table
+// expect: a text stays in the scale in which it was written
+// expect: scale::Ut1\b
+DateText<scale::Ut1> text(const Epoch& t, const scale::Ut1& early, const scale::Ut1& late) {
+#ifdef REPAIRED
+  static_cast<void>(early);
+  return t.text(late);
+#else
+  return DateText<scale::Ut1>(t.text(early), late);
+#endif
+}
+}  // namespace ut1_of_another_source_claimed

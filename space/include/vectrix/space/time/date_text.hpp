@@ -43,6 +43,10 @@ template <ScaleType Scale> class DateText : public detail::ScaledText {
  public:
   /// A claim: the text was written in this scale.
   explicit DateText(std::string text, const Scale& = {}) : ScaledText(std::move(text)) {}
+  template <class Written>
+    requires(!std::same_as<Written, Scale>)
+  explicit DateText(  // a text stays in the scale in which it was written: write the epoch again
+      const DateText<Written>&, const Scale& = {}) = delete;
 
   static constexpr Scale written_in() { return {}; }
 };
@@ -53,6 +57,9 @@ template <> class DateText<scale::Ut1> : public detail::ScaledText {
  public:
   explicit DateText(std::string text, const scale::Ut1& written_in)
       : ScaledText(std::move(text)), written_in_(written_in) {}
+  template <class Written>
+  explicit DateText(  // a text stays in the scale in which it was written: write the epoch again
+      const DateText<Written>&, const scale::Ut1&) = delete;
 
   [[nodiscard]] const scale::Ut1& written_in() const { return written_in_; }
 
