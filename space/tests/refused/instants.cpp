@@ -237,3 +237,42 @@ DateText<scale::Ut1> text(const Epoch& t, const scale::Ut1& early, const scale::
 #endif
 }
 }  // namespace ut1_of_another_source_claimed
+
+namespace julian_date_in_two_parts_without_a_scale {
+// mistake: a Julian date in two parts that does not say its scale
+// expect: Given = double
+// expect: the scale first
+Epoch instant() {
+#ifdef REPAIRED
+  return Epoch::from_julian_date(scale::tt, 2459683.5, 0.25);
+#else
+  return Epoch::from_julian_date(2459683.5, 0.25);
+#endif
+}
+}  // namespace julian_date_in_two_parts_without_a_scale
+
+namespace modified_julian_date_without_a_scale {
+// mistake: a modified Julian date that does not say its scale
+// expect: Given = double
+// expect: the scale first
+Epoch instant() {
+#ifdef REPAIRED
+  return Epoch::from_modified_julian_date(scale::tt, 59683.0, 0.25);
+#else
+  return Epoch::from_modified_julian_date(59683.0, 0.25);
+#endif
+}
+}  // namespace modified_julian_date_without_a_scale
+
+namespace ut1_without_its_difference {
+// mistake: UT1, which no clock shows, without the UT1-TAI that makes it
+// expect: UT1 needs UT1-TAI
+std::string text(const Epoch& t, const Quantity<si::time>& ut1_minus_tai) {
+#ifdef REPAIRED
+  return t.text(scale::Ut1::minus_tai(ut1_minus_tai));
+#else
+  static_cast<void>(ut1_minus_tai);
+  return t.text(scale::Ut1{});
+#endif
+}
+}  // namespace ut1_without_its_difference

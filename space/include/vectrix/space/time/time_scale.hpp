@@ -66,6 +66,7 @@ struct Gps : TimeScale {
 ///     scale::Ut1::minus_tai(orientation.parameters(epoch).ut1_minus_tai)
 class Ut1 : public TimeScale {
  public:
+  Ut1() = delete;  // UT1 needs UT1-TAI: scale::Ut1::minus_tai(...)
   /// Throws BadInput if the difference is not finite.
   VECTRIX_EXPORT static Ut1 minus_tai(const Quantity<si::time>& difference);
   /// A leap second changes the difference by 1 s, so this fits one instant: UTC = UT1 - (UT1-UTC), and in a
