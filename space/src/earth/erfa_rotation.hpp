@@ -18,19 +18,11 @@ inline RowMajor matrix_of(const Rows& rows) {
   return Eigen::Map<const RowMajor>(&rows[0][0]);
 }
 
-/// Throws BadInput if UT1-TAI is none: since 1972 leap seconds keep UT1-UTC within 0.9 s, so that UT1-UTC in
-/// its place, or nothing, is off by 10 s or more. In the future of the table some seconds may be missing.
+/// Throws BadInput if UT1-TAI is none; see ut1_fault.
 inline JulianDate<scale::Ut1> ut1_date(const Epoch& epoch, const Quantity<si::time>& ut1_minus_tai) {
-  static const Epoch leap_seconds_begin = Epoch::from_utc("1972-01-01T00:00:00");
-  constexpr double largest_ut1_minus_utc = 5.0;  // s
-  if (epoch >= leap_seconds_begin) {
-    const double ut1_minus_utc = (ut1_minus_tai + epoch.tai_minus_utc()).value();
-    if (!(std::abs(ut1_minus_utc) <= largest_ut1_minus_utc)) {
-      throw BadInput("Earth orientation at " + epoch.utc() + " UTC: UT1-TAI is " +
-                     text(ut1_minus_tai.value()) + " s, so UT1-UTC " + text(ut1_minus_utc) +
-                     " s, which must be less than 0.9 s; UT1-TAI = (UT1-UTC) - (TAI-UTC)");
-    }
-  }
+  const auto& tai = epoch.tai();
+  if (const auto fault = ut1_fault({tai.day, tai.fraction}, ut1_minus_tai.value()); !fault.empty())
+    throw BadInput("Earth orientation at " + epoch.utc() + " UTC: " + fault);
   return epoch.julian_date(scale::Ut1::minus_tai(ut1_minus_tai));
 }
 

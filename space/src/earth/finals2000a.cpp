@@ -26,9 +26,9 @@ constexpr std::array<Field, 5> parameter_fields{
 // table lacks.
 constexpr Quantity<si::time> largest_change_in_a_day = 0.01 * si::second;
 
-// From 1980 to 1988 both kinds of offsets are as small as the errors of that time. Of the square sums of any
-// four neighbouring rows of finals2000A, shifted by what makes them those of finals.all, the ratio is 0.014
-// at least.
+// From 1979 to 1990 both kinds of offsets may be as small as the errors of that time. Of the square sums of
+// any four neighbouring rows of finals2000A, shifted by what makes them those of finals.all, the ratio is
+// 0.014 at least.
 constexpr double clearly = 0.01;
 
 // dX, dY, and in the same columns of finals.all dPsi, dEps, milliarcseconds.
@@ -183,11 +183,10 @@ class Finals2000AReader {
     const std::string found =
         text(largest->offsets.first) + " and " + text(largest->offsets.second) + " milliarcseconds ";
     if (unclear)
-      fail(parameter_fields[3],
-           found +
-               "may be offsets of the pole from IAU 2006/2000A, or from IAU 1980, as "
-               "finals.all has them in these columns: these rows do not tell; read more of "
-               "the file, or say offsets_from_iau_2006");
+      fail(parameter_fields[3], found +
+                                    "may be offsets of the pole from IAU 2006/2000A, or from IAU 1980, as "
+                                    "finals.all has them in these columns: these rows do not tell; if the "
+                                    "file is finals2000A, say offsets_from_iau_2006");
     fail(parameter_fields[3], found +
                                   "are offsets of the pole from IAU 1980, as finals.all has them in these "
                                   "columns, not from IAU 2006/2000A; read finals2000A");

@@ -23,11 +23,15 @@ Date normalised(double day, double fraction);
 
 /// TAI of a date in the scale. `what` names the date in a BadInput.
 Date tai_of(const TimeScale& scale, const Date& date, const std::string& what);
-/// Whether there is TAI of every time of a day in the scale, which is not UTC.
+/// Whether TAI of every time of a day in the scale, which is not UTC, is known to exist.
 bool has_whole_day(const TimeScale& scale, double day);
 /// The date in the scale of an instant of TAI.
 Date date_of(const TimeScale& scale, const Date& tai);
 bool before_utc(const Date& tai);
+/// What is wrong with UT1-TAI, s; empty if nothing. Since 1972 leap seconds keep UT1-UTC within 0.9 s, so
+/// that UT1-UTC in its place, or nothing, is off by 10 s or more. In the future of the table some seconds may
+/// be missing.
+std::string ut1_fault(const Date& tai, double ut1_minus_tai);
 /// TAI - UTC, s, at a date of UTC.
 double tai_minus_utc(const Date& utc);
 /// Throws BadInput, which begins with `what`, before 1960 and outside the calendar.

@@ -126,6 +126,7 @@ std::vector<LeapSecond> read_leap_seconds(const std::filesystem::path& file) {
   if (!content->whole)
     throw BadInput("leap seconds " + file.string() + ", line " + text(line_number) + ": " +
                    detail::truncated);
+  if (table.empty()) throw BadInput("leap seconds " + file.string() + ": there are no rows");
   return table;
 }
 

@@ -76,8 +76,11 @@ Date tai_of(const TimeScale& scale, const Date& date, const std::string& what) {
     case TimeScale::Kind::gps:
       if (date.modified_day() < first_gps_day) throw BadInput(what + ": GPS time begins in 1980");
       return shifted(date, -gps_minus_tai);
-    case TimeScale::Kind::ut1_by_tai:
-      return shifted(date, -ut1_offset);
+    case TimeScale::Kind::ut1_by_tai: {
+      const Date tai = shifted(date, -ut1_offset);
+      if (const auto fault = ut1_fault(tai, ut1_offset); !fault.empty()) throw BadInput(what + ": " + fault);
+      return tai;
+    }
     case TimeScale::Kind::ut1_by_utc:
       break;
   }
@@ -88,7 +91,7 @@ Date tai_of(const TimeScale& scale, const Date& date, const std::string& what) {
 
 bool has_whole_day(const TimeScale& scale, double day) {
   if (scale.kind() == TimeScale::Kind::gps) return day - modified_julian_zero >= first_gps_day;
-  return scale.kind() != TimeScale::Kind::ut1_by_utc;
+  return scale.kind() != TimeScale::Kind::ut1_by_tai && scale.kind() != TimeScale::Kind::ut1_by_utc;
 }
 
 Date date_of(const TimeScale& scale, const Date& tai) {
@@ -108,6 +111,8 @@ Date date_of(const TimeScale& scale, const Date& tai) {
       return gps;
     }
     case TimeScale::Kind::ut1_by_tai:
+      if (const auto fault = ut1_fault(tai, ut1_offset); !fault.empty())
+        throw BadInput(tai_text(tai) + ": " + fault);
       return shifted(tai, ut1_offset);
     case TimeScale::Kind::ut1_by_utc:
       break;
@@ -118,6 +123,16 @@ Date date_of(const TimeScale& scale, const Date& tai) {
 bool before_utc(const Date& tai) {
   static const Date first = tai_of_utc({modified_julian_zero + first_utc_day, 0.0}, "the first day of UTC");
   return tai < first;
+}
+
+std::string ut1_fault(const Date& tai, double ut1_minus_tai) {
+  static const Date leap_seconds_begin = tai_of_utc({2441317.5, 0.0}, "1972 January 1");
+  constexpr double largest_ut1_minus_utc = 5.0;  // s
+  if (tai < leap_seconds_begin) return {};
+  const double ut1_minus_utc = ut1_minus_tai + tai_minus_utc(utc_of(tai));
+  if (std::abs(ut1_minus_utc) <= largest_ut1_minus_utc) return {};
+  return "UT1-TAI is " + text(ut1_minus_tai) + " s, so UT1-UTC " + text(ut1_minus_utc) +
+         " s, which must be less than 0.9 s; UT1-TAI = (UT1-UTC) - (TAI-UTC)";
 }
 
 double tai_minus_utc(const Date& utc) {

@@ -49,7 +49,7 @@ TEST(Finals2000AFile, OfAnUnclearModelIsRefusedUnlessTheCallerKnows) {
       refusal,
       "Earth orientation FILE, line 1: columns 98-106 (dX): 2.1 and -1.6 milliarcseconds may be offsets "
       "of the pole from IAU 2006/2000A, or from IAU 1980, as finals.all has them in these columns: these "
-      "rows do not tell; read more of the file, or say offsets_from_iau_2006");
+      "rows do not tell; if the file is finals2000A, say offsets_from_iau_2006");
   const auto claimed = EarthOrientation::read(file.path(), offsets_from_iau_2006);
   EXPECT_NEAR(claimed.parameters(claimed.first()).dX.value(), 2.1e-3 * arcsecond, 1e-9 * arcsecond);
   // What the rows do tell, no word changes.

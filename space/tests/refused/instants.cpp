@@ -169,3 +169,110 @@ bool is_before(const Epoch& a, const EarthOrientation& early, const Epoch& b, co
 #endif
 }
 }  // namespace ut1_dates_of_two_sources
+
+namespace texts_of_two_scales {
+// mistake: asks whether the text of an instant in TT is that in UTC, letter by letter
+// expect: texts of one scale compare; else the epochs
+// expect: scale::Utc\b
+// expect: scale::Tt\b
+bool is_same(const Epoch& a, const Epoch& b) {
+#ifdef REPAIRED
+  return a.utc() == b.utc() && a.utc() != "2022-04-14T10:22:11.874999" && a == b;
+#else
+  return a.utc() == b.tt();
+#endif
+}
+}  // namespace texts_of_two_scales
+
+namespace order_of_texts_of_two_scales {
+// mistake: sorts by the text of one instant in UTC and that of another in GPS time, 18 s apart
+// expect: texts of one scale compare; else the epochs
+// expect: scale::Gps\b
+bool is_before(const Epoch& a, const Epoch& b) {
+#ifdef REPAIRED
+  return exact_text(a, scale::gps) < exact_text(b, scale::gps);
+#else
+  return exact_text(a, scale::utc) < exact_text(b, scale::gps);
+#endif
+}
+}  // namespace order_of_texts_of_two_scales
+
+namespace ut1_text_compared_with_utc {
+// mistake: compares a text in UT1 with one in UTC
+// expect: texts of one scale compare; else the epochs
+// expect: scale::Ut1\b
+bool is_same(const Epoch& t, const std::string& text, const scale::Ut1& ut1) {
+#ifdef REPAIRED
+  return t.text(ut1) == text;
+#else
+  return t.text(ut1) == t.utc() && text.empty();
+#endif
+}
+}  // namespace ut1_text_compared_with_utc
+
+namespace utc_claimed_of_a_text_in_tt {
+// mistake: claims that a text in TT is one in UTC
+// expect: a text stays in the scale in which it was written
+// expect: scale::Utc\b
+// expect: scale::Tt\b
+DateText<scale::Utc> text(const Epoch& t) {
+#ifdef REPAIRED
+  return t.utc();
+#else
+  return DateText<scale::Utc>{t.tt()};
+#endif
+}
+}  // namespace utc_claimed_of_a_text_in_tt
+
+namespace ut1_of_another_source_claimed {
+// mistake: claims that a text in UT1 was written with the UT1-TAI of another table
+// expect: a text stays in the scale in which it was written
+// expect: scale::Ut1\b
+DateText<scale::Ut1> text(const Epoch& t, const scale::Ut1& early, const scale::Ut1& late) {
+#ifdef REPAIRED
+  static_cast<void>(early);
+  return t.text(late);
+#else
+  return DateText<scale::Ut1>(t.text(early), late);
+#endif
+}
+}  // namespace ut1_of_another_source_claimed
+
+namespace julian_date_in_two_parts_without_a_scale {
+// mistake: a Julian date in two parts that does not say its scale
+// expect: Given = double
+// expect: the scale first
+Epoch instant() {
+#ifdef REPAIRED
+  return Epoch::from_julian_date(scale::tt, 2459683.5, 0.25);
+#else
+  return Epoch::from_julian_date(2459683.5, 0.25);
+#endif
+}
+}  // namespace julian_date_in_two_parts_without_a_scale
+
+namespace modified_julian_date_without_a_scale {
+// mistake: a modified Julian date that does not say its scale
+// expect: Given = double
+// expect: the scale first
+Epoch instant() {
+#ifdef REPAIRED
+  return Epoch::from_modified_julian_date(scale::tt, 59683.0, 0.25);
+#else
+  return Epoch::from_modified_julian_date(59683.0, 0.25);
+#endif
+}
+}  // namespace modified_julian_date_without_a_scale
+
+namespace ut1_without_its_difference {
+// mistake: UT1, which no clock shows, without the UT1-TAI that makes it
+// expect: UT1 needs UT1-TAI
+std::string text(const Epoch& t, const Quantity<si::time>& ut1_minus_tai) {
+#ifdef REPAIRED
+  return t.text(scale::Ut1::minus_tai(ut1_minus_tai));
+#else
+  static_cast<void>(ut1_minus_tai);
+  return t.text(scale::Ut1{});
+#endif
+}
+}  // namespace ut1_without_its_difference

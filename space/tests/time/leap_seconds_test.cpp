@@ -82,6 +82,10 @@ TEST_F(LeapSeconds, FromTheFileOfTheIers) {
             "leap seconds FILE, line 2, column 34: five numbers are expected");
   EXPECT_EQ(refusal("    41317.0    1  1 1972       10"),
             "leap seconds FILE, line 2: the file stops within this line; it was truncated");
+  EXPECT_EQ(refusal(""), "leap seconds FILE: there are no rows");
+  const TemporaryFile empty("");
+  EXPECT_EQ(complaint([&] { (void)read_leap_seconds(empty.path()); }, empty.path()),
+            "leap seconds FILE: there are no rows");
   EXPECT_EQ(complaint([] { (void)read_leap_seconds("/nowhere/at/all"); }),
             "leap seconds /nowhere/at/all: cannot be read");
 }

@@ -1,31 +1,65 @@
 #pragma once
 
+#include <compare>
 #include <concepts>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 
 #include <vectrix/space/time/time_scale.hpp>
 
 namespace vectrix {
 
+template <ScaleType Scale> class DateText;
+
+namespace detail {
+
+/// A text in a scale, which compares with texts in the same scale and with plain ones. Of deleted operators
+/// clang would list all those of std.
+class ScaledText : public std::string {
+ protected:
+  explicit ScaledText(std::string text) : std::string(std::move(text)) {}
+
+ private:
+  template <class A, class B> friend bool operator==(const DateText<A>& a, const DateText<B>& b) {
+    static_assert(std::is_same_v<A, B>, "texts of one scale compare; else the epochs");
+    return std::string_view(a) == std::string_view(b);
+  }
+  template <class A, class B>
+  friend std::strong_ordering operator<=>(const DateText<A>& a, const DateText<B>& b) {
+    static_assert(std::is_same_v<A, B>, "texts of one scale compare; else the epochs");
+    return std::string_view(a) <=> std::string_view(b);
+  }
+};
+
+}  // namespace detail
+
 /// The text of an instant in one scale, "2022-04-14T10:22:11.874999": a std::string that knows in which scale
-/// it was written, though it does not show it. Epoch::from does not read it in another.
-template <ScaleType Scale> class DateText : public std::string {
+/// it was written, though it does not show it. Epoch::from does not read it in another, and texts of two
+/// scales do not compare.
+template <ScaleType Scale> class DateText : public detail::ScaledText {
  public:
   /// A claim: the text was written in this scale.
-  explicit DateText(std::string text, const Scale& = {}) : std::string(std::move(text)) {}
+  explicit DateText(std::string text, const Scale& = {}) : ScaledText(std::move(text)) {}
+  template <class Written>
+    requires(!std::same_as<Written, Scale>)
+  explicit DateText(  // a text stays in the scale in which it was written: write the epoch again
+      const DateText<Written>&, const Scale& = {}) = delete;
 
   static constexpr Scale written_in() { return {}; }
 };
 
 /// A text in UT1 keeps the UT1-TAI, or UT1-UTC, with which it was written. Epoch::from does not read it with
 /// another.
-template <> class DateText<scale::Ut1> : public std::string {
+template <> class DateText<scale::Ut1> : public detail::ScaledText {
  public:
   explicit DateText(std::string text, const scale::Ut1& written_in)
-      : std::string(std::move(text)), written_in_(written_in) {}
+      : ScaledText(std::move(text)), written_in_(written_in) {}
+  template <class Written>
+  explicit DateText(  // a text stays in the scale in which it was written: write the epoch again
+      const DateText<Written>&, const scale::Ut1&) = delete;
 
   [[nodiscard]] const scale::Ut1& written_in() const { return written_in_; }
 

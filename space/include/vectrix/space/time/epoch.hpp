@@ -56,9 +56,14 @@ class VECTRIX_EXPORT Epoch {
   template <class Scale> static Epoch from_julian_date(const JulianDate<Scale>& date) {
     return from_julian_date(detail::scale_of(date), date.day, date.fraction);
   }
-  template <class Given>
+  template <class Given, class... More>
+    requires(!std::derived_from<Given, TimeScale> || sizeof...(More) == 0)
   static Epoch from_julian_date(  // the scale first, (scale::tt, day, fraction); or a JulianDate
-      const Given&) = delete;
+      const Given&, const More&...) = delete;
+  template <class Given, class... More>
+    requires(!std::derived_from<Given, TimeScale>)
+  static Epoch from_modified_julian_date(  // the scale first, (scale::tt, day, fraction)
+      const Given&, const More&...) = delete;
   /// From a modified Julian day of UTC and the elapsed fraction of that day, in [0, 1). The fraction is of
   /// the day's own length: a day with a leap second has 86401 s. Throws BadInput if the fraction is outside.
   static Epoch from_utc_mjd(int day, double part = 0.0);

@@ -66,7 +66,10 @@ struct Gps : TimeScale {
 ///     scale::Ut1::minus_tai(orientation.parameters(epoch).ut1_minus_tai)
 class Ut1 : public TimeScale {
  public:
-  /// Throws BadInput if the difference is not finite.
+  Ut1() = delete;  // UT1 needs UT1-TAI: scale::Ut1::minus_tai(...)
+  /// Throws BadInput if the difference is not finite. Since 1972 an Epoch throws BadInput where UT1-UTC would
+  /// exceed 5 s, as with UT1-UTC in the place of UT1-TAI; UTC keeps it below 0.9 s, but future leap seconds
+  /// may be missing.
   VECTRIX_EXPORT static Ut1 minus_tai(const Quantity<si::time>& difference);
   /// A leap second changes the difference by 1 s, so this fits one instant: UTC = UT1 - (UT1-UTC), and in a
   /// leap second the second after it. Throws BadInput if the difference exceeds 1 s: UTC keeps it below
