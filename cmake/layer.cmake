@@ -114,7 +114,7 @@ function(vectrix_fuzz_tests layer target)
     set(found ${CMAKE_CURRENT_BINARY_DIR}/fuzz/${reader})
     file(MAKE_DIRECTORY ${found})
     add_test(NAME fuzz.${layer}.${reader}
-             COMMAND ${program} -seed=1 -runs=10000 -max_len=4096 -timeout=10 -rss_limit_mb=1024 -verbosity=0
+             COMMAND ${program} -seed=1 -runs=5000 -max_len=1024 -timeout=10 -rss_limit_mb=1024 -verbosity=0
                      -artifact_prefix=${found}/ ${found} ${CMAKE_CURRENT_SOURCE_DIR}/tests/fuzz/corpus/${reader})
   endforeach()
 endfunction()
