@@ -4,9 +4,18 @@
 /// has frames in its types becomes these numbers once, when a craft is made.
 namespace vectrix::multibody {
 
+/// Copied number by number, in the width in which each is read again: the compiler's copy of a whole has
+/// another width, and a load that needs two stores makes the processor wait.
 template <class S> struct Column {
   S x, y, z;
 
+  Column() = default;
+  [[gnu::always_inline]] Column(const S& x_, const S& y_, const S& z_) : x(x_), y(y_), z(z_) {}
+  [[gnu::always_inline]] Column(const Column& b) : x(b.x), y(b.y), z(b.z) {}
+  [[gnu::always_inline]] Column& operator=(const Column& b) {
+    x = b.x, y = b.y, z = b.z;
+    return *this;
+  }
   [[gnu::always_inline]] Column& operator+=(const Column& b) {
     x += b.x, y += b.y, z += b.z;
     return *this;
@@ -71,6 +80,16 @@ template <class S> [[gnu::always_inline]] inline Square<S> hat(const Column<S>& 
 template <class S> struct Symmetric {
   S xx, yy, zz, xy, xz, yz;
 
+  Symmetric() = default;
+  [[gnu::always_inline]] Symmetric(const S& xx_, const S& yy_, const S& zz_, const S& xy_, const S& xz_,
+                                   const S& yz_)
+      : xx(xx_), yy(yy_), zz(zz_), xy(xy_), xz(xz_), yz(yz_) {}
+  [[gnu::always_inline]] Symmetric(const Symmetric& b)
+      : xx(b.xx), yy(b.yy), zz(b.zz), xy(b.xy), xz(b.xz), yz(b.yz) {}
+  [[gnu::always_inline]] Symmetric& operator=(const Symmetric& b) {
+    xx = b.xx, yy = b.yy, zz = b.zz, xy = b.xy, xz = b.xz, yz = b.yz;
+    return *this;
+  }
   [[gnu::always_inline]] friend Column<S> operator*(const Symmetric& m, const Column<S>& v) {
     return {S(m.xx * v.x + m.xy * v.y + m.xz * v.z), S(m.xy * v.x + m.yy * v.y + m.yz * v.z),
             S(m.xz * v.x + m.yz * v.y + m.zz * v.z)};

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <type_traits>
+#include <utility>
 #include <vectrix/frames/scalar/batch.hpp>
 
 namespace vectrix::detail {
@@ -22,11 +23,12 @@ template <Batch S> SineCosine<S> sine_cosine_by_series(const S& x) {
   const auto nearest = [](const S& y) { return (y + S(0x1.8p52)) - S(0x1.8p52); };
   const S n = nearest(x * S(0x1.45f306dc9c883p-1));
   const S r = ((x - n * S(0x1.921fb544p+0)) - n * S(0x1.0b4611a6p-34)) - n * S(0x1.3198a2e037073p-69);
-  const S z = r * r;
-  const auto series = [&z](auto... coefficients) {  // highest power first
-    S sum(0.0);
-    ((sum = sum * z + S(coefficients)), ...);
-    return sum;
+  const S z = r * r, z2 = z * z;
+  // Highest power first. Even and odd powers are independent sums, which takes half as long.
+  const auto series = [&z, &z2](double highest, double next, auto... coefficients) {
+    S sum(next), other(highest);
+    ((other = std::exchange(sum, S(other * z2 + S(coefficients)))), ...);
+    return S(sum + other * z);
   };
   const S s = r + r * z *
                       series(1 / 355687428096000.0, -1 / 1307674368000.0, 1 / 6227020800.0, -1 / 39916800.0,
