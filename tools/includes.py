@@ -121,15 +121,16 @@ BRINGS = {
 EIGEN = {
     "Core": "PropagateNaN Matrix MatrixBase DenseBase Index NumTraits GenericNumTraits Vector3d Vector4d Vector2d Matrix3d Matrix4d "
             "Matrix2d VectorXd VectorXcd MatrixXd seqN fix Map Array Array2d Array3d ArrayBase Success Dynamic EigenBase Ref Block "
-            "ComputeFullU ComputeFullV ComputeEigenvectors EigenvaluesOnly internal RowMajor ColMajor Infinity",
+            "ComputeFullU ComputeFullV ComputeEigenvectors EigenvaluesOnly internal RowMajor ColMajor Infinity Lower",
     "Geometry": "Quaternion Quaterniond Quaternionf QuaternionBase AngleAxis AngleAxisd",
     "Eigenvalues": "SelfAdjointEigenSolver EigenSolver",
     "Cholesky": "LLT LDLT",
     "LU": "PartialPivLU FullPivLU",
     "QR": "HouseholderQR ColPivHouseholderQR",
     "SVD": "JacobiSVD BDCSVD",
+    "Jacobi": "JacobiRotation",
 }
-EIGEN_BRINGS = {"Core": {"Geometry", "Eigenvalues", "Cholesky", "LU", "QR", "SVD", "Dense"}}
+EIGEN_BRINGS = {"Core": {"Geometry", "Eigenvalues", "Cholesky", "LU", "QR", "SVD", "Jacobi", "Dense"}}
 
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*[<"]([^>"]+)[>"]', re.MULTILINE)
 # An #include line, which stays; a text, a character, or a comment.

@@ -102,6 +102,13 @@ std::vector<double> quaternion_numbers(const Eigen::Matrix3d& R) {
   return {q.w(), q.x(), q.y(), q.z()};
 }
 
+double* put_numbers(double* to, const Eigen::Matrix3d& R) {
+  const auto q = quaternion_numbers(R);
+  return std::copy(q.begin(), q.end(), to);
+}
+double* put_numbers(double* to, const Eigen::Vector3d& v) {
+  return std::copy(v.data(), v.data() + v.size(), to);
+}
 std::vector<double> from_mount(const PlainBody& body, std::vector<double> positions) {
   const Eigen::Quaterniond mount = unit_quaternion_of(body.R_p_from_b);
   const Eigen::Quaterniond q =

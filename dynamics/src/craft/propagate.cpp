@@ -37,5 +37,9 @@ void refuse_time(const std::string& what, double time, const ode::Solution& solu
   throw BadInput(what + text(time) + " s is outside [" + text(solution.start()) + ", " +
                  text(solution.end()) + "] s");
 }
+void refuse_time_of_craft(NameFunction hub, NameFunction inertial, double time,
+                          const ode::Solution& solution) {
+  refuse_time("CraftTrajectory of " + hub() + " relative to " + inertial() + ": the time ", time, solution);
+}
 
 }  // namespace vectrix::detail

@@ -7,7 +7,7 @@
 
 namespace vectrix::multibody {
 
-void stop(const Tree<double>& tree, std::span<const InImpulse> links, std::span<const InImpulse> rotors,
+void stop(const Tree<double>& tree, const std::vector<InImpulse>& links, const std::vector<InImpulse>& rotors,
           double* y) {
   const TreeLayout& layout = tree.layout();
   const auto& numbers = tree.numbers();
@@ -49,6 +49,13 @@ void stop(const Tree<double>& tree, std::span<const InImpulse> links, std::span<
   for_each_speed([&](std::size_t i) { y[i] += change[i]; });
   for (std::size_t i = 0; i < rotors.size(); ++i)
     if (rotors[i] == InImpulse::stops) y[layout.rotors_begin() + i] = 0.0;
+}
+
+std::vector<InImpulse> keeping(const std::vector<Hold>& held) {
+  std::vector<InImpulse> in(held.size(), InImpulse::is_free);
+  for (std::size_t i = 0; i < in.size(); ++i)
+    if (held[i] != Hold::none) in[i] = InImpulse::keeps_speed;
+  return in;
 }
 
 }  // namespace vectrix::multibody

@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <Eigen/Eigenvalues>
+
 #include "observed_attitudes.hpp"
 
 using namespace vectrix;

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <vectrix/frames/dcm_doors.hpp>
+#include <vectrix/frames/scalar/principal_values.hpp>
 
 namespace vectrix {
 
@@ -60,15 +60,14 @@ template <class F, class S> void require_covariance(const Square<S>& matrix) {
     throw BadInput(place + "the matrix is not symmetric: it differs from its transpose by " +
                    text(asymmetry));
   }
-  const Eigen::SelfAdjointEigenSolver<Square<S>> solver(matrix, Eigen::EigenvaluesOnly);
-  const Column<S> variances = solver.eigenvalues();  // in increasing order
+  const Column<S> variances = principal_values(matrix);
   if (!(variances(0) >= -tolerance * variances(2))) {
     throw BadInput(place + "the principal variances (" + text(variances(0)) + ", " + text(variances(1)) +
                    ", " + text(variances(2)) + ") are not all positive or zero");
   }
 }
 
-/// The solver branches, so it takes one lane after the other.
+/// The check branches, so it takes one lane after the other.
 template <class F, Batch S> void require_covariance(const Square<S>& matrix) {
   for (std::size_t i = 0; i < S::size(); ++i) require_covariance<F, typename S::value_type>(lane(matrix, i));
 }

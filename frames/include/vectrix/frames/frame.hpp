@@ -65,6 +65,13 @@ template <Point F> std::string frame_name() {
   return detail::name_in(__PRETTY_FUNCTION__);
 }
 
+namespace detail {
+
+/// frame_name<F>, for a function of a library that needs the name of a frame in its messages only.
+using NameFunction = std::string (*)();
+
+}  // namespace detail
+
 // The arguments of doors and queries: to<B>, from<A>, in<C>, of<B>, relative_to<A>. of and relative_to also
 // take points. For frames known only at run time there are To(b), From(a) and so on:
 // kinematics/named/frame.hpp.

@@ -202,34 +202,42 @@ template <class U, class S> constexpr Quantity<U, S> abs(const Quantity<U, S>& x
   return {detail::trusted, S(abs(x.value()))};
 }
 
-/// A unit to stand behind a number: 2.0 * si::metre, 0.1 * (si::radian / si::second). A whole number becomes
-/// a double, because 1 * si::metre / (2 * si::second) is half a metre per second.
-template <Unit U> struct UnitConstant {
-  template <detail::Number S>
-  friend constexpr Quantity<U, detail::Measure<S>> operator*(const S& number, UnitConstant) {
-    return {detail::trusted, static_cast<detail::Measure<S>>(number)};
+namespace detail {
+
+/// The operators of all units, found with a UnitConstant alone. Not members of it: every file declares two
+/// dozen units, and each would have copies of its own.
+struct UnitOperators {
+  template <Number S, class U>
+  friend constexpr Quantity<U, Measure<S>> operator*(const S& number, UnitConstant<U>) {
+    return {trusted, static_cast<Measure<S>>(number)};
   }
-  template <detail::Number S>
-  friend constexpr Quantity<typename detail::Inverse<U, S>::type, detail::Measure<S>> operator/(
-      const S& number, UnitConstant) {
-    return {detail::trusted, static_cast<detail::Measure<S>>(number)};
+  template <Number S, class U>
+  friend constexpr Quantity<typename Inverse<U, S>::type, Measure<S>> operator/(const S& number,
+                                                                                UnitConstant<U>) {
+    return {trusted, static_cast<Measure<S>>(number)};
   }
-  template <class V, class S>
-  friend constexpr Quantity<unit_product<V, U>, S> operator*(const Quantity<V, S>& x, UnitConstant) {
-    return {detail::trusted, x.value()};
+  template <class V, class S, class U>
+  friend constexpr Quantity<unit_product<V, U>, S> operator*(const Quantity<V, S>& x, UnitConstant<U>) {
+    return {trusted, x.value()};
   }
-  template <class V, class S>
-  friend constexpr Quantity<unit_quotient<V, U>, S> operator/(const Quantity<V, S>& x, UnitConstant) {
-    return {detail::trusted, x.value()};
+  template <class V, class S, class U>
+  friend constexpr Quantity<unit_quotient<V, U>, S> operator/(const Quantity<V, S>& x, UnitConstant<U>) {
+    return {trusted, x.value()};
   }
-  template <class V>
-  friend constexpr UnitConstant<unit_product<U, V>> operator*(UnitConstant, UnitConstant<V>) {
+  template <class U, class V>
+  friend constexpr UnitConstant<unit_product<U, V>> operator*(UnitConstant<U>, UnitConstant<V>) {
     return {};
   }
-  template <class V>
-  friend constexpr UnitConstant<unit_quotient<U, V>> operator/(UnitConstant, UnitConstant<V>) {
+  template <class U, class V>
+  friend constexpr UnitConstant<unit_quotient<U, V>> operator/(UnitConstant<U>, UnitConstant<V>) {
     return {};
   }
 };
+
+}  // namespace detail
+
+/// A unit to stand behind a number: 2.0 * si::metre, 0.1 * (si::radian / si::second). A whole number becomes
+/// a double, because 1 * si::metre / (2 * si::second) is half a metre per second.
+template <Unit U> struct UnitConstant : detail::UnitOperators {};
 
 }  // namespace vectrix

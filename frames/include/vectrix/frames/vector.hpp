@@ -143,13 +143,13 @@ template <VectorUnit U, Frame F, class S = double> Vector<F, U, S> zero(In<F>) {
 
 /// The unit vectors along the axes of F.
 template <Frame F, class S = double> Vector<F, si::dimensionless, S> unit_x(In<F>) {
-  return {detail::trusted, detail::Column<S>::UnitX()};
+  return {detail::trusted, detail::Column<S>(S(1), S(0), S(0))};
 }
 template <Frame F, class S = double> Vector<F, si::dimensionless, S> unit_y(In<F>) {
-  return {detail::trusted, detail::Column<S>::UnitY()};
+  return {detail::trusted, detail::Column<S>(S(0), S(1), S(0))};
 }
 template <Frame F, class S = double> Vector<F, si::dimensionless, S> unit_z(In<F>) {
-  return {detail::trusted, detail::Column<S>::UnitZ()};
+  return {detail::trusted, detail::Column<S>(S(0), S(0), S(1))};
 }
 
 template <class F, class U, class V, class S>

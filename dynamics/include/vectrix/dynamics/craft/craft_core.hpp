@@ -49,6 +49,9 @@ class VECTRIX_EXPORT LoweredParts {
 
 /// q of a rotation matrix, scalar first.
 VECTRIX_EXPORT std::vector<double> quaternion_numbers(const Eigen::Matrix3d& R);
+/// Writes these, or the coordinates of a vector, and returns where the next number is.
+VECTRIX_EXPORT double* put_numbers(double* to, const Eigen::Matrix3d& R);
+VECTRIX_EXPORT double* put_numbers(double* to, const Eigen::Vector3d& v);
 
 /// The positions of a ball or free joint, from q of R_b^p, scalar first, and r_pb^p to what the engine counts
 /// from the mount.

@@ -121,8 +121,14 @@ struct JoinedOf<std::tuple<X...>, std::tuple<Y...>, Tuples...> : JoinedOf<std::t
 template <class... Tuples> using Joined = typename JoinedOf<Tuples...>::type;
 template <class Part> struct HeldType { using type = std::tuple<>; };
 template <class X> struct HeldType<Held<X>> { using type = std::tuple<X>; };
+template <class... Parts> struct HeldTypesOf { using type = std::tuple<>; };
+template <class... Parts>
+  requires(PartOf<Parts>::held || ...)
+struct HeldTypesOf<Parts...> {
+  using type = Joined<typename HeldType<Parts>::type...>;
+};
 /// The types of the values that the parts hold, in their order.
-template <class... Parts> using HeldTypes = Joined<typename HeldType<Parts>::type...>;
+template <class... Parts> using HeldTypes = typename HeldTypesOf<Parts...>::type;
 
 template <class X, class Tuple> inline constexpr std::size_t count_in = 0;
 template <class X, class... Types>
@@ -266,14 +272,18 @@ template <class... Parts> auto all_parts(const Parts&... parts) {
 template <class... Parts> using AllParts = decltype(all_parts(std::declval<const Parts&>()...));
 
 /// The first mistake of all parts; Nothing if there is none.
-template <class C, class HeldTuple, class... Parts> struct FirstFault : std::type_identity<Nothing> {};
-template <class C, class HeldTuple, class Part, class... Parts>
-struct FirstFault<C, HeldTuple, Part, Parts...>
-    : std::conditional_t<std::is_same_v<typename FaultOfPart<C, HeldTuple, Part>::type, Nothing>,
-                         FirstFault<C, HeldTuple, Parts...>, FaultOfPart<C, HeldTuple, Part>> {};
+template <class C, class HeldTuple, class... Parts> constexpr auto first_fault() {
+  constexpr std::size_t bad =
+      first_of<!std::is_same_v<typename FaultOfPart<C, HeldTuple, Parts>::type, Nothing>...>();
+  if constexpr (bad == nowhere)
+    return std::type_identity<Nothing>{};
+  else
+    return FaultOfPart<C, HeldTuple, std::tuple_element_t<bad, std::tuple<Parts...>>>{};
+}
 template <class C, class Tuple> struct FaultOfParts;
-template <class C, class... Parts>
-struct FaultOfParts<C, std::tuple<Parts...>> : FirstFault<C, HeldTypes<Parts...>, Parts...> {};
+template <class C, class... Parts> struct FaultOfParts<C, std::tuple<Parts...>> {
+  using type = typename decltype(first_fault<C, HeldTypes<Parts...>, Parts...>())::type;
+};
 template <class C, class... Parts> using ScenarioFault = typename FaultOfParts<C, AllParts<Parts...>>::type;
 
 /// Calls a function with what stands before, and the held values of its further arguments.

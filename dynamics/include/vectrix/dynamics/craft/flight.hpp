@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <deque>
 #include <limits>
 #include <memory>
 #include <span>
@@ -18,20 +17,16 @@
 
 namespace vectrix::detail {
 
-/// What a run keeps of a part: when it ticks, how many ticks it has seen and applied, and what it has found
-/// that is not yet in effect. Nothing of a part that does not tick.
-template <class Part> struct Running {
-  Running(const Part&, double, double) {}
-};
-template <class Trigger, class F>
-  requires(PartOf<Change<Trigger, F>>::ticks)
-struct Running<Change<Trigger, F>> {
+/// What a run keeps of a part that ticks: when, how many ticks it has seen and applied, and what it has found
+/// that is not yet in effect.
+template <class Part> struct Running;
+template <class Trigger, class F> struct Running<Change<Trigger, F>> {
   Running(const Change<Trigger, F>& change, double start, double end)
       : list(ticks(change.trigger, start, end)) {}
 
   TickList list;
   std::size_t sampled = 0, applied = 0;
-  std::deque<typename UpdateOf<F>::result> waiting;
+  std::vector<typename UpdateOf<F>::result> waiting;
 };
 
 template <class HeldTuple> struct HistoryOf;
@@ -55,6 +50,20 @@ template <bool... wanted> constexpr auto places() {
     return std::index_sequence<found[i]...>{};
   }
   (std::make_index_sequence<count>{});
+}
+
+template <std::size_t... i, class Function>
+void for_parts(std::index_sequence<i...>, const Function& function) {
+  (function.template operator()<i>(), ...);
+}
+
+/// What a run keeps of those parts that tick.
+template <class... Parts> auto running(const std::tuple<Parts...>& parts, double start, double end) {
+  return [&]<std::size_t... i>(std::index_sequence<i...>) {
+    return std::tuple<Running<std::tuple_element_t<i, std::tuple<Parts...>>>...>{
+        Running<std::tuple_element_t<i, std::tuple<Parts...>>>(std::get<i>(parts), start, end)...};
+  }
+  (places<PartOf<Parts>::ticks...>());
 }
 
 /// The loads of a scenario, each with the held values, which outlive it.
@@ -82,7 +91,13 @@ template <class C, class X, class... Rest> struct SolvesWith<C, std::tuple<Solve
 template <CraftType C, class... Parts> class Flight {
   using HeldTuple = HeldTypes<Parts...>;
   template <std::size_t i> using Part = std::tuple_element_t<i, std::tuple<Parts...>>;
-  using Runnings = std::tuple<Running<Parts>...>;
+  using Runnings = decltype(running(std::declval<const std::tuple<Parts...>&>(), 0.0, 0.0));
+  /// The number of part i among those that tick.
+  template <std::size_t i>
+  static constexpr std::size_t place_in_running = [] {
+    constexpr std::array ticks{PartOf<Parts>::ticks...};
+    return static_cast<std::size_t>(std::count(ticks.begin(), ticks.begin() + i, true));
+  }();
   using Rates =
       decltype(rates_under(std::declval<const C&>(), held_loads(std::declval<const std::tuple<Parts...>&>(),
                                                                 std::declval<const HeldTuple&>())));
@@ -94,11 +109,7 @@ template <CraftType C, class... Parts> class Flight {
         apart_(same_instant(start, end)),
         work_(core_->tree.work()),
         values_(initial(parts_)),
-        running_(std::apply(
-            [&](const auto&... part) {
-              return Runnings{Running<std::remove_cvref_t<decltype(part)>>(part, start, end)...};
-            },
-            parts_)),
+        running_(running(parts_, start, end)),
         rates_(rates_under(scenario.craft(), held_loads(parts_, values_))) {
     std::apply([&](const auto&... value) { (record(start, value), ...); }, values_);
   }
@@ -116,10 +127,8 @@ template <CraftType C, class... Parts> class Flight {
     return rates_.loads(t, y);
   }
   std::vector<double> breakpoints(double start, double end) const {
-    std::vector<const TickList*> lists;
-    for_parts(places<PartOf<Parts>::ticks...>(),
-              [&]<std::size_t i>() { lists.push_back(&std::get<i>(running_).list); });
-    return instants_of(lists, start, end);
+    const auto lists_of = [](const auto&... part) { return std::vector<const TickList*>{&part.list...}; };
+    return instants_of(std::apply(lists_of, running_), start, end);
   }
   std::vector<ode::Root> roots() {
     std::vector<ode::Root> roots;
@@ -135,7 +144,8 @@ template <CraftType C, class... Parts> class Flight {
       std::size_t root = 0;
       for_parts(places<(PartOf<Parts>::zero || PartOf<Parts>::ticks)...>(), [&]<std::size_t i>() {
         if constexpr (PartOf<Part<i>>::zero) cross(std::get<i>(parts_), root++, now, ended_by, next);
-        if constexpr (PartOf<Part<i>>::ticks) tick(std::get<i>(parts_), std::get<i>(running_), now, next);
+        if constexpr (PartOf<Part<i>>::ticks)
+          tick(std::get<i>(parts_), std::get<place_in_running<i>>(running_), now, next);
       });
       values_ = std::move(next);
       solved_ = false;
@@ -153,10 +163,6 @@ template <CraftType C, class... Parts> class Flight {
       return HeldTuple{std::get<i>(parts).initial...};
     }
     (places<PartOf<Parts>::held...>());
-  }
-  template <std::size_t... i, class Function>
-  static void for_parts(std::index_sequence<i...>, const Function& function) {
-    (function.template operator()<i>(), ...);
   }
 
   /// An instant is placed once for all functions that see it.
@@ -206,13 +212,7 @@ template <CraftType C, class... Parts> class Flight {
       const multibody::Work<double>& locked = loads(t, y.data());
       values_ = held;
       using multibody::InImpulse;
-      const auto kept = []<class Lock>(const std::vector<Lock>& locks) {
-        std::vector<InImpulse> in(locks.size(), InImpulse::is_free);
-        for (std::size_t i = 0; i < in.size(); ++i)
-          if (locks[i] != Lock{}) in[i] = InImpulse::keeps_speed;
-        return in;
-      };
-      std::vector<InImpulse> links = kept(locked.held), rotors = kept(locked.held_rotors);
+      auto links = multibody::keeping(locked.held), rotors = multibody::keeping(locked.held_rotors);
       const auto mark = [&]<class B, class X>(const Stands<B, X>&) {
         using Shape = typename C::shape;
         if (!std::get<X>(values_).locked) return;
@@ -308,8 +308,8 @@ template <CraftType C, class... Parts> class Flight {
       std::get<X>(seen) = running.waiting.back();
     }
     for (; due(running.applied, running.list.latency); ++running.applied) {
-      put(next, t, std::move(running.waiting.front()));
-      running.waiting.pop_front();
+      put<X>(next, t, std::move(running.waiting.front()));
+      running.waiting.erase(running.waiting.begin());
     }
   }
   template <class G, class F>

@@ -80,13 +80,13 @@ template <Frame C, Frame B> struct MountPart {
 /// b; they may be those of a joined body with another name.
 template <class Whole, class B, class I, HubMotion motion>
 HubPart<B, I, motion> body(const MassProperties<Whole, B, In<B>>& mass, MovesIn<I, motion>) {
-  return {detail::plain_hub(frame_name<I>(), frame_name<B>(), motion, detail::mass_numbers(mass))};
+  return {detail::plain_hub(frame_name<I>, frame_name<B>, motion, detail::mass_numbers(mass))};
 }
 /// A body that hangs on another by a joint.
 template <class Whole, class B, JointKind kind, class P>
 BodyPart<B, kind, P> body(const MassProperties<Whole, B, In<B>>& mass, const BodyJoint<kind, P, B>& joint) {
   const Transform<P, B>& X_p_from_b = joint.X_p_from_b;
-  return {detail::plain_body(frame_name<B>(), frame_name<P>(), kind, X_p_from_b.rotation.matrix(),
+  return {detail::plain_body(frame_name<B>, frame_name<P>, kind, X_p_from_b.rotation.matrix(),
                              X_p_from_b.translation.coordinates(), joint.axes_b, detail::mass_numbers(mass))};
 }
 template <class Mass, class Joint>

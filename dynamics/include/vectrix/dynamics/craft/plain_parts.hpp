@@ -22,7 +22,12 @@ template <class Whole, class B> MassNumbers mass_numbers(const MassProperties<Wh
 /// A craft of its hub alone.
 VECTRIX_EXPORT PlainSpacecraft plain_hub(std::string inertial, std::string name, HubMotion motion,
                                          const MassNumbers& mass);
+VECTRIX_EXPORT PlainSpacecraft plain_hub(NameFunction inertial, NameFunction name, HubMotion motion,
+                                         const MassNumbers& mass);
 VECTRIX_EXPORT PlainBody plain_body(std::string name, std::string parent, JointKind joint,
+                                    const Eigen::Matrix3d& R_p_from_b, const Eigen::Vector3d& r_pb_p,
+                                    const std::vector<Eigen::Vector3d>& axes_b, const MassNumbers& mass);
+VECTRIX_EXPORT PlainBody plain_body(NameFunction name, NameFunction parent, JointKind joint,
                                     const Eigen::Matrix3d& R_p_from_b, const Eigen::Vector3d& r_pb_p,
                                     const std::vector<Eigen::Vector3d>& axes_b, const MassNumbers& mass);
 

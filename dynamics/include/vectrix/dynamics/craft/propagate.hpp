@@ -58,6 +58,12 @@ VECTRIX_EXPORT void set_run(ode::Problem& problem, const char* action, const Cra
                             std::span<const double> state, double end,
                             const std::vector<Quantity<si::time>>& output_times);
 
+/// Whether a part checks a run before it starts.
+template <class C, class Part>
+inline constexpr bool requires_run = requires(const Part& part, const CraftState<C>& start, double end) {
+  part.require_run(start, end);
+};
+
 /// Runs a scenario until how.end: `solve(problem, flight)` integrates the problem, which comes with its
 /// tolerances and method. No step crosses a change.
 template <CraftType C, class... Parts, class How, class Solve>
@@ -69,10 +75,8 @@ typename TrajectoryOf<C, HeldTypes<Parts...>>::type fly(const char* action,
           how.output_times);
   problem.max_steps = how.max_steps;
   problem.maximum_step = how.maximum_step.value();
-  const auto require_run = [&](const auto& part) {
-    if constexpr (requires { part.require_run(start, problem.end); }) part.require_run(start, problem.end);
-  };
-  std::apply([&](const auto&... part) { (require_run(part), ...); }, scenario.parts());
+  for_parts(places<requires_run<C, Parts>...>(),
+            [&]<std::size_t i>() { std::get<i>(scenario.parts()).require_run(start, problem.end); });
   Flight<C, Parts...> flight(scenario, problem.start, problem.end);
   problem.breakpoints = flight.breakpoints(problem.start, problem.end);
   problem.roots = flight.roots();

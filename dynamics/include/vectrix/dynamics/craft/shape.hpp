@@ -25,12 +25,19 @@ concept CraftPart = requires {
   P::counts;
 };
 
-/// The counts of the parts before number `part`.
-template <class... Parts> constexpr PartCounts counts_before(std::size_t part) {
-  constexpr std::array counts{Parts::counts...};
-  PartCounts sum;
-  for (std::size_t i = 0; i < part; ++i) sum = sum + counts[i];
-  return sum;
+/// The counts of the parts before each part, and of all.
+template <std::size_t count>
+constexpr std::array<PartCounts, count + 1> sums_of(const std::array<PartCounts, count>& counts) {
+  std::array<PartCounts, count + 1> sums{};
+  for (std::size_t i = 0; i < count; ++i) sums[i + 1] = sums[i] + counts[i];
+  return sums;
+}
+/// The joint of a body; that of any other part is not asked for.
+template <CraftPart P> constexpr JointKind joint_of() {
+  if constexpr (P::role == PartRole::body)
+    return P::joint;
+  else
+    return JointKind::fixed;
 }
 
 /// The tree of a craft as constants: which part a frame is, its link in the engine's tree, and where its
@@ -48,30 +55,23 @@ template <class Hub, class... Parts> struct CraftShape {
   template <class F> static constexpr bool has_part = part_of<F> != nowhere;
   template <class F> using Part = std::tuple_element_t<part_of<F>, parts>;
 
-  template <class F, PartRole role>
-  static constexpr bool is = [] {
-    if constexpr (has_part<F>) return Part<F>::role == role;
-    return false;
-  }();
+  static constexpr std::array roles{Hub::role, Parts::role...};
+  template <class F, PartRole role> static constexpr bool is = has_part<F>&& roles[part_of<F>] == role;
   template <class F> static constexpr bool has_body = is<F, PartRole::hub> || is<F, PartRole::body>;
   template <class F> static constexpr bool has_place = has_body<F> || is<F, PartRole::mount>;
   /// A frame whose attitude the craft knows.
   template <class F> static constexpr bool has_frame = has_place<F> || std::is_same_v<F, inertial>;
   template <class F> static constexpr bool has_rotor = is<F, PartRole::rotor>;
   template <class F> static constexpr bool has_modes = is<F, PartRole::modes>;
+  static constexpr std::array joints{joint_of<Hub>(), joint_of<Parts>()...};
   template <class F, JointKind kind>
-  static constexpr bool has_joint_of = [] {
-    if constexpr (is<F, PartRole::body>) return Part<F>::joint == kind;
-    return false;
-  }();
+  static constexpr bool has_joint_of = is<F, PartRole::body>&& joints[part_of<F>] == kind;
   /// A joint whose numbers are quantities: a hinge, a slider, a gimbal.
   template <class F>
-  static constexpr bool has_axes = [] {
-    if constexpr (is<F, PartRole::body>) return counts_of(Part<F>::joint).axes > 0;
-    return false;
-  }();
+  static constexpr bool has_axes = is<F, PartRole::body>&& counts_of(joints[part_of<F>]).axes > 0;
 
-  static constexpr PartCounts total = counts_before<Hub, Parts...>(1 + sizeof...(Parts));
+  static constexpr auto counts_before = sums_of(std::array{Hub::counts, Parts::counts...});
+  static constexpr PartCounts total = counts_before.back();
   static constexpr std::size_t hub_size = free ? 13 : 7;
   static constexpr std::size_t speeds_begin = hub_size + total.positions;
   static constexpr std::size_t rotors_begin = speeds_begin + total.speeds;
@@ -79,21 +79,18 @@ template <class Hub, class... Parts> struct CraftShape {
   static constexpr std::size_t size = modes_begin + 2 * total.modes;
 
   template <class F>
-  static constexpr std::size_t position_at = hub_size + counts_before<Hub, Parts...>(part_of<F>).positions;
-  template <class F>
-  static constexpr std::size_t speed_at = speeds_begin + counts_before<Hub, Parts...>(part_of<F>).speeds;
-  template <class F>
-  static constexpr std::size_t spin_at = rotors_begin + counts_before<Hub, Parts...>(part_of<F>).rotors;
-  template <class F>
-  static constexpr std::size_t modes_at = modes_begin + counts_before<Hub, Parts...>(part_of<F>).modes;
-  template <class F> static constexpr std::size_t body_at = counts_before<Hub, Parts...>(part_of<F>).bodies;
-  template <class F> static constexpr std::size_t mount_at = counts_before<Hub, Parts...>(part_of<F>).mounts;
+  static constexpr std::size_t position_at = hub_size + counts_before[part_of<F>].positions;
+  template <class F> static constexpr std::size_t speed_at = speeds_begin + counts_before[part_of<F>].speeds;
+  template <class F> static constexpr std::size_t spin_at = rotors_begin + counts_before[part_of<F>].rotors;
+  template <class F> static constexpr std::size_t modes_at = modes_begin + counts_before[part_of<F>].modes;
+  template <class F> static constexpr std::size_t body_at = counts_before[part_of<F>].bodies;
+  template <class F> static constexpr std::size_t mount_at = counts_before[part_of<F>].mounts;
   /// The number in the tree of the body b, or of the body on which b is mounted; 0 for the hub.
   template <class F> static consteval std::size_t link_of() {
     if constexpr (is<F, PartRole::mount>) {
       return link_of<typename Part<F>::carrier>();
     } else {
-      return counts_before<Hub, Parts...>(part_of<F>).links + Part<F>::counts.links;
+      return counts_before[part_of<F>].links + Part<F>::counts.links;
     }
   }
 };

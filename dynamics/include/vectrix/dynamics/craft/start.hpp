@@ -3,7 +3,6 @@
 #include <array>
 #include <concepts>
 #include <cstddef>
-#include <vector>
 #include <vectrix/dynamics/craft/spacecraft.hpp>
 #include <vectrix/kinematics/points/moving_transform.hpp>
 
@@ -14,7 +13,8 @@ template <class B, JointKind kind_of_joint, class RelativeTo = void> struct Join
   using of = B;
   using relative_to = RelativeTo;
   static constexpr JointKind kind = kind_of_joint;
-  std::vector<double> positions, speeds;
+  std::array<double, detail::counts_of(kind).positions> positions;
+  std::array<double, detail::counts_of(kind).speeds> speeds;
 };
 template <class W> struct SpinStart {
   using of = W;
@@ -50,17 +50,18 @@ auto starts(  // an angle and its rate of a hinge, both of a gimbal, a length an
 
 /// A ball joint, by R_b^p and w_pb^b; a free joint, with r_pb^p and v_pb|p^p.
 template <class P, class B> JointStart<B, JointKind::ball, P> starts(const MovingDcm<P, B>& R_p_from_b) {
-  JointStart<B, JointKind::ball, P> start{detail::quaternion_numbers(R_p_from_b.rotation.matrix()), {}};
-  detail::append(start.speeds, R_p_from_b.angular_velocity.coordinates());
+  JointStart<B, JointKind::ball, P> start;
+  detail::put_numbers(start.positions.data(), R_p_from_b.rotation.matrix());
+  detail::put_numbers(start.speeds.data(), R_p_from_b.angular_velocity.coordinates());
   return start;
 }
 template <class P, class B>
 JointStart<B, JointKind::free, P> starts(const MovingTransform<P, B>& X_p_from_b) {
-  JointStart<B, JointKind::free, P> start{detail::quaternion_numbers(X_p_from_b.turning.rotation.matrix()),
-                                          {}};
-  detail::append(start.positions, X_p_from_b.translation.coordinates());
-  detail::append(start.speeds, X_p_from_b.turning.angular_velocity.coordinates());
-  detail::append(start.speeds, X_p_from_b.velocity.coordinates());
+  JointStart<B, JointKind::free, P> start;
+  double* next = detail::put_numbers(start.positions.data(), X_p_from_b.turning.rotation.matrix());
+  detail::put_numbers(next, X_p_from_b.translation.coordinates());
+  next = detail::put_numbers(start.speeds.data(), X_p_from_b.turning.angular_velocity.coordinates());
+  detail::put_numbers(next, X_p_from_b.velocity.coordinates());
   return start;
 }
 

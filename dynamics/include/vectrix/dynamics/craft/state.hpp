@@ -60,25 +60,24 @@ class CraftState : public detail::CraftNumbers<CraftState<C, S>, C, S> {
 
 namespace detail {
 
-template <class I, class H> void put_hub(const MovingDcm<I, H>& X, double* y) {
-  auto numbers = quaternion_numbers(X.rotation.matrix());
-  append(numbers, X.angular_velocity.coordinates());
-  std::copy(numbers.begin(), numbers.end(), y);
+template <class I, class H> double* put_hub(const MovingDcm<I, H>& X, double* y) {
+  return put_numbers(put_numbers(y, X.rotation.matrix()), X.angular_velocity.coordinates());
 }
-template <class I, class H> void put_hub(const MovingTransform<I, H>& X, double* y) {
-  put_hub(X.turning, y);
-  std::vector<double> numbers;
-  append(numbers, X.translation.coordinates());
-  append(numbers, X.velocity.coordinates());
-  std::copy(numbers.begin(), numbers.end(), y + 7);
+template <class I, class H> double* put_hub(const MovingTransform<I, H>& X, double* y) {
+  return put_numbers(put_numbers(put_hub(X.turning, y), X.translation.coordinates()),
+                     X.velocity.coordinates());
 }
 template <class Shape, class B, JointKind kind, class P>
 void put_start(const CraftCore& core, const JointStart<B, kind, P>& start, double* y) {
-  auto positions = start.positions;
-  if constexpr (!std::is_void_v<P>)
-    positions = from_mount(core.plain.bodies[Shape::template body_at<B>], std::move(positions));
-  std::copy(positions.begin(), positions.end(), y + Shape::template position_at<B>);
-  std::copy(start.speeds.begin(), start.speeds.end(), y + Shape::template speed_at<B>);
+  const auto put = [](const auto& numbers, double* to) { std::copy(numbers.begin(), numbers.end(), to); };
+  double* const positions = y + Shape::template position_at<B>;
+  if constexpr (std::is_void_v<P>)
+    put(start.positions, positions);
+  else
+    put(from_mount(core.plain.bodies[Shape::template body_at<B>],
+                   {start.positions.begin(), start.positions.end()}),
+        positions);
+  put(start.speeds, y + Shape::template speed_at<B>);
 }
 template <class Shape, class W> void put_start(const CraftCore&, const SpinStart<W>& start, double* y) {
   y[Shape::template spin_at<W>] = start.speed;

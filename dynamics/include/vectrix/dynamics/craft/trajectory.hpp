@@ -28,6 +28,9 @@ template <class X> using HeldHistory = std::vector<HeldFrom<X>>;
 // Throws BadInput: what, a time, is outside the solution.
 [[noreturn]] VECTRIX_EXPORT void refuse_time(const std::string& what, double time,
                                              const ode::Solution& solution);
+// The same of a trajectory of a hub relative to an inertial frame; both names.
+[[noreturn]] VECTRIX_EXPORT void refuse_time_of_craft(NameFunction hub, NameFunction inertial, double time,
+                                                      const ode::Solution& solution);
 
 }  // namespace detail
 
@@ -53,9 +56,8 @@ template <CraftType C, class... X> class CraftTrajectory {
   /// Throws BadInput outside [start, end].
   CraftState<C> at(const Quantity<si::time>& time) const {
     if (node_count() > 0 && !(time >= start() && time <= end())) {
-      detail::refuse_time("CraftTrajectory of " + frame_name<typename C::shape::hub>() + " relative to " +
-                              frame_name<typename C::shape::inertial>() + ": the time ",
-                          time.value(), solution_);
+      detail::refuse_time_of_craft(frame_name<typename C::shape::hub>,
+                                   frame_name<typename C::shape::inertial>, time.value(), solution_);
     }
     if (attitude() == AttitudeState::dcm) return read(time.value(), solution_.at(time.value()));
     typename CraftState<C>::Numbers y;

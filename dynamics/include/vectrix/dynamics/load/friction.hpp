@@ -149,11 +149,11 @@ JointFriction<C, On, Effort, Speed, Damping> friction(const C&, Of<On>, const Qu
                                                       const Quantity<Effort>& breakaway,
                                                       const Quantity<Speed>& stribeck_speed,
                                                       const Quantity<Damping>& viscous) {
-  const std::string load = detail::on_joint<On>("friction");
+  const auto load = detail::on_joint<On>("friction");
   detail::not_negative(load, "Coulomb effort", coulomb);
   detail::positive(load, "breakaway effort", breakaway);
   if (breakaway < coulomb)
-    throw BadInput(load + ": the breakaway effort is " + detail::all_digits(breakaway) +
+    throw BadInput(load.text() + ": the breakaway effort is " + detail::all_digits(breakaway) +
                    ", less than the Coulomb effort, " + detail::all_digits(coulomb));
   detail::positive(load, "Stribeck speed", stribeck_speed);
   detail::not_negative(load, "viscous damping", viscous);

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <string>
 #include <type_traits>
 #include <vectrix/dynamics/craft/forces.hpp>
+#include <vectrix/dynamics/load/finite.hpp>
 #include <vectrix/frames/frame.hpp>
 
 namespace vectrix::detail {
@@ -16,12 +16,9 @@ using AxisUnits =
                        std::conditional_t<C::shape::template has_joint_of<On, JointKind::slider>,
                                           JointUnits<JointKind::slider>, void>>;
 
-/// "friction on Panel", for messages.
-[[gnu::cold]] inline std::string on_joint(const char* load, const std::string& on) {
-  return std::string{load} + " on " + on;
-}
-template <class On> std::string on_joint(const char* load) {
-  return on_joint(load, frame_name<On>());
+/// "friction on Panel".
+template <class On> LoadName on_joint(const char* load) {
+  return {load, frame_name<On>};
 }
 
 /// Whether the joint of b has the coordinate Q, and K times Q is its effort.

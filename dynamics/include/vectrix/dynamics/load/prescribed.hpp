@@ -64,7 +64,7 @@ template <CraftType C, class B, class F> struct PrescribedJoint {
   /// What a run requires before it starts.
   void require_run(const CraftState<C>& start, double end) const {
     using Shape = typename C::shape;
-    const auto name = detail::on_joint<B>("prescribed");
+    const auto name = detail::on_joint<B>("prescribed").text();
     const auto numbers = [this](std::size_t i) {
       return [this, i](double t) { return detail::numbers_of(motion(t * si::second))[i]; };
     };
@@ -96,7 +96,7 @@ template <CraftType C, class B, int axis, class F> struct PrescribedAxis {
   void require_run(const CraftState<C>& start, double end) const {
     using Shape = typename C::shape;
     detail::require_motion(detail::given_axis<JointKind::gimbal>(
-                               detail::on_joint<B>("prescribed") + ", axis " + detail::text(axis),
+                               detail::on_joint<B>("prescribed").text() + ", axis " + detail::text(axis),
                                [this](double t) { return detail::numbers_of(motion(t * si::second))[0]; }),
                            start.time().value(), end, start.data()[Shape::template position_at<B> + axis - 1],
                            start.data()[Shape::template speed_at<B> + axis - 1]);

@@ -27,7 +27,7 @@ template <CraftType C, class B, class D> struct JointDamper {
 template <CraftType C, class B, class K, class Q>
   requires(detail::is_stiffness<C, B, K, Q>())
 JointSpring<C, B, K, Q> spring(const C&, Of<B>, const Quantity<K>& stiffness, const Quantity<Q>& at_rest) {
-  const std::string load = detail::on_joint<B>("spring");
+  const auto load = detail::on_joint<B>("spring");
   return {detail::finite(load, "stiffness", stiffness), detail::finite(load, "place of rest", at_rest)};
 }
 template <class C, class B, class K, class Q>

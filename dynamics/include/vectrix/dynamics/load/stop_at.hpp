@@ -99,11 +99,11 @@ template <CraftType C, class B, class Q, class K, class D>
   requires(detail::is_stiffness<C, B, K, Q>() && detail::is_damping<detail::AxisUnits<C, B>, D>())
 JointStops<C, B, K, D, Q> stop_at(const C&, Of<B>, const Quantity<Q>& lower, const Quantity<Q>& upper,
                                   const Quantity<K>& stiffness, const Quantity<D>& damping) {
-  const std::string load = detail::on_joint<B>("stop_at");
+  const auto load = detail::on_joint<B>("stop_at");
   detail::finite(load, "lower limit", lower);
   detail::finite(load, "upper limit", upper);
   if (!(lower < upper))
-    throw BadInput(load + ": the lower limit is " + detail::all_digits(lower) + ", the upper " +
+    throw BadInput(load.text() + ": the lower limit is " + detail::all_digits(lower) + ", the upper " +
                    detail::all_digits(upper));
   return {lower, upper, detail::positive(load, "stiffness", stiffness),
           detail::not_negative(load, "damping", damping)};

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <algorithm>
 #include <limits>
@@ -9,6 +8,7 @@
 #include <utility>
 #include <vectrix/dynamics/force/about.hpp>
 #include <vectrix/frames/export.hpp>
+#include <vectrix/frames/scalar/principal_values.hpp>
 #include <vectrix/kinematics/rates/angular_acceleration.hpp>
 
 namespace vectrix {
@@ -131,39 +131,41 @@ template <class B, class S> struct InertiaName<Inertia<B, CentreOfMassOf<B>, In<
 /// Throws BadInput if no body has the tensor of the inertia with this name. `rounding`: how far it may be
 /// off, kg m^2, besides the relative tolerance.
 template <class S>
-void require_moments(const char* door, const std::string& name, const Square<S>& tensor, const S& rounding) {
-  const std::string place = std::string{door} + "(" + name + "): ";
+void require_moments(const char* door, NameFunction name, const Square<S>& tensor, const S& rounding) {
+  const auto refuse = [&](const std::string& why) {
+    throw BadInput(std::string{door} + "(" + name() + "): " + why);
+  };
   for (Eigen::Index row = 0; row < 3; ++row) {
     for (Eigen::Index column = row; column < 3; ++column) {
       const S& entry = tensor(row, column);
       if (!(entry - entry == S(0))) {
-        throw BadInput(place + "entry (" + text(row + 1) + ", " + text(column + 1) + ") of the tensor is " +
-                       text(entry) + " kg m^2");
+        refuse("entry (" + text(row + 1) + ", " + text(column + 1) + ") of the tensor is " + text(entry) +
+               " kg m^2");
       }
     }
   }
-  const Eigen::SelfAdjointEigenSolver<Square<S>> solver(tensor, Eigen::EigenvaluesOnly);
-  const Column<S> moments = solver.eigenvalues();  // in increasing order
-  const std::string listed =
-      "(" + text(moments(0)) + ", " + text(moments(1)) + ", " + text(moments(2)) + ") kg m^2";
+  const Column<S> moments = principal_values(tensor);
+  const auto listed = [&] {
+    return "(" + text(moments(0)) + ", " + text(moments(1)) + ", " + text(moments(2)) + ") kg m^2";
+  };
   const S off = moment_tolerance<S>() * moments(2) + rounding;
   if (!(moments(0) >= -off && moments(2) >= S(0))) {
-    throw BadInput(place + "not all principal moments " + listed + " are positive or zero");
+    refuse("not all principal moments " + listed() + " are positive or zero");
   }
   const S excess = moments(2) - moments(0) - moments(1);
   if (!(excess <= off)) {
-    throw BadInput(place + "the largest principal moment of " + listed +
-                   " exceeds the sum of the others by " + text(excess) + "; no body has this inertia");
+    refuse("the largest principal moment of " + listed() + " exceeds the sum of the others by " +
+           text(excess) + "; no body has this inertia");
   }
 }
-extern template void require_moments(const char*, const std::string&, const Square<double>&, const double&);
+extern template void require_moments(const char*, NameFunction, const Square<double>&, const double&);
 
 template <class J, class S>
 J checked_inertia(const char* door, const Square<S>& tensor, const S& rounding = S(0)) {
-  require_moments<S>(door, InertiaName<J>::text(), tensor, rounding);
+  require_moments<S>(door, InertiaName<J>::text, tensor, rounding);
   return of_tensor<J>(tensor, rounding);
 }
-/// The eigenvalue solver has branches, so each lane is checked alone.
+/// The check has branches, so each lane is checked alone.
 template <class J, Batch S>
 J checked_inertia(const char* door, const Square<S>& tensor, const S& rounding = S(0)) {
   for (std::size_t i = 0; i < S::size(); ++i) {
@@ -262,9 +264,9 @@ template <Frame B, Point P, Frame C, class S, class... Named>
 template <Frame B, Point P, Frame C, class S>
 Inertia<B, P, In<C>, S> from_principal_moments(Of<B>, About<P>, In<C>, const InertiaNumber<S>& Jx,
                                                const InertiaNumber<S>& Jy, const InertiaNumber<S>& Jz) {
-  const Column<S> moments(Jx.value(), Jy.value(), Jz.value());
-  return checked_inertia<Inertia<B, P, In<C>, S>>("inertia_from_principal_moments",
-                                                  Square<S>(moments.asDiagonal()));
+  Square<S> tensor = Square<S>::Zero();
+  tensor(0, 0) = Jx.value(), tensor(1, 1) = Jy.value(), tensor(2, 2) = Jz.value();
+  return checked_inertia<Inertia<B, P, In<C>, S>>("inertia_from_principal_moments", tensor);
 }
 // in<B>: of b, about its centre of mass, in its own axes
 template <Frame B, class... Given>

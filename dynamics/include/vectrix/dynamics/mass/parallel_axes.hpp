@@ -8,11 +8,10 @@
 namespace vectrix {
 namespace detail {
 
-[[noreturn]] VECTRIX_EXPORT void refuse_mass(const char* action, const std::string& body,
-                                             const std::string& mass);
+[[noreturn]] VECTRIX_EXPORT void refuse_mass(const char* action, NameFunction body, const std::string& mass);
 template <class B, class S> void require_mass(const char* action, const Quantity<si::mass, S>& mass) {
   if (!(mass.value() > S(0) && mass.value() - mass.value() == S(0)))
-    refuse_mass(action, frame_name<B>(), text(mass.value()));
+    refuse_mass(action, frame_name<B>, text(mass.value()));
 }
 
 /// m (|r|^2 I - r r^T): the inertia of a mass m at r.

@@ -62,14 +62,15 @@ template <Batch S, class Function> S each_lane(const S& x, const Function& f) {
   return S([&](auto i) { return f(typename S::value_type(x[i])); });
 }
 
-/// Whether every entry of a matrix is finite, in every lane.
+/// Whether every entry of a matrix is finite, in every lane. A loop: each user compiles it, and expressions
+/// of Eigen's take longer.
 template <class Matrix> bool all_finite(const Matrix& matrix) {
   using S = typename Matrix::Scalar;
-  if constexpr (Batch<S>) {
-    return all(S((matrix - matrix).sum()) == S(0));
-  } else {
-    return matrix.allFinite();
-  }
+  const auto& numbers = matrix.eval();  // a matrix itself, the value of an expression
+  S zero = S(0);
+  for (auto row = numbers.rows(); row-- > 0;)
+    for (auto column = numbers.cols(); column-- > 0;) zero += numbers(row, column) - numbers(row, column);
+  return all(zero == S(0));
 }
 
 /// The matrix of the numbers of one lane.
