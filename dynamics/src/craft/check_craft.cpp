@@ -26,8 +26,8 @@ auto through(const std::string& part, const Door& door, const std::string& paren
     return door();
   } catch (const BadInput& error) {
     std::string said = error.what();
-    replace_all(said, frame_name<ThisBody>(), part.substr(1, part.size() - 2));
-    replace_all(said, frame_name<ParentBody>(), parent);
+    put_name(said, frame_name<ThisBody>(), part.substr(1, part.size() - 2));
+    put_name(said, frame_name<ParentBody>(), parent);
     refuse(part, said);
   }
 }
@@ -43,6 +43,10 @@ void require_axis(const std::string& part, const Eigen::Vector3d& axis) {
     refuse(part, "the axis " + triple(axis) + " is not a unit vector, its norm is " + text(axis.norm()));
 }
 
+void require_size(const std::string& part, const char* what, double size, const char* unit) {
+  if (!has_size(size)) refuse(part, std::string{what} + " is " + text(size) + unit + sizes_of_a_craft());
+}
+
 void check_mass(const std::string& part, double mass, const Eigen::Vector3d& centre,
                 const Eigen::Matrix3d& J) {
   through(part, [&] {
@@ -50,6 +54,9 @@ void check_mass(const std::string& part, double mass, const Eigen::Vector3d& cen
                                      vector<si::length>(in<ThisBody>, centre));
     return mass_properties(mass * si::kilogram, r_bc_b, inertia_from_tensor(in<ThisBody>, J));
   });
+  require_size(part, "its mass", mass, " kg");
+  if (const double trace = about_origin(mass, centre, J).trace(); trace != 0.0)
+    require_size(part, "the sum of its moments of inertia about its origin", trace, " kg m^2");
 }
 
 void check_joint(const std::string& part, const PlainBody& body) {
@@ -189,6 +196,7 @@ void check_parts(const PlainSpacecraft& craft) {
     require_axis(part, rotor.axis_b);
     if (!(rotor.inertia > 0.0 && std::isfinite(rotor.inertia)))
       refuse(part, "its inertia is " + text(rotor.inertia) + " kg m^2");
+    require_size(part, "its inertia", rotor.inertia, " kg m^2");
   }
   for (const auto& mode : craft.modes) {
     const std::string part = "mode " + in_quotes(mode.name);

@@ -36,25 +36,27 @@ std::optional<Eigen::Vector3d> axis_without(const Eigen::Matrix3d& J, const Eige
   return principal.eigenvectors().col(0);
 }
 
-/// Of the craft with all its joints locked, about its centre of mass.
-std::optional<Eigen::Vector3d> axis_of_the_whole(const multibody::Tree<double>& tree,
-                                                 const multibody::Work<double>& work) {
-  const auto parallel = [](const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
-    return Eigen::Matrix3d(a.dot(b) * Eigen::Matrix3d::Identity() - a * b.transpose());
-  };
+Eigen::Matrix3d parallel(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  return a.dot(b) * Eigen::Matrix3d::Identity() - a * b.transpose();
+}
+/// Of the craft with all its joints locked, about the hub's origin.
+struct Whole {
   double m = 0.0;
   Eigen::Vector3d first = Eigen::Vector3d::Zero();
   Eigen::Matrix3d J = Eigen::Matrix3d::Zero();
+};
+Whole whole(const multibody::Tree<double>& tree, const multibody::Work<double>& work) {
+  Whole craft;
   for (int body = 0; body <= static_cast<int>(work.links.size()); ++body) {
     const auto& mass =
         body == 0 ? tree.numbers().hub : tree.numbers().links[static_cast<std::size_t>(body) - 1].mass;
     const Eigen::Matrix3d R = eigen(tree.rotation(body, work));
     const Eigen::Vector3d r = eigen(tree.position(body, work)), mc = R * eigen(mass.mc);
-    J += R * full(mass.J) * R.transpose() + parallel(r, mc) + parallel(mc, r) + mass.m * parallel(r, r);
-    m += mass.m;
-    first += mass.m * r + mc;
+    craft.J += R * full(mass.J) * R.transpose() + parallel(r, mc) + parallel(mc, r) + mass.m * parallel(r, r);
+    craft.m += mass.m;
+    craft.first += mass.m * r + mc;
   }
-  return axis_without(J - parallel(first, first) / m, J);
+  return craft;
 }
 /// Of what the hub feels of the craft with all its joints free: that of a body far off on a free joint is not
 /// lost in rounding.
@@ -68,7 +70,12 @@ bool free_craft_turns(const multibody::Tree<double>& tree, const double* y, mult
 void require_inertia(const CraftCore& core, const char* action, const double* y) {
   auto work = core.tree.work();
   core.tree.place(y, work);
-  const auto axis = axis_of_the_whole(core.tree, work);
+  const Whole craft = whole(core.tree, work);
+  if (const double trace = craft.J.trace(); trace != 0.0 && !has_size(trace))
+    throw BadInput(action + of_the_craft(core) +
+                   ": as it stands, the sum of its moments of inertia about the hub's origin is " +
+                   text(trace) + " kg m^2" + sizes_of_a_craft());
+  const auto axis = axis_without(craft.J - parallel(craft.first, craft.first) / craft.m, craft.J);
   if (!axis || free_craft_turns(core.tree, y, work)) return;
   throw BadInput(action + of_the_craft(core) + ": as it stands, it has no inertia about the axis (" +
                  text(axis->x()) + ", " + text(axis->y()) + ", " + text(axis->z()) + ") of the hub");

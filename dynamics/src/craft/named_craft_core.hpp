@@ -49,6 +49,15 @@ class NamedCraftCore {
 };
 
 const char* name_of(JointKind kind);
+/// Of a mass, kg, or an inertia, kg m^2. The equations hold products of three of them, also if one moment is
+/// near moment_tolerance of the others: in this range none of them overflows or underflows.
+constexpr double least_size = 1e-90, greatest_size = 1e90;
+inline bool has_size(double size) {
+  return size >= least_size && size <= greatest_size;
+}
+inline std::string sizes_of_a_craft() {
+  return "; the equations take " + text(least_size) + " to " + text(greatest_size);
+}
 /// J about the origin, from J about the centre of mass.
 inline Eigen::Matrix3d about_origin(double mass, const Eigen::Vector3d& centre, const Eigen::Matrix3d& J_c) {
   return J_c + inertia_of_point_mass<double>(mass, centre);

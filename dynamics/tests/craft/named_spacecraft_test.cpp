@@ -260,13 +260,14 @@ TEST(NamedSpacecraft, RefusesWhatNoCraftHas) {
   EXPECT_EQ(refused_craft([](auto&) {}), "");
   refused([](auto& craft) { craft.mass = -1.0; }, "\"hub\": mass_properties");
   refused([](auto& craft) { craft.bodies[1].mass = 0.0; },
-          "\"boom\": mass_properties(boom): the mass is 0 kg");
+          "\"boom\": mass_properties(\"boom\"): the mass is 0 kg");
   refused([](auto& craft) { craft.bodies[1].J_c_b(0, 0) = 9.0; }, "\"boom\": inertia_from_tensor");
   refused([](auto& craft) { craft.bodies[1].J_c_b(0, 1) = 0.1; }, "differ by 0.1 kg m^2");
-  refused([](auto& craft) { craft.bodies[1].r_bc_b.x() = nan; }, "\"boom\": vector(in<boom>)");
+  refused([](auto& craft) { craft.bodies[1].r_bc_b.x() = nan; }, "\"boom\": vector(in \"boom\")");
   refused([](auto& craft) { craft.bodies[1].r_pb_p.x() = nan; },
           "\"boom\": the position on the parent (nan, 0.2, 0) is not finite");
-  refused([](auto& craft) { craft.bodies[1].R_p_from_b(0, 1) = 0.1; }, "\"boom\": dcm(to<hub>, from<boom>)");
+  refused([](auto& craft) { craft.bodies[1].R_p_from_b(0, 1) = 0.1; },
+          "\"boom\": dcm(to \"hub\", from \"boom\")");
   refused([](auto& craft) { craft.bodies[1].axes_b[0] *= 0.0; },
           "\"boom\": the axis (0, 0, 0) is not a unit vector, its norm is 0");
   refused([](auto& craft) { craft.bodies[1].axes_b[0].x() = nan; }, "not a unit vector");
@@ -298,6 +299,58 @@ TEST(NamedSpacecraft, RefusesWhatNoCraftHas) {
         craft.rotors.clear();
       },
       "\"boom\": its inertia about the axis of its hinge is 0 kg m^2");
+}
+
+// Of three such numbers the product overflows or underflows: the inverse of an inertia was zero.
+TEST(NamedSpacecraft, RefusesSizesThatTheEquationsDoNotTake) {
+  const auto refused = [](const auto& change, const std::string& said) {
+    const std::string text = refused_craft(change);
+    EXPECT_TRUE(contains(text, said + "; the equations take 1e-90 to 1e+90")) << text;
+  };
+  const std::string moments = "the sum of its moments of inertia about its origin is ";
+  refused([](auto& craft) { craft.J_c_h = 1e103 * Matrix3d::Identity(); },
+          "\"hub\": " + moments + "3e+103 kg m^2");
+  refused([](auto& craft) { craft.J_c_h = 1e-105 * Matrix3d::Identity(); },
+          "\"hub\": " + moments + "3e-105 kg m^2");
+  refused([](auto& craft) { craft.mass = 1e103; }, "\"hub\": its mass is 1e+103 kg");
+  refused([](auto& craft) { craft.bodies[3].mass = 1e-103; }, "\"gyro\": its mass is 1e-103 kg");
+  refused(
+      [](auto& craft) {
+        craft.bodies[3].r_bc_b = {0.0, 0x1p200, 0.0};
+      },
+      "\"gyro\": " + moments + detail::text(0x1p402) + " kg m^2");
+  refused([](auto& craft) { craft.rotors[0].inertia = 1e-103; },
+          "rotor \"wheel\": its inertia is 1e-103 kg m^2");
+
+  const NamedSpacecraft craft(five());
+  auto starts = starts_of_five(craft, Matrix3d::Identity());
+  starts[2] = vectrix::starts("mass", 1e60 * si::metre, 0.0 * m_s);
+  const std::string far = message<BadInput>([&] {
+    (void)craft.motion(craft.state(at_origin(craft.inertial(), craft.hub(), Matrix3d::Identity()), starts),
+                       0.0 * si::second);
+  });
+  EXPECT_TRUE(contains(far, "as it stands, the sum of its moments of inertia about the hub's origin is"))
+      << far;
+}
+
+// In the range the motion has the digits of the same craft in another unit of mass.
+TEST(NamedSpacecraft, MovesAlikeInAnyUnitOfMass) {
+  const auto accelerations = [](double unit) {
+    PlainSpacecraft plain = five();
+    plain.mass *= unit, plain.J_c_h *= unit;
+    for (auto& body : plain.bodies) body.mass *= unit, body.J_c_b *= unit;
+    plain.rotors[0].inertia *= unit;
+    plain.modes.clear();
+    const NamedSpacecraft craft(plain);
+    auto starts = starts_of_five(craft, Matrix3d::Identity());
+    starts.pop_back();
+    const auto now =
+        craft.motion(craft.state(at_origin(craft.inertial(), craft.hub(), Matrix3d::Identity()), starts),
+                     0.0 * si::second);
+    return now.angular_acceleration(Of("gyro"), In("gyro")).coordinates().eval();
+  };
+  const Vector3d usual = accelerations(1.0);
+  for (const int power : {-290, 290}) EXPECT_EQ(accelerations(std::ldexp(1.0, power)), usual) << power;
 }
 
 TEST(NamedSpacecraft, RefusesStartsThatDoNotFit) {

@@ -203,6 +203,21 @@ TEST(EulerAngles, TheirDoorTakesFiniteAngles) {
   EXPECT_EQ(whole.second().value(), 200);
 }
 
+TYPED_TEST(Euler, NeverMinusZeroAndHalfATurnIsPi) {
+  using Eigen::Matrix3d;
+  for (const double x : {1.0, -1.0})
+    for (const double y : {1.0, -1.0})
+      for (const double zero : {0.0, -0.0}) {
+        Matrix3d R = Matrix3d::Constant(zero);
+        R.diagonal() << x, y, x * y;
+        const auto angles = euler_angles(TypeParam{}, dcm(to<Gcrf>, from<Body>, R)).coordinates();
+        for (const double angle : angles) {
+          EXPECT_FALSE(angle == 0.0 && std::signbit(angle)) << R;
+          EXPECT_NE(angle, -std::numbers::pi) << R;
+        }
+      }
+}
+
 TEST(EulerAngles, SayHowNearTheyAreToTheSingularity) {
   const auto near = [](auto sequence, double second) {
     return angles_of<decltype(sequence)>({1, second, 2}).distance_from_singularity().value();

@@ -154,7 +154,7 @@ TEST_F(NamedGraphErrors, WhatIsNoRotationStopsAtTheDoor) {
     return dcm(To(gcrf), From(itrf), 2 * Eigen::Matrix3d::Identity());
   }));
   expect(
-      R"(dcm(to<"gcrf">, from<"itrf">): M^T M differs from the identity by 3, tolerance 1e-09; nearest_dcm() projects)",
+      R"(dcm(to "gcrf", from "itrf"): M^T M differs from the identity by 3, tolerance 1e-09; nearest_dcm() projects)",
       [&] { graph.at(now).rotation(To(itrf), From(gcrf)); });
 }
 

@@ -52,6 +52,9 @@ RC_GTEST_PROP(NamedRate, PairsThatDoNotChainAreRefused, ()) {
       refusal([&] { w_ab_c + x.w(x.d, x.c, x.c, x.v2); }) ==
       R"(sum of w of "b" relative to "a" in "c" and w of "d" relative to "c" in "c": "b" and "c" are two frames)");
   RC_ASSERT(
+      refusal([&] { w_ab_c + x.w(x.b, x.a, x.c, x.v2); }) ==
+      R"(sum of w of "b" relative to "a" in "c" and w of "b" relative to "a" in "c": one pair twice; a sum has ab and bd)");
+  RC_ASSERT(
       refusal([&] { w_ab_c + x.w(x.d, x.b, x.a, x.v2); }) ==
       R"(sum of w of "b" relative to "a" in "c" and w of "d" relative to "b" in "a": "c" and "a" are two frames)");
   RC_ASSERT(

@@ -55,17 +55,17 @@ RC_GTEST_PROP(NamedDcm, DoorsAreThoseOfDcm, ()) {
   const auto expected = nearest_dcm(to<Body>, from<Gcrf>, rough);
   RC_ASSERT(nearest.dcm.matrix() == expected.dcm.matrix() && nearest.distance == expected.distance);
   RC_ASSERT(nearest.dcm.to() == x.b && nearest.dcm.from() == x.a);
-  RC_ASSERT(contains(refusal([&] { dcm(b, a, rough); }), R"(dcm(to<"b">, from<"a">): M^T M differs)"));
+  RC_ASSERT(contains(refusal([&] { dcm(b, a, rough); }), R"(dcm(to "b", from "a"): M^T M differs)"));
   RC_ASSERT(refusal([&] { nearest_dcm(b, a, Eigen::Matrix3d(-Eigen::Matrix3d::Identity())); }) ==
-            R"(nearest_dcm(to<"b">, from<"a">): the determinant is -1; a rotation is right-handed)");
+            R"(nearest_dcm(to "b", from "a"): the determinant is -1; a rotation is right-handed)");
   const auto infinite = std::numeric_limits<double>::infinity() * si::radian;
   RC_ASSERT(refusal([&] { turned_z(b, a, infinite); }) ==
-            R"(turned_z(to<"b">, from<"a">): the angle is inf)");
+            R"(turned_z(to "b", from "a"): the angle is inf)");
   RC_ASSERT(contains(refusal([&] { quaternion_scalar_first(b, a, 1.0, 1.0, 0.0, 0.0); }),
-                     R"(quaternion_scalar_first(to<"b">, from<"a">): the norm differs)"));
+                     R"(quaternion_scalar_first(to "b", from "a"): the norm differs)"));
   RC_ASSERT(quaternion_scalar_last(b, a, 1.0, 0.0, 0.0, 0.0).eigen().x() == 1.0);
   RC_ASSERT(refusal([&] { vector<si::length>(In(x.a), Eigen::Vector3d(0, NAN, 1)); }) ==
-            R"(vector(in<"a">): the coordinates (0, nan, 1) are not finite)");
+            R"(vector(in "a"): the coordinates (0, nan, 1) are not finite)");
   Eigen::VectorXd column(6);
   column << x.v1, x.v2;
   const auto r_a = vector<si::length>(In(x.a), column.segment(3, 3));
@@ -74,7 +74,7 @@ RC_GTEST_PROP(NamedDcm, DoorsAreThoseOfDcm, ()) {
   const auto w = x.w(x.b, x.a, x.c, x.v1);
   RC_ASSERT(w.x().value() == x.v1[0] && w.y().value() == x.v1[1] && w.z().value() == x.v1[2]);
   RC_ASSERT(refusal([&] { vector<si::length>(In(x.a), column); }) ==
-            R"(vector(in<"a">): the matrix has 6 x 1 entries, not 3 x 1)");
+            R"(vector(in "a"): the matrix has 6 x 1 entries, not 3 x 1)");
 }
 
 // What the checked door refuses, the projected one takes, and says how far it moved the numbers.
@@ -98,10 +98,10 @@ RC_GTEST_PROP(NamedQuaternion, TheProjectedDoorsAreThoseOfQuaternion, ()) {
   }
   RC_ASSERT(
       refusal([&] { nearest_quaternion_scalar_first(b, a, 0.0, 0.0, 0.0, 0.0); }) ==
-      R"(nearest_quaternion_scalar_first(to<"b">, from<"a">): the norm is 0; a zero quaternion turns nothing)");
+      R"(nearest_quaternion_scalar_first(to "b", from "a"): the norm is 0; a zero quaternion turns nothing)");
   RC_ASSERT(
       refusal([&] { nearest_quaternion_scalar_last(b, a, 0.0, std::nan(""), 0.0, 1.0); }) ==
-      R"(nearest_quaternion_scalar_last(to<"b">, from<"a">): the numbers, scalar first, (1, 0, nan, 0) are not finite)");
+      R"(nearest_quaternion_scalar_last(to "b", from "a"): the numbers, scalar first, (1, 0, nan, 0) are not finite)");
   RC_ASSERT(refusal([&] { nearest_quaternion_scalar_first(b, From(x.b), 1.0, 0.0, 0.0, 0.0); }) ==
             R"(to "b", from "b": a door takes two frames, and these are one)");
 }
@@ -115,7 +115,7 @@ RC_GTEST_PROP(NamedQuaternion, TheDoorsOfEigenAreThoseOfQuaternion, ()) {
   RC_ASSERT(q_b_from_a.to() == x.b && q_b_from_a.from() == x.a);
   RC_ASSERT(q_b_from_a.eigen().coeffs() == q.coeffs());
   RC_ASSERT(contains(refusal([&] { quaternion(b, a, far); }),
-                     R"(quaternion(to<"b">, from<"a">): the norm differs)"));
+                     R"(quaternion(to "b", from "a"): the norm differs)"));
   RC_ASSERT(contains(refusal([&] { quaternion(b, a, far); }), "; nearest_quaternion() projects"));
   const NearestNamedQuaternion nearest = nearest_quaternion(b, a, far);
   const auto expected = nearest_quaternion(to<Body>, from<Gcrf>, far);
@@ -123,7 +123,7 @@ RC_GTEST_PROP(NamedQuaternion, TheDoorsOfEigenAreThoseOfQuaternion, ()) {
   RC_ASSERT(nearest.quaternion.eigen().coeffs() == expected.quaternion.eigen().coeffs());
   RC_ASSERT(nearest.distance == expected.distance && nearest.distance > 1e-4);
   RC_ASSERT(refusal([&] { nearest_quaternion(b, a, Eigen::Quaterniond(0.0, 0.0, 0.0, 0.0)); }) ==
-            R"(nearest_quaternion(to<"b">, from<"a">): the norm is 0; a zero quaternion turns nothing)");
+            R"(nearest_quaternion(to "b", from "a"): the norm is 0; a zero quaternion turns nothing)");
 }
 
 RC_GTEST_PROP(NamedDcm, TheDoorsTakeTwoFrames, ()) {

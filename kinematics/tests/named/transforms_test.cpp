@@ -49,14 +49,14 @@ RC_GTEST_PROP(NamedTransform, DoorsAreThoseOfTransform, ()) {
   RC_ASSERT(X.translation().in() == x.b && X.translation().coordinates() == x.v1);
   Eigen::Matrix4d rough = m;
   rough.topLeftCorner<3, 3>() += 1e-3 * x.R2;
-  RC_ASSERT(contains(refusal([&] { transform(b, a, rough); }), R"((to<"b">, from<"a">): M^T M differs)"));
+  RC_ASSERT(contains(refusal([&] { transform(b, a, rough); }), R"((to "b", from "a"): M^T M differs)"));
   const NearestNamedTransform nearest = nearest_transform(b, a, rough);
   const auto expected = nearest_transform(to<Body>, from<Gcrf>, rough);
   RC_ASSERT(homogeneous_matrix(nearest.transform) == homogeneous_matrix(expected.transform));
   RC_ASSERT(nearest.distance == expected.distance);
   m(3, 0) = 1.0;
   RC_ASSERT(refusal([&] { transform(b, a, m); }) ==
-            R"(transform(to<"b">, from<"a">): entry (4, 1) is 1 instead of 0)");
+            R"(transform(to "b", from "a"): entry (4, 1) is 1 instead of 0)");
   RC_ASSERT(refusal([&] { trust_transform(b, From(x.b), m); }) ==
             R"(to "b", from "b": a door takes two frames, and these are one)");
 }

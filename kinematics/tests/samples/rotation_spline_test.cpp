@@ -234,6 +234,18 @@ TEST(RotationSpline, IsAnAcceleratingEdge) {
   EXPECT_LE(distance(alpha, 0.75 * n), rounding);
 }
 
+// A change of the unit of time, to 2^-400 s or 2^400 s, changes no digit of the attitude.
+TEST(RotationSpline, HasTheSameAttitudesInAnyUnitOfTime) {
+  const auto in_units_of = [](double unit) {
+    Samples list;
+    for (int i = 0; i < 5; ++i)
+      list.push_back({seconds(unit * i), typed(turn(Vector3d(0.3 * i, 0.1 * i * i, -0.2 * i)))});
+    return R_of(Spline(list, seconds(2.0 * unit), natural_ends)(seconds(1.5 * unit)));
+  };
+  for (const int power : {-400, 400})
+    EXPECT_EQ(in_units_of(std::ldexp(1.0, power)), in_units_of(1.0)) << power;
+}
+
 TEST(RotationSpline, BadSamplesAreRefused) {
   const auto said = [](const Samples& list, double gap = 10.0) {
     return message<BadInput>([&] { Spline(list, seconds(gap), natural_ends); });

@@ -63,6 +63,16 @@ TEST(Hermite, RefusesTimesOutside) {
       BadInput);
 }
 
+TEST(Hermite, RefusesADurationTooShortForAVelocity) {
+  const auto at = [](double t, double h) {
+    return message<BadInput>([&] { (void)hermite(cubic(1.0), cubic(5.0), h * si::second, t * si::second); });
+  };
+  EXPECT_TRUE(contains(at(5e-321, 1e-320),
+                       ": the duration is " + detail::text(1e-320) + " s; the velocity overflows"))
+      << at(5e-321, 1e-320);
+  EXPECT_EQ(at(5e-301, 1e-300), "");
+}
+
 std::vector<PositionSample<Itrf, Body>> cubic_at(const std::vector<double>& times) {
   std::vector<PositionSample<Itrf, Body>> samples;
   for (const double t : times) samples.push_back({t * si::second, cubic(t)});

@@ -90,6 +90,9 @@ TEST(Slerp, BadTimesAreBadInput) {
   EXPECT_TRUE(contains(make(2, 2), "do not increase"));
   EXPECT_TRUE(contains(make(std::numeric_limits<double>::quiet_NaN(), 1), "nan s and 1 s do not increase"));
   EXPECT_TRUE(contains(make(0, std::numeric_limits<double>::infinity()), "0 s and inf s do not increase"));
+  const auto other = unit(Eigen::Quaterniond(Eigen::AngleAxisd(1.0, Eigen::Vector3d::UnitY())));
+  const auto near = message<BadInput>([&] { Slerp(0.0 * si::second, q, 1e-320 * si::second, other); });
+  EXPECT_TRUE(contains(near, "are " + detail::text(1e-320) + " s apart; the rate overflows")) << near;
   const Slerp slew(t0, q, t1, q);
   const auto ask = [&](double t) { return message<BadInput>([&] { slew(t * si::second); }); };
   EXPECT_TRUE(contains(ask(9.5), "Slerp of ") && contains(ask(9.5), "the time 9.5 s is outside [10 s, 14 s]"))

@@ -168,6 +168,33 @@ TEST(Coning, RefusesThreeUnequalParts) {
   EXPECT_NE(message<BadInput>([&] { (void)coning_corrected(a, 0.01 * s, b, 0.01 * s, c, 0.02 * s); }), "");
 }
 
+TEST(Coning, RefusesDurationsWhoseRatioOverflows) {
+  const auto a = motion.count(0.0, 0.01), b = motion.count(0.01, 0.01);
+  const auto said = [&](const char* action, const auto& corrected, double h1, double h2) {
+    const std::string text =
+        message<BadInput>([&] { (void)corrected(a, h1 * si::second, b, h2 * si::second); });
+    return text.empty() ? ""
+                        : std::string{contains(text, std::string{action} + "(of ") ? "" : "no action "} +
+                              text.substr(text.find("): ") + 3);
+  };
+  const auto after = [](const auto&... x) { return coning_corrected_after(x...); };
+  const auto two = [](const auto&... x) { return coning_corrected(x...); };
+  const std::string overflows =
+      "counts over " + detail::text(1e-320) + " s and over 0.01 s; the ratio of their durations overflows";
+  EXPECT_EQ(said("coning_corrected_after", after, 1e-320, 0.01), overflows);
+  EXPECT_EQ(said("coning_corrected", two, 1e-320, 0.01), overflows);
+  EXPECT_NE(said("coning_corrected", two, 0.01, 1e-320), "");
+  // The formulas overflow only with the ratio itself, and a short interval after a long one has no
+  // correction.
+  for (const double ratio : {1e200, 1e-200, 1e-320}) {
+    const auto theta = coning_corrected_after(a, 1.0 * si::second, b, ratio * si::second);
+    EXPECT_TRUE(theta.coordinates().allFinite()) << ratio;
+  }
+  EXPECT_EQ(coning_corrected_after(a, 1.0 * si::second, b, 1e-320 * si::second).coordinates(),
+            b.coordinates());
+  EXPECT_TRUE(coning_corrected(a, 1.0 * si::second, b, 1e200 * si::second).coordinates().allFinite());
+}
+
 TEST(Coning, EqualIntervalsNeedNoDuration) {
   const double h = 0.01;
   const auto first = motion.count(0.0, h), second = motion.count(h, h);
@@ -253,6 +280,10 @@ TEST(Gyro, RefusesBadInput) {
   EXPECT_EQ(
       message<BadInput>([&] { attitude.add(count, nan * si::second); }),
       "GyroAttitude::add(of " + frame_name<Body>() + " relative to " + frame_name<Gcrf>() + "): dt is nan s");
+  attitude.add(count, 1e-320 * si::second);
+  const auto until_then = attitude.attitude().eigen().coeffs().eval();
+  EXPECT_THROW(attitude.add(count, 0.1 * si::second), BadInput);
+  EXPECT_EQ(attitude.attitude().eigen().coeffs(), until_then);
 }
 
 }  // namespace

@@ -92,6 +92,34 @@ TEST_F(Finals2000A, ANumberThatStandsForNoneIsRefused) {
             "Earth orientation FILE, line 3: columns 19-27 (x): 999.99 arcsec is more than 60 arcsec");
 }
 
+// Wherever rows of finals.all stand among those of finals2000A, the first of them is named.
+TEST_F(Finals2000A, ARowOfFinalsAllIsRefusedWhereverItStands) {
+  const std::vector<std::string> own = lines;
+  for (std::size_t first = 1; first <= own.size(); ++first) {
+    for (std::size_t last = first; last <= own.size(); ++last) {
+      lines = own;
+      for (std::size_t line = first; line <= last; ++line) {
+        write(line, 98, " -105.062");
+        write(line, 117, "   -9.348");
+      }
+      EXPECT_EQ(refusal(),
+                "Earth orientation FILE, line " + std::to_string(first) +
+                    ": columns 98-106 (dX): -105.062 and -9.348 milliarcseconds are offsets of the "
+                    "pole from IAU 1980, as finals.all has them in these columns, not from IAU "
+                    "2006/2000A; read finals2000A");
+    }
+  }
+}
+
+TEST_F(Finals2000A, AJumpOfTheOffsetsIsRefused) {
+  write(4, 98, "    5.328");
+  EXPECT_EQ(refusal(),
+            "Earth orientation FILE, line 4: columns 98-106 (dX): 5.328 and -0.128 milliarcseconds differ by "
+            "4.993032445318176 from the row before; those of one series change by at most 3 in a day");
+  write(4, 98, "    2.328");  // unusual, not impossible
+  EXPECT_EQ(refusal(), "nothing was thrown");
+}
+
 // Rows on a cubic, to the microarcsecond of the file, give the cubic, also in the first day and the last.
 TEST_F(Finals2000A, RowsOnACubicGiveTheCubic) {
   const auto pole = [](double day) { return 0.05 + day * (0.02 + day * (-0.005 + day * 0.0008)); };

@@ -24,10 +24,11 @@ namespace vectrix {
 /// not compile, it throws BadInput with the names. Immutable and cheap to copy; threads may share it.
 class VECTRIX_EXPORT NamedSpacecraft {
  public:
-  /// Throws BadInput with the name of the part: a mass or an inertia that no body has; an axis that is not a
-  /// unit vector; a number that is not finite; a name that is empty, twice used or unknown; bodies that hang
-  /// on each other in a loop; a rotor with more inertia than its body; modes in which more mass takes part
-  /// than their body has; a joint about which its body, without what hangs on it, has no inertia.
+  /// Throws BadInput with the name of the part: a mass or an inertia that no body has, or that is below 1e-90
+  /// or above 1e90 kg, kg m^2; an axis that is not a unit vector; a number that is not finite; a name that is
+  /// empty, twice used or unknown; bodies that hang on each other in a loop; a rotor with more inertia than
+  /// its body; modes in which more mass takes part than their body has; a joint about which its body, without
+  /// what hangs on it, has no inertia.
   explicit NamedSpacecraft(const PlainSpacecraft& plain);
   NamedSpacecraft(const NamedHub& hub, const std::vector<NamedBody>& bodies,
                   const std::vector<NamedRotor>& rotors = {}, const std::vector<NamedMode>& modes = {});

@@ -58,10 +58,10 @@ using CraftOf = typename MadeUnless<CraftFault<Hub, Parts...>, Spacecraft>::temp
 }  // namespace detail
 
 /// The spacecraft of a hub and of parts, each after the body on which it hangs. Throws BadInput with the name
-/// of the part, as NamedSpacecraft does: for a mass or an inertia that no body has, an axis that is not a
-/// unit vector, a number that is not finite, a rotor with more inertia than its body, modes in which more
-/// mass takes part than their body has, a joint about which its body, without what hangs on it, has no
-/// inertia, a hub alone about one of whose axes there is none.
+/// of the part, as NamedSpacecraft does: for a mass or an inertia that no body has, or that is below 1e-90 or
+/// above 1e90 kg, kg m^2, an axis that is not a unit vector, a number that is not finite, a rotor with more
+/// inertia than its body, modes in which more mass takes part than their body has, a joint about which its
+/// body, without what hangs on it, has no inertia, a hub alone about one of whose axes there is none.
 template <class Hub, class... Parts>
 detail::CraftOf<Hub, Parts...> spacecraft(const Hub& hub, const Parts&... parts) {
   if constexpr (std::is_same_v<detail::CraftFault<Hub, Parts...>, Refused>) {

@@ -129,7 +129,8 @@ EulerAngles<Sequence, A, B, S> euler_angles_of(const Dcm<A, B, S>& R_a_from_b) {
   const S c3 = Sequence::proper ? S(sign * R(i, l)) : S(R(i, i));
   const S h = square_root(S(s3 * s3 + c3 * c3));
   const auto singular = h <= singular_angle<S>();
-  const S opposite = Sequence::proper ? h : S(sign * R(i, l));
+  const S zero(0);  // added to an ordinate: -0 becomes 0, so that half a turn is pi, not -pi
+  const S opposite = Sequence::proper ? h : S(sign * R(i, l) + zero);
   const S adjacent = Sequence::proper ? R(i, i) : h;
   const S second = arc_tangent(opposite, adjacent);
   if constexpr (Differentiated<S>) {
@@ -142,19 +143,19 @@ EulerAngles<Sequence, A, B, S> euler_angles_of(const Dcm<A, B, S>& R_a_from_b) {
   const S s = select<S>(singular, S(0), S(s3 / length));
   const S c1 = Sequence::proper ? S(c * R(j, j) - s * R(j, l)) : S(s * R(j, i) + c * R(j, j));
   const S s1 = Sequence::proper ? S(c * R(l, j) - s * R(l, l)) : S(s * R(l, i) + c * R(l, j));
-  const S first = arc_tangent(S(sign * s1), c1);
-  const S third = select<S>(singular, S(0), S(arc_tangent(S(sign * s), c)));
+  const S first = arc_tangent(S(sign * s1 + zero), c1);
+  const S third = select<S>(singular, zero, S(arc_tangent(S(sign * s + zero), c)));
   return {trusted, Column<S>(first, second, third)};
 }
 
 }  // namespace detail
 
-/// The angles of R_b^a, or of a quaternion q_b^a. The first and third are from -pi to pi; the second is from
-/// -pi/2 to pi/2, or from 0 to pi in a proper sequence. Each is an arc tangent of two entries; for the first,
-/// the third turn is undone before. Near the singularity rounding of R spoils the first and third angle, but
-/// their sum (or difference) stays accurate. Within eight roundings of the singularity the third angle is set
-/// to zero, and numbers with derivatives throw BadInput, because the angles have no derivative there.
-/// x.distance_from_singularity() gives the distance.
+/// The angles of R_b^a, or of a quaternion q_b^a. The first and third are from -pi to pi, and pi for an exact
+/// half turn; the second is from -pi/2 to pi/2, or from 0 to pi in a proper sequence. None is -0. Each is an
+/// arc tangent of two entries; for the first, the third turn is undone before. Near the singularity rounding
+/// of R spoils the first and third angle, but their sum (or difference) stays accurate. Within eight roundings
+/// of the singularity the third angle is set to zero, and numbers with derivatives throw BadInput, because the
+/// angles have no derivative there. x.distance_from_singularity() gives the distance.
 template <EulerSequence Sequence, class Rotation>
 auto euler_angles(Sequence, const Rotation& R_a_from_b)
     -> decltype(detail::euler_angles_of<Sequence>(detail::as_dcm(R_a_from_b))) {

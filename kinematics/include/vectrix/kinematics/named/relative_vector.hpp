@@ -108,6 +108,8 @@ template <class X> struct ChainedPair {
 template <class X> ChainedPair<X> require_chain(const X& one, const X& other) {
   const auto pair = ChainedPair<X>::of(one, other);
   const auto action = [&] { return "sum of " + described(one) + " and " + described(other); };
+  if (one.of() == other.of() && one.relative_to() == other.relative_to())
+    throw BadInput(action() + ": one pair twice; a sum has ab and bd");
   require_same(pair.ab.of(), pair.bd.relative_to(), action);
   require_same(pair.ab.in(), pair.bd.in(), action);
   if constexpr (requires { one.observed_from(); })

@@ -40,6 +40,15 @@ inline void replace_all(std::string& text, const std::string& word, const std::s
     text.replace(at, word.size(), by);
 }
 
+/// Puts the name of a frame where a text has its type: to<B> becomes to "name".
+inline void put_name(std::string& text, const std::string& type, const std::string& name) {
+  for (const char* word : {"to", "from", "in", "of", "about", "relative_to", "observed_from"})
+    for (const char* before : {"(", " "})
+      replace_all(text, std::string{before} + word + "<" + type + ">",
+                  std::string{before} + word + " " + in_quotes(name));
+  replace_all(text, type, in_quotes(name));
+}
+
 /// The frames for which the letters stand while one law is used.
 class Lent {
  public:
@@ -74,7 +83,7 @@ class Lent {
     for (char letter = 'a'; letter <= 'z'; ++letter)
       if (const FrameRecord* record = records_[static_cast<std::size_t>(letter - 'a')])
         for (const char* type : {"Some<'", "SomeInertial<'"})
-          replace_all(text, std::string{type} + letter + "'>", in_quotes(record->name));
+          put_name(text, std::string{type} + letter + "'>", record->name);
     return text;
   }
   /// make(), which uses a typed law or door. In its errors the frames replace the letters.

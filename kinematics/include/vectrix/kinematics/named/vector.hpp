@@ -35,7 +35,7 @@ template <class U> inline constexpr bool detail::is_framed<NamedVector<U>> = tru
 template <VectorUnit U, class Derived>
   requires(detail::ThreeNumbers<Derived>&& std::same_as<typename Derived::Scalar, double>)
 NamedVector<U> vector(In<NamedFrame> a, const Eigen::MatrixBase<Derived>& coordinates) {
-  const auto door = [&] { return "vector(in<" + detail::in_quotes(a.frame) + ">): "; };
+  const auto door = [&] { return "vector(in " + detail::in_quotes(a.frame) + "): "; };
   detail::require_size(coordinates, 3, 1, door);
   const detail::Column<double> r = coordinates;
   if (!r.allFinite()) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <vectrix/kinematics/points/point_motion.hpp>
 #include <vectrix/kinematics/samples/instant.hpp>
 
@@ -9,15 +10,20 @@ namespace vectrix {
 /// position is the cubic with the positions and velocities of both samples (Hermite), the velocity its
 /// derivative. With s = t/h:
 ///     r = r0 + s^2 (3 - 2s) (r1 - r0) + s (1 - s) h ((1 - s) v0 - s v1)
-/// In the middle its error is h^4/384 times the fourth derivative of r.
-/// Throws BadInput when h is not positive and finite, or t is outside [0, h].
+/// In the middle its error is h^4/384 times the fourth derivative of r. Throws BadInput when h is not
+/// positive and finite, h is so short that a velocity overflows, or t is outside [0, h].
 template <class P, class Q, class A, class S>
 PointMotion<P, Q, A, S> hermite(const PointMotion<P, Q, A, S>& start, const PointMotion<P, Q, A, S>& end,
                                 const Quantity<si::time, std::type_identity_t<S>>& h,
                                 const Quantity<si::time, std::type_identity_t<S>>& t) {
   using detail::Column, detail::instant_text;
+  // 3/(2 h), the largest factor of the velocity, is finite.
+  const S least(std::numeric_limits<decltype(detail::without_derivatives(h.value()))>::min());
   const S s = t.value() / h.value();
-  if (!(h.value() > S(0) && h.value() - h.value() == S(0) && s >= S(0) && s <= S(1))) {
+  if (!(h.value() >= least && h.value() - h.value() == S(0) && s >= S(0) && s <= S(1))) {
+    if (h.value() > S(0) && h.value() < least)
+      throw BadInput("hermite in " + frame_name<A>() + ": the duration is " + instant_text(h) +
+                     "; the velocity overflows");
     throw BadInput("hermite in " + frame_name<A>() + ": the time " + instant_text(t) + " is outside [0 s, " +
                    instant_text(h) + "]");
   }

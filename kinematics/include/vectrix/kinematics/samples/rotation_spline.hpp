@@ -126,8 +126,9 @@ template <Frame A, Frame B, Instant I = Quantity<si::time>> class RotationSpline
           given[i] += S(6) / (k * k) * turns[i];
         }
       }
+      const S size = pivot[i](0, 0);  // 1, or of 1/s: so that the determinant does not overflow
       if (i > 0) pivot[i] -= before[i] * pivot[i - 1] * after[i - 1];
-      pivot[i] = pivot[i].inverse().eval();
+      pivot[i] = Square(pivot[i] / size).inverse() / size;
     }
     const S enough = S(64) * S(Eigen::NumTraits<S>::epsilon());
     S change = S(0);

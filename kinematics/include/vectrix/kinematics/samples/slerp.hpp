@@ -72,6 +72,10 @@ template <Frame A, Frame B, Instant I = Quantity<si::time>> class Slerp {
       throw BadInput(place() + "the times " + detail::instant_text(t0) + " and " + detail::instant_text(t1) +
                      " do not increase");
     }
+    if (!detail::all_finite(rate_.coordinates())) {
+      throw BadInput(place() + "the times " + detail::instant_text(t0) + " and " + detail::instant_text(t1) +
+                     " are " + detail::text(duration_) + " s apart; the rate overflows");
+    }
   }
   static std::string place() {
     return "Slerp of " + frame_name<B>() + " relative to " + frame_name<A>() + ": ";

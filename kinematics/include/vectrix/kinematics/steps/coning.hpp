@@ -47,6 +47,12 @@ template <class A, class B, class S, class... Times>
 void require_positive_durations(const char* action, const Times&... dt) {
   (require_positive_duration<A, B>(S(dt.value()), action), ...);
 }
+template <class A, class B, class S>
+[[noreturn, gnu::cold, gnu::noinline]] void refuse_ratio(const char* action, const S& h, const S& h_other) {
+  throw BadInput(std::string{action} + "(of " + frame_name<B>() + " relative to " + frame_name<A>() +
+                 "): counts over " + text(h) + " s and over " + text(h_other) +
+                 " s; the ratio of their durations overflows");
+}
 /// Of thirds of a step: their correction is off by about as large a part of it.
 inline constexpr double equal_thirds = 1e-3;
 
@@ -67,6 +73,8 @@ Increment<A, B, S> corrected_increment(const AngleIncrement<A, B, S>& first, con
   detail::require_positive_durations<A, B, S>("coning_corrected", dt1, dt2);
   const S share = dt2.value() / dt1.value();  // so that no square underflows
   const S c = (S(2) + share + S(1) / share) / S(6);
+  if (!detail::all(c - c == S(0)))
+    detail::refuse_ratio<A, B, S>("coning_corrected", dt1.value(), dt2.value());
   const auto& a1 = first.coordinates();
   const auto& a2 = second.coordinates();
   return {detail::trusted, a1 + a2 + c * a1.cross(a2)};
@@ -112,7 +120,8 @@ concept Corrects = requires {
 ///     theta = alpha1 + alpha2 + alpha3 + 9/20 alpha1 x alpha3 + 27/40 alpha2 x (alpha3 - alpha1)
 /// The first is exact to second order for a linear rate; equal parts have order 4 for a polynomial rate, and
 /// it is then the best two-sample rule in coning (Ignagni 1990). The second has the coefficients with the
-/// smallest drift in coning (Miller 1983). Throws BadInput unless the durations are positive, three equal.
+/// smallest drift in coning (Miller 1983). Throws BadInput unless the durations are positive, two have a
+/// finite ratio, and three are equal.
 template <class... Parts> detail::CorrectedOf<Parts...> coning_corrected(const Parts&... alpha) {
   return corrected_increment(alpha...);
 }
@@ -134,9 +143,11 @@ Increment<A, B, S> increment_after(const AngleIncrement<A, B, S>& alpha_before,
                                    const Quantity<si::time, S>& dt_before,
                                    const AngleIncrement<A, B, S>& alpha, const Quantity<si::time, S>& dt) {
   detail::require_positive_durations<A, B, S>("coning_corrected_after", dt_before, dt);
-  const S share = dt.value() / dt_before.value();  // so that no square underflows
-  return {detail::trusted, alpha.coordinates() + share * share / (S(6) * (S(1) + share)) *
-                                                     alpha_before.coordinates().cross(alpha.coordinates())};
+  const S share = dt.value() / dt_before.value();  // so that no square underflows or overflows
+  const S c = share * (share / (S(1) + share)) * (S(1) / S(6));
+  if (!detail::all(c - c == S(0)))
+    detail::refuse_ratio<A, B, S>("coning_corrected_after", dt_before.value(), dt.value());
+  return {detail::trusted, alpha.coordinates() + c * alpha_before.coordinates().cross(alpha.coordinates())};
 }
 
 namespace detail {
@@ -155,7 +166,7 @@ concept CorrectsAfter = requires {
 /// For equal intervals c = 1/12 (Savage 1998): coning_corrected_after(alpha_before, alpha). In coning it is
 /// as good as the two-sample rule, and gives an increment at every count. For a general motion the error of
 /// an interval is h^4/12 w x w'' and the order is 3; the two-sample rule has order 4. Throws BadInput unless
-/// the durations are positive.
+/// the durations are positive, with a finite ratio.
 template <class... Parts> detail::AfterOf<Parts...> coning_corrected_after(const Parts&... parts) {
   return increment_after(parts...);
 }

@@ -114,8 +114,8 @@ template <Frame A, Frame B, class S = double> class GyroAttitude {
   GyroAttitude(const Quaternion<A, B, S>& start_a_from_b, const GyroErrors<B, S>& errors)
       : q_a_from_b_(start_a_from_b), errors_(errors) {}
 
-  /// Takes the count of the next interval. Throws BadInput when the count is not finite or dt is not
-  /// positive.
+  /// Takes the count of the next interval. Throws BadInput when the count is not finite, dt is not
+  /// positive, or its ratio to the dt before overflows; then the attitude stays as it was.
   void add(const Measured<AngleIncrement<A, B, S>>& count, const Quantity<si::time, S>& dt) {
     detail::require_positive_duration<A, B>(dt.value(), "GyroAttitude::add");
     const Interval now{errors_.corrected(count, dt), dt};
