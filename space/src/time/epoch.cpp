@@ -21,7 +21,7 @@ constexpr double days_of_week = 7.0;
 constexpr double one_instant = 1e-9;  // s: the clock has 1e-11, and a day before 1972 some roundings more
 
 // A modified Julian date taken for a Julian date is before the year 0. A Julian date since then, taken for a
-// modified one, is of the year 6571 or later.
+// modified one, is of the year 6570 or later.
 constexpr double year_0 = 1721059.5, year_10000 = 5373484.5;  // Julian days of January 1
 constexpr double least_julian_date = 1721059.0;
 
