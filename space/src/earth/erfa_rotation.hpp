@@ -28,8 +28,11 @@ inline JulianDate<scale::Ut1> ut1_date(const Epoch& epoch, const Quantity<si::ti
 
 /// A hundred times what has been observed of x, y, dX and dY: in other units they would be more.
 constexpr double largest_pole_offset = 60.0;  // arcsec
+/// And far more than of their derivatives, 0.02 arcsec a day and 5e-8 with the tides.
+constexpr double largest_pole_rate = 60.0 * ERFA_DAS2R / ERFA_DAYSEC;  // rad/s
+constexpr double largest_ut1_gain = 1e-6;
 
-/// Throws BadInput if a parameter is not finite, or the pole farther off than that.
+/// Throws BadInput if a parameter is not finite, or beyond these.
 inline void require_observed(const Epoch& epoch, const EarthOrientationParameters& p) {
   const auto fail = [&](const char* name, double value, const char* unit) {
     throw BadInput("Earth orientation at " + shown(epoch) + ": " + name + " is " + text(value) + unit);
@@ -39,7 +42,8 @@ inline void require_observed(const Epoch& epoch, const EarthOrientationParameter
       fail(name, value.value(), " rad; it must be within 60 arcsec");
   };
   const auto rate = [&](const char* name, const Quantity<si::angular_velocity>& value) {
-    if (!std::isfinite(value.value())) fail(name, value.value(), " rad/s");
+    if (!(std::abs(value.value()) <= largest_pole_rate))
+      fail(name, value.value(), " rad/s; it must be within 60 arcsec a day");
   };
   angle("pole_x", p.pole_x);
   angle("pole_y", p.pole_y);
@@ -50,7 +54,8 @@ inline void require_observed(const Epoch& epoch, const EarthOrientationParameter
   rate("dX_rate", p.dX_rate);
   rate("dY_rate", p.dY_rate);
   if (!std::isfinite(p.ut1_minus_tai.value())) fail("UT1-TAI", p.ut1_minus_tai.value(), " s");
-  if (!std::isfinite(p.ut1_gain.value())) fail("d(UT1-TAI)/dTAI", p.ut1_gain.value(), "");
+  if (!(std::abs(p.ut1_gain.value()) <= largest_ut1_gain))
+    fail("d(UT1-TAI)/dTAI", p.ut1_gain.value(), "; it must be within 1e-6");
 }
 
 /// dERA/dUT1, rad/s (IERS Conventions 2010, equation 5.15).

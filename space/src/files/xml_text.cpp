@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include <vectrix/frames/errors.hpp>
+
 #include "text_file.hpp"
 
 namespace vectrix::detail {

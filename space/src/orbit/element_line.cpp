@@ -71,7 +71,10 @@ double ElementLine::number(const Columns& columns) const {
 }
 
 double ElementLine::number(const Columns& columns, double least, double most) const {
-  const double value = number(columns);
+  return within(columns, number(columns), least, most);
+}
+
+double ElementLine::within(const Columns& columns, double value, double least, double most) const {
   if (!(value >= least && value <= most))
     fail(columns, "not in [" + detail::text(least) + ", " + detail::text(most) + "]");
   return value;
@@ -101,6 +104,10 @@ double ElementLine::with_exponent(const Columns& columns) const {
     fail(columns, "not a number as 28098-4, 0.28098e-4");
   const double size = *parse_number("0." + std::string{digits} + 'e' + std::string{power});
   return written[0] == '-' ? -size : size;
+}
+
+double ElementLine::with_exponent(const Columns& columns, double most) const {
+  return within(columns, with_exponent(columns), -most, most);
 }
 
 int ElementLine::catalogue_number() const {

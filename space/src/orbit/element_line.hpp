@@ -28,12 +28,16 @@ class ElementLine {
   [[nodiscard]] double decimals(const Columns& columns) const;
   /// The same with a sign before and a power of ten behind: " 28098-4" is 0.28098e-4.
   [[nodiscard]] double with_exponent(const Columns& columns) const;
+  /// The same, in [-most, most].
+  [[nodiscard]] double with_exponent(const Columns& columns, double most) const;
   /// Five digits, or a letter and four digits.
   [[nodiscard]] int catalogue_number() const;
 
   [[noreturn]] void fail(const Columns& columns, const std::string& reason) const;
 
  private:
+  [[nodiscard]] double within(const Columns& columns, double value, double least, double most) const;
+
   std::string place_;
   std::string_view text_;
 };

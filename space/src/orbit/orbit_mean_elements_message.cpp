@@ -1,6 +1,7 @@
 #include <vectrix/space/orbit/orbit_mean_elements_message.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include <vectrix/frames/errors.hpp>
@@ -82,7 +83,13 @@ class OrbitMeanElementsReader {
     OrbitMeanElementsMessage message(
         {entries_.epoch(entries_.line("EPOCH"), scale::utc), detail::mean_motion(revolutions), e,
          degrees("INCLINATION", 180.0), degrees("RA_OF_ASC_NODE", 360.0), degrees("ARG_OF_PERICENTER", 360.0),
-         degrees("MEAN_ANOMALY", 360.0), entries_.number(entries_.line("BSTAR"), "1/ER") * bstar_unit});
+         degrees("MEAN_ANOMALY", 360.0),
+         within(entries_.line("BSTAR"), "1/ER", detail::largest_bstar) * bstar_unit});
+    // As published, or the derivatives themselves.
+    if (const KvnLine* rate = entries_.find("MEAN_MOTION_DOT"))
+      static_cast<void>(within(*rate, "rev/day**2", 2.0 * detail::largest_half_rate));
+    if (const KvnLine* rate = entries_.find("MEAN_MOTION_DDOT"))
+      static_cast<void>(within(*rate, "rev/day**3", 6.0 * detail::largest_sixth_of_second_rate));
     for (const char* keyword : {"OBJECT_NAME", "OBJECT_ID"}) static_cast<void>(entries_.line(keyword));
     if (const KvnLine* catalogue = entries_.find("NORAD_CAT_ID"))
       message.catalogue_number_ = entries_.whole(*catalogue);
@@ -102,6 +109,12 @@ class OrbitMeanElementsReader {
     const KvnLine& given = entries_.line(keyword);
     if (std::find(allowed.begin(), allowed.end(), detail::upper_case(given.value)) == allowed.end())
       fail(given, "it must be " + std::string{*allowed.begin()} + " for the elements of SGP4");
+  }
+  [[nodiscard]] double within(const KvnLine& given, const std::string& unit, double most) const {
+    const double value = entries_.number(given, unit);
+    if (!(std::abs(value) <= most))
+      fail(given, "not in [-" + detail::text(most) + ", " + detail::text(most) + "] " + unit);
+    return value;
   }
   [[nodiscard]] Quantity<si::angle> degrees(const char* keyword, double most) const {
     const KvnLine& given = entries_.line(keyword);

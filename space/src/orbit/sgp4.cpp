@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "../earth/turn.hpp"
+#include "mean_motion.hpp"
 #include "sgp4_deep_space.hpp"
 #include "sgp4_elements.hpp"
 
@@ -302,7 +303,8 @@ Elements checked(const std::string& name, const MeanElements& x) {
   finite("ascending node", x.ascending_node.value(), " rad");
   finite("argument of perigee", x.argument_of_perigee.value(), " rad");
   finite("mean anomaly", x.mean_anomaly.value(), " rad");
-  finite("B*", x.bstar.value(), " 1/m");
+  const double bstar = x.bstar / bstar_unit;
+  require(std::abs(bstar) <= largest_bstar, name, "B*", bstar, " per Earth radius, not in [-100, 100]");
   const double a = sgp4::semi_major_axis(n), kilometres = a * earth_radius;
   const auto orbit = [&] { return " rad/s, its semi-major axis " + text(kilometres) + " km; "; };
   if (!(a * (1.0 + e) >= 1.0))

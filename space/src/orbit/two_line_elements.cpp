@@ -81,16 +81,19 @@ TwoLineElements TwoLineElements::of(std::string_view title, const ElementLine& f
   TwoLineElements set(
       title, {epoch_of(first), detail::mean_motion(revolutions), second.decimals(line2::eccentricity),
               degrees(line2::inclination, 180.0), degrees(line2::node, 360.0), degrees(line2::perigee, 360.0),
-              degrees(line2::mean_anomaly, 360.0), first.with_exponent(line1::bstar) * bstar_unit});
+              degrees(line2::mean_anomaly, 360.0),
+              first.with_exponent(line1::bstar, detail::largest_bstar) * bstar_unit});
   set.catalogue_number_ = number;
   set.classification_ = secrecy;
   set.designator_ = detail::trimmed(first.text(line1::designator));
   set.element_set_number_ = first.count(line1::set_number);
   set.revolution_number_ = second.count(line2::revolution);
-  const auto rate = 2.0 * first.number(line1::half_rate) / (hours * hours) * (rev_per_hour / si::hour);
+  const double half_rate =
+      first.number(line1::half_rate, -detail::largest_half_rate, detail::largest_half_rate);
+  const auto rate = 2.0 * half_rate / (hours * hours) * (rev_per_hour / si::hour);
   set.mean_motion_rate_ = convert<si::angular_acceleration>(rate);
-  const auto second_rate = 6.0 * first.with_exponent(line1::sixth_of_second_rate) / (hours * hours * hours) *
-                           (rev_per_hour / si::hour / si::hour);
+  const double sixth = first.with_exponent(line1::sixth_of_second_rate, detail::largest_sixth_of_second_rate);
+  const auto second_rate = 6.0 * sixth / (hours * hours * hours) * (rev_per_hour / si::hour / si::hour);
   set.mean_motion_second_rate_ = convert<SecondRate::unit>(second_rate);
   return set;
 }

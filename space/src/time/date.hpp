@@ -34,7 +34,7 @@ bool before_utc(const Date& tai);
 std::string ut1_fault(const Date& tai, double ut1_minus_tai);
 /// TAI - UTC, s, at a date of UTC.
 double tai_minus_utc(const Date& utc);
-/// Throws BadInput, which begins with `what`, before 1960 and outside the calendar.
+/// Throws BadInput, which begins with `what`, before 1960.
 void require_known_utc(const Date& utc, const std::string& what);
 /// A day of UTC, from midnight on: TAI - UTC at its beginning, how much it grows until its end (before 1972),
 /// and the step there, a leap second; in s.

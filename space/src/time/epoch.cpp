@@ -20,6 +20,22 @@ constexpr std::int64_t seconds_of_week = 604800;
 constexpr double days_of_week = 7.0;
 constexpr double one_instant = 1e-9;  // s: the clock has 1e-11, and a day before 1972 some roundings more
 
+// A modified Julian date taken for a Julian date is before the year 0. A Julian date since then, taken for a
+// modified one, is of the year 6570 or later.
+constexpr double year_0 = 1721059.5, year_10000 = 5373484.5;  // Julian days of January 1
+constexpr double least_julian_date = 1721059.0;
+
+void require_julian(const Date& date, const std::string& what) {
+  if (!(date.day >= year_0 && date.day < year_10000))
+    throw BadInput(what + ": Julian dates are of the years 0 to 9999, " + detail::text(year_0) +
+                   " or more; " + "for a modified one, from_modified_julian_date");
+}
+void require_modified(const Date& date, const std::string& what) {
+  if (!(date.day >= year_0 && date.modified_day() < least_julian_date))
+    throw BadInput(what + ": modified Julian dates are of the years 0 to 6570, less than " +
+                   detail::text(least_julian_date) + "; for a Julian date, from_julian_date");
+}
+
 JulianDate<scale::Tai> as_tai(const Date& date) {
   return {date.day, date.fraction};
 }
@@ -72,25 +88,28 @@ Epoch Epoch::from_julian_date(const TimeScale& scale, double day, double fractio
   const std::string what = "Julian date " + detail::text(day) + " + " + detail::text(fraction) + " in " +
                            std::string{scale.name()};
   if (!std::isfinite(day) || !std::isfinite(fraction)) throw BadInput(what + ": it is not finite");
-  return Epoch{as_tai(detail::tai_of(scale, detail::normalised(day, fraction), what))};
+  const Date date = detail::normalised(day, fraction);
+  require_julian(date, what);
+  return Epoch{as_tai(detail::tai_of(scale, date, what))};
 }
 
 Epoch Epoch::from_modified_julian_date(const TimeScale& scale, double day, double fraction) {
-  const double whole = std::floor(day);
-  const double part = day - whole;
-  if (!std::isfinite(day) || !std::isfinite(fraction)) {
-    throw BadInput("modified Julian date " + detail::text(day) + " + " + detail::text(fraction) + " in " +
-                   std::string{scale.name()} + ": it is not finite");
-  }
-  const double of_fraction = std::floor(fraction);
-  return from_julian_date(scale, modified_julian_zero + (whole + of_fraction),
-                          part + (fraction - of_fraction));
+  const std::string what = "modified Julian date " + detail::text(day) + " + " + detail::text(fraction) +
+                           " in " + std::string{scale.name()};
+  if (!std::isfinite(day) || !std::isfinite(fraction)) throw BadInput(what + ": it is not finite");
+  const double whole = std::floor(day), of_fraction = std::floor(fraction);
+  const Date date = detail::normalised(modified_julian_zero + (whole + of_fraction),
+                                       (day - whole) + (fraction - of_fraction));
+  require_modified(date, what);
+  return Epoch{as_tai(detail::tai_of(scale, date, what))};
 }
 
 Epoch Epoch::from_utc_mjd(int day, double part) {
   const std::string what = "Epoch::from_utc_mjd(" + detail::text(day) + ", " + detail::text(part) + ")";
   if (!(part >= 0.0 && part < 1.0)) throw BadInput(what + ": the part of the day is outside [0, 1)");
-  return Epoch{as_tai(detail::tai_of(scale::utc, Date{modified_julian_zero + day, part}, what))};
+  const Date utc{modified_julian_zero + day, part};
+  require_modified(utc, what);
+  return Epoch{as_tai(detail::tai_of(scale::utc, utc, what))};
 }
 
 Epoch Epoch::from_gps_week(std::int64_t week, const Quantity<si::time>& second) {

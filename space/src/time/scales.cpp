@@ -38,6 +38,13 @@ Date utc_of(const Date& tai) {
   return normalised(day, fraction);
 }
 
+// Also what the clock's rounding may put into it: UT1 - (UT1-UTC) is read as the second after it.
+bool in_leap_second(const Date& utc) {
+  constexpr double clock_rounding = 1e-10;  // s
+  const UtcDay day = utc_day(utc.day);
+  return day.step > 0.0 && utc.fraction * day.length() > ERFA_DAYSEC - clock_rounding;
+}
+
 // TDB - TT, s, at the centre of the Earth. The date may be in either.
 double tdb_minus_tt(const Date& date) {
   return eraDtdb(date.day, date.fraction, 0.0, 0.0, 0.0, 0.0);
@@ -46,9 +53,7 @@ double tdb_minus_tt(const Date& date) {
 }  // namespace
 
 void require_known_utc(const Date& utc, const std::string& what) {
-  constexpr double last_day = 1e9 - 1.5;  // the one after it is the last that eraJd2cal takes
   if (utc.modified_day() < first_utc_day) throw BadInput(what + ": UTC is not known before 1960");
-  if (utc.day > last_day) throw BadInput(what + ": it is outside the calendar");
 }
 
 // Each part is split by itself: both splits are exact, so that only the sum of two fractions is rounded.
@@ -117,7 +122,10 @@ Date date_of(const TimeScale& scale, const Date& tai) {
     case TimeScale::Kind::ut1_by_utc:
       break;
   }
-  return shifted(tai, ut1_offset - tai_minus_utc(utc_of(tai)));
+  const Date utc = utc_of(tai);
+  if (in_leap_second(utc))
+    throw BadInput(tai_text(tai) + ": UT1-UTC names no instant of a leap second; take Ut1::minus_tai");
+  return shifted(tai, ut1_offset - tai_minus_utc(utc));
 }
 
 bool before_utc(const Date& tai) {

@@ -305,10 +305,16 @@ TEST(EarthRotation, RefusesParametersThatNobodyObserves) {
   EXPECT_EQ(refusal(bad), "pole_y is 0.3 rad; it must be within 60 arcsec");
   bad = good;
   bad.dX_rate = nan * (si::radian / si::second);
-  EXPECT_EQ(refusal(bad), "dX_rate is nan rad/s");
+  EXPECT_EQ(refusal(bad), "dX_rate is nan rad/s; it must be within 60 arcsec a day");
+  bad = good;
+  bad.pole_y_rate = 3e-3 * (si::radian / si::second);  // arcsec a day
+  EXPECT_EQ(refusal(bad), "pole_y_rate is 0.003 rad/s; it must be within 60 arcsec a day");
+  bad = good;
+  bad.ut1_gain = Quantity<si::dimensionless>{1.00000001};  // of the ratio of UT1 and TAI
+  EXPECT_EQ(refusal(bad), "d(UT1-TAI)/dTAI is 1.00000001; it must be within 1e-6");
   bad = good;
   bad.ut1_gain = Quantity<si::dimensionless>{nan};
-  EXPECT_EQ(refusal(bad), "d(UT1-TAI)/dTAI is nan");
+  EXPECT_EQ(refusal(bad), "d(UT1-TAI)/dTAI is nan; it must be within 1e-6");
   bad = good;
   bad.ut1_minus_tai = nan * si::second;
   EXPECT_EQ(refusal(bad), "UT1-TAI is nan s");

@@ -91,7 +91,7 @@ TEST(EphemerisEpochs, WithoutATextAreRefusedWithTheSamples) {
             place + "Epoch 1958-12-31T23:59:27.816000 TAI: UTC is not known before 1960");
   EXPECT_EQ(at(scale::gps, Epoch::from_tt("1979-01-01T00:00:32.184")),
             place + "Epoch 1979-01-01T00:00:00.000000 TAI: GPS time begins in 1980");
-  EXPECT_EQ(at(scale::tai, Epoch::from_julian_date(scale::tai, 5373485.5)),
+  EXPECT_EQ(at(scale::tai, Epoch::from_julian_date(scale::tai, 5373483.5) + 2.0 * 86400.0 * si::second),
             place + "the epoch 10000-01-02T00:00:00.000000000 TAI is not of the years 0 to 9999");
   EXPECT_EQ(at(scale::tai, Epoch::from_julian_date(scale::tai, 5373484.5, -1e-5)), "nothing was thrown");
 }

@@ -188,7 +188,16 @@ TEST(OrbitMeanElementsMessage, WrongNumbersAreRefused) {
             "orbit mean-elements message, line 14, column 16 (ECCENTRICITY): '.1 [deg]': it has no unit");
   EXPECT_EQ(complaint_of(with("MEAN_MOTION ", "MEAN_MOTION = 0.00113")), "nothing was thrown");
   EXPECT_EQ(complaint_of(with("MEAN_MOTION ", "  MEAN_MOTION =  929.4")),
-            "orbit mean-elements message, line 13, column 18 (MEAN_MOTION): '929.4': not in (0, 20] rev/day");
+            "orbit mean-elements message, line 13, column 18 (MEAN_MOTION): '929.4': not in (0, 17] rev/day");
+  EXPECT_EQ(complaint_of(with("BSTAR", "BSTAR = -1e9")),
+            "orbit mean-elements message, line 24, column 9 (BSTAR): '-1e9': not in [-100, 100] 1/ER");
+  EXPECT_EQ(complaint_of(with("BSTAR", "BSTAR = -100")), "nothing was thrown");
+  EXPECT_EQ(
+      complaint_of(with("MEAN_MOTION_DOT", "MEAN_MOTION_DOT = 2.1")),
+      "orbit mean-elements message, line 25, column 19 (MEAN_MOTION_DOT): '2.1': not in [-2, 2] rev/day**2");
+  EXPECT_EQ(complaint_of(with("MEAN_MOTION_DOT", "MEAN_MOTION_DOT = 1.99999998")), "nothing was thrown");
+  EXPECT_THROW(Message::parse(with("MEAN_MOTION_DDOT", "MEAN_MOTION_DDOT = -7")), BadInput);
+  EXPECT_THROW(Message::parse(with("MEAN_MOTION_DDOT", "MEAN_MOTION_DDOT = nan")), BadInput);
   EXPECT_NE(complaint_of(with("MEAN_MOTION ", "MEAN_MOTION = 15.49 [rad/s]")).find("the unit is [rev/day]"),
             std::string::npos);
   EXPECT_NE(complaint_of(with("BSTAR", "BSTAR = 1e-4 [1/m]")).find("the unit is [1/ER]"), std::string::npos);

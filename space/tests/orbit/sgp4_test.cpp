@@ -322,7 +322,8 @@ TEST(Sgp4, ElementsOutOfRange) {
   EXPECT_NE(refused([&](auto& x) { x.argument_of_perigee = bad * si::radian; }).find("perigee"),
             std::string::npos);
   EXPECT_NE(refused([&](auto& x) { x.mean_anomaly = bad * si::radian; }).find("anomaly"), std::string::npos);
-  EXPECT_NE(refused([&](auto& x) { x.bstar = bad * bstar_unit; }).find("B*"), std::string::npos);
+  for (const double wrong : {bad, 1e9, -101.0})
+    EXPECT_NE(refused([&](auto& x) { x.bstar = wrong * bstar_unit; }).find("B*"), std::string::npos) << wrong;
   // 15 rev/day written as rad/s, rad/min, rad/h; and a unit too slow.
   for (const double n : {15.0, 15.0 / 60, 15.0 / 3600})
     EXPECT_NE(refused([&](auto& x) { x.mean_motion = rate(n); }).find("; the orbit is inside the Earth"),

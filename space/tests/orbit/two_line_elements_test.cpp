@@ -183,6 +183,35 @@ TEST(TwoLineElements, NumbersOutOfRange) {
   EXPECT_THROW(TwoLineElements::parse(line1, with(line2, 64, "4136x")), BadInput);
 }
 
+// The sets of the verification end at .99999999 in columns 34-43 and 0.00027 in 45-52; a foil has B* 20.
+TEST(TwoLineElements, NumbersOfNoOrbit) {
+  const auto first = [](std::size_t column, const std::string& written) {
+    return complaint_of(with(line1, column, written), line2);
+  };
+  EXPECT_EQ(first(54, " 10000+9"),
+            "two-line elements, line 1, columns 54-61 (B*): ' 10000+9': not in [-100, 100]");
+  EXPECT_EQ(first(54, "-10001+3"),
+            "two-line elements, line 1, columns 54-61 (B*): '-10001+3': not in [-100, 100]");
+  EXPECT_EQ(first(54, "-10000+3"), "nothing was thrown");
+  EXPECT_EQ(
+      first(34, "9999.00000"),
+      "two-line elements, line 1, columns 34-43 (half the derivative of the mean motion): '9999.00000': "
+      "not in [-1, 1]");
+  EXPECT_EQ(first(34, "-.99999999"), "nothing was thrown");
+  EXPECT_EQ(first(45, "-10001+1"),
+            "two-line elements, line 1, columns 45-52 (a sixth of the second derivative of the mean motion): "
+            "'-10001+1': not in [-1, 1]");
+  EXPECT_EQ(first(45, " 99999-0"), "nothing was thrown");
+  const auto motion = [](const std::string& written) {
+    return complaint_of(line1, with(line2, 53, written));
+  };
+  EXPECT_EQ(motion("17.00000001"),
+            "two-line elements, line 2, columns 53-63 (mean motion): '17.00000001': not in [0, 17]");
+  EXPECT_EQ(motion("-1.00000000"),
+            "two-line elements, line 2, columns 53-63 (mean motion): '-1.00000000': not in [0, 17]");
+  EXPECT_EQ(motion("17.00000000"), "nothing was thrown");
+}
+
 TEST(TwoLineElements, KindsOfSets) {
   for (const char* kind : {" ", "0", "2", "3"})
     EXPECT_NO_THROW(TwoLineElements::parse(with(line1, 63, kind), line2)) << kind;

@@ -276,3 +276,68 @@ std::string text(const Epoch& t, const Quantity<si::time>& ut1_minus_tai) {
 #endif
 }
 }  // namespace ut1_without_its_difference
+
+namespace span_of_texts {
+// mistake: a span from a text in UTC to one in TT, 69 s off
+// expect: an Epoch, and an Epoch or a duration
+// expect: scale::Utc\b
+// expect: scale::Tt\b
+TimeSpan pass(const Epoch& rise, const Epoch& set) {
+#ifdef REPAIRED
+  return from_until(rise, set);
+#else
+  return from_until(rise.utc(), set.tt());
+#endif
+}
+}  // namespace span_of_texts
+
+namespace difference_of_texts {
+// mistake: subtracts the text of an instant in TT from one in UTC
+// expect: a text is no instant: subtract the epochs
+// expect: scale::Utc\b
+// expect: scale::Tt\b
+Quantity<si::time> duration(const Epoch& start, const Epoch& end) {
+#ifdef REPAIRED
+  return end - start;
+#else
+  return end.utc() - start.tt();
+#endif
+}
+}  // namespace difference_of_texts
+
+namespace difference_of_an_epoch_and_a_text {
+// mistake: subtracts a text from an epoch
+// expect: a text is no instant: subtract the epochs
+Quantity<si::time> duration(const std::string& start_utc, const Epoch& end) {
+#ifdef REPAIRED
+  return end - Epoch::from_utc(start_utc);
+#else
+  return end - start_utc;
+#endif
+}
+}  // namespace difference_of_an_epoch_and_a_text
+
+namespace epoch_compared_with_its_text {
+// mistake: asks whether an epoch is a text, which is rounded and of one scale
+// expect: a text is no instant: compare the epochs
+// expect: scale::Utc\b
+bool is_at(const Epoch& t, const Epoch& event) {
+#ifdef REPAIRED
+  return t == event;
+#else
+  return t == event.utc();
+#endif
+}
+}  // namespace epoch_compared_with_its_text
+
+namespace epoch_ordered_with_a_text {
+// mistake: asks whether an epoch is before a text that does not say its scale
+// expect: a text is no instant: compare the epochs
+bool is_before(const Epoch& t, const std::string& launch_utc) {
+#ifdef REPAIRED
+  return t < Epoch::from_utc(launch_utc);
+#else
+  return t < launch_utc;
+#endif
+}
+}  // namespace epoch_ordered_with_a_text

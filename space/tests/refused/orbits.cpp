@@ -249,6 +249,20 @@ auto shape(const Quantity<si::gravitational_parameter>& mu, const MeanElements& 
 }
 }  // namespace osculating_elements_of_mean_ones
 
+namespace motion_of_mean_elements {
+// mistake: the motion of mean elements as if they were osculating: several km off in a low orbit
+// expect: osculating elements; mean ones have a motion by their theory alone
+// expect: MeanElements
+auto motion(const Quantity<si::gravitational_parameter>& mu, const TwoLineElements& set) {
+#ifdef REPAIRED
+  static_cast<void>(mu);
+  return Sgp4<Ship>(set, at_most(72.0 * si::hour)).at(set.epoch());
+#else
+  return point_motion(mu, set.mean_elements());
+#endif
+}
+}  // namespace motion_of_mean_elements
+
 namespace sgp4_taken_for_gcrf {
 // mistake: the position of SGP4 taken for one in Gcrf: 44 km off in a low orbit in 2026
 // expect: Gcrf

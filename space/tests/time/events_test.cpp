@@ -127,6 +127,35 @@ TEST(Events, EndsOfTheSpanAndZerosOnTheGrid) {
   EXPECT_EQ(intervals(instant, step, line(1.0, -1.0)).size(), 1U);
 }
 
+// A parabola that exceeds zero by d: its zeros are sqrt(8 d/|f''|) apart. They are found at every place of
+// the grid if that is more than the step; if less, at that part of the places, and otherwise neither.
+TEST(Events, TwoZerosNearerThanAStepMayHide) {
+  constexpr double step = 60.0, curvature = 2e-3;  // s, 1/s^2
+  constexpr int places = 1000;
+  for (const double apart : {1.001 * step, 0.999 * step, 0.25 * step, 1e-3 * step}) {
+    const double d = curvature * apart * apart / 8.0;
+    int found = 0;
+    for (int k = 0; k < places; ++k) {
+      const double top = 300.0 + step * (k + 0.5) / places;
+      const auto pass = [&](const Epoch& t) { return d - 0.5 * curvature * std::pow(seconds(t) - top, 2); };
+      const auto zeros = events(from_until(start, 600.0 * si::second), step * si::second, pass);
+      ASSERT_TRUE(zeros.empty() || zeros.size() == 2U);
+      if (zeros.empty()) continue;
+      EXPECT_NEAR((zeros[1].epoch - zeros[0].epoch).value(), apart, 2.0 * found_to);
+      ++found;
+    }
+    EXPECT_NEAR(found, places * std::min(1.0, apart / step), 1.0) << apart;
+  }
+  // Neither a cusp nor a tangent changes the sign, at an instant of the grid or between two.
+  for (const double at : {300.0, 317.0}) {
+    const auto cusp = [&](const Epoch& t) { return std::sqrt(std::abs(seconds(t) - at)); };
+    const auto tangent = [&](const Epoch& t) { return -std::pow(seconds(t) - at, 2); };
+    const auto ten_minutes = from_until(start, 600.0 * si::second);
+    EXPECT_TRUE(events(ten_minutes, step * si::second, cusp).empty());
+    EXPECT_TRUE(events(ten_minutes, step * si::second, tangent).empty());
+  }
+}
+
 TEST(Events, AJumpIsFoundAsAZero) {
   constexpr double jump = 1000.0 / 3.0;
   const auto sign = [](const Epoch& t) { return seconds(t) < jump ? -1.0 : 1.0; };

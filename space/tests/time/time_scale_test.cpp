@@ -313,18 +313,75 @@ TEST(TimeScale, RefusesNumbersOutOfRange) {
   EXPECT_THROW(Epoch::from_gps_seconds(1, not_a_number), BadInput);
   EXPECT_EQ(complaint([] { Epoch::from_julian_date(scale::tt, infinity); }),
             "Julian date inf + 0 in TT: it is not finite");
-  EXPECT_EQ(complaint([] { Epoch::from_julian_date(scale::utc, 1e12, 0.25); }),
-            "Julian date 1e+12 + 0.25 in UTC: it is outside the calendar");
-  EXPECT_EQ(complaint([] { Epoch::from_julian_date(scale::Ut1::minus_utc(0.1 * si::second), 1e12); }),
-            "Julian date 1e+12 + 0 in UT1: it is outside the calendar");
-  EXPECT_EQ(complaint([] { Epoch::from_julian_date(scale::utc, 1e9 - 1.5); }), "nothing was thrown");
-  EXPECT_EQ(complaint([] { Epoch::from_julian_date(scale::utc, 1e9 - 0.5); }),
-            "Julian date 999999999.5 + 0 in UTC: it is outside the calendar");
   EXPECT_THROW(Epoch::from_modified_julian_date(scale::tt, 1.0, not_a_number), BadInput);
   EXPECT_EQ(complaint([] { (void)scale::Ut1::minus_utc(-37.1 * si::second); }),
             "Ut1::minus_utc: UT1-UTC is -37.1 s; it must be within 1 s (UTC keeps it below 0.9 s)");
   EXPECT_THROW((void)scale::Ut1::minus_utc(not_a_number * si::second), BadInput);
   EXPECT_THROW((void)scale::Ut1::minus_tai(infinity * si::second), BadInput);
+}
+
+// In every scale: a modified Julian date for a Julian date, and the reverse, are thousands of years off.
+TEST(TimeScale, ModifiedAndJulianDatesAreNotTakenForEachOther) {
+  const std::string julian =
+      ": Julian dates are of the years 0 to 9999, 1721059.5 or more; for a modified one, "
+      "from_modified_julian_date";
+  const std::string modified =
+      ": modified Julian dates are of the years 0 to 6570, less than 1721059; for a Julian date, "
+      "from_julian_date";
+  const auto as_julian = [](const TimeScale& in, double number, double fraction) {
+    return complaint([&] { Epoch::from_julian_date(in, number, fraction); });
+  };
+  const auto as_modified = [](const TimeScale& in, double number, double fraction) {
+    return complaint([&] { Epoch::from_modified_julian_date(in, number, fraction); });
+  };
+  for (const TimeScale& in :
+       {TimeScale{scale::utc}, TimeScale{scale::tai}, TimeScale{scale::tt}, TimeScale{scale::tdb},
+        TimeScale{scale::gps}, TimeScale{scale::Ut1::minus_tai(-37.1 * si::second)},
+        TimeScale{scale::Ut1::minus_utc(-0.1 * si::second)}}) {
+    const std::string name = in.name();
+    EXPECT_EQ(as_julian(in, 59683.0, 0.25), "Julian date 59683 + 0.25 in " + name + julian);
+    EXPECT_EQ(as_julian(in, 0.25, 59683.0), "Julian date 0.25 + 59683 in " + name + julian);
+    EXPECT_EQ(as_modified(in, 2459683.5, 0.25),
+              "modified Julian date 2459683.5 + 0.25 in " + name + modified);
+    for (const double far : {-1e300, -1e12, 5373484.5, 1e12, 1e300}) {
+      EXPECT_EQ(as_julian(in, far, 0.0), "Julian date " + detail::text(far) + " + 0 in " + name + julian);
+      EXPECT_NE(as_modified(in, far, 0.0).find(modified), std::string::npos) << far << name;
+    }
+    EXPECT_EQ(as_julian(in, 2459683.5, 0.25), as_modified(in, 59683.0, 0.25)) << name;
+  }
+  EXPECT_EQ(complaint([] {
+              Epoch::from_julian_date(JulianDate<scale::Tt>{59683.0, 0.25});
+            }),
+            "Julian date 59683 + 0.25 in TT" + julian);
+  EXPECT_EQ(complaint([] { Epoch::from_utc_mjd(2459683, 0.25); }),
+            "Epoch::from_utc_mjd(2459683, 0.25)" + modified);
+  // The first and the last of both, in the calendar.
+  EXPECT_EQ(Epoch::from_julian_date(scale::tt, 1721059.5).tt(0), "0000-01-01T00:00:00");
+  EXPECT_EQ(Epoch::from_julian_date(scale::tt, 5373483.5, 0.5).tt(0), "9999-12-31T12:00:00");
+  EXPECT_EQ(Epoch::from_modified_julian_date(scale::tt, -678941.0).tt(0), "0000-01-01T00:00:00");
+  EXPECT_EQ(Epoch::from_modified_julian_date(scale::tt, 1721058.0).tt(0).substr(0, 5), "6570-");
+}
+
+// What UT1-UTC writes it reads back, up to a leap second and after it.
+TEST(TimeScale, Ut1ByUtcDoesNotNameALeapSecond) {
+  const auto ut1 = scale::Ut1::minus_utc(-0.4 * si::second);
+  const auto midnight = Epoch::from_utc("2017-01-01T00:00:00");
+  for (const double seconds : {-86000.0, -2.0, -1.001, 0.0, 1e-3, 0.5, 1.0, 86000.0}) {
+    const Epoch t = midnight + seconds * si::second;
+    EXPECT_LE(apart(Epoch::from(ut1, t.text(ut1, 9)), t), 0.5e-9 + clock_rounding) << seconds;
+    EXPECT_LE(apart(Epoch::from_julian_date(t.julian_date(ut1)), t), clock_rounding) << seconds;
+  }
+  for (const double seconds : {-1.0, -0.5, -1e-9}) {
+    const Epoch t = midnight + seconds * si::second;
+    const auto complaint_of = complaint([&] { (void)t.text(ut1); });
+    EXPECT_NE(complaint_of.find("UT1-UTC names no instant of a leap second; take Ut1::minus_tai"),
+              std::string::npos)
+        << complaint_of;
+    EXPECT_THROW((void)t.julian_date(ut1), BadInput);
+    EXPECT_THROW((void)exact_text(t, ut1), BadInput);
+    const auto by_tai = scale::Ut1::minus_tai(-36.4 * si::second);
+    EXPECT_LE(apart(Epoch::from(by_tai, t.text(by_tai, 9)), t), 0.5e-9 + clock_rounding) << seconds;
+  }
 }
 
 // A text that names its scale is read in it, and in no other.

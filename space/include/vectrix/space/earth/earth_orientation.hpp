@@ -43,7 +43,8 @@ inline constexpr OffsetsFromIau2006 offsets_from_iau_2006{};
 
 /// The observed parameters of the Earth's orientation at an instant (IERS Conventions 2010, chapter 5), and
 /// their derivatives by TAI. The functions that take them throw BadInput for one that is not finite, and for
-/// a pole or an offset of more than 60 arcsec: a hundred times what has been observed.
+/// a pole or an offset of more than 60 arcsec, a hundred times what has been observed, more than that in a
+/// day, or a gain of UT1 beyond 1e-6, twenty times as much: d(UT1-TAI)/dTAI, not the ratio of the two clocks.
 struct EarthOrientationParameters {
   Quantity<si::angle> pole_x, pole_y;    ///< polar motion
   Quantity<si::time> ut1_minus_tai;      ///< UT1-UTC minus the leap seconds, so that it has no jumps

@@ -7,6 +7,15 @@ namespace vectrix {
 
 namespace detail {
 
+/// The elements of SGP4, or a set of them.
+template <class X>
+concept MeanOrbit = requires(const X& x) {
+  x.bstar;
+}
+|| requires(const X& x) {
+  x.mean_elements();
+};
+
 struct KeplerianNumbers {
   double semi_latus_rectum, eccentricity, inclination, ascending_node, argument_of_periapsis, true_anomaly;
 };
@@ -94,6 +103,12 @@ PointMotion<P, Q, A> point_motion(const Quantity<si::gravitational_parameter>& m
                                   const KeplerianElements<P, Q, A>& elements) {
   return detail::point_motion_of<P, Q, A>(
       detail::orbit_of_keplerian(detail::orbit_of<P, Q>("point_motion"), mu.value(), elements.numbers()));
+}
+// Not deleted: clang would list all functions of this name.
+template <class Mu, detail::MeanOrbit Elements> Refused point_motion(const Mu&, const Elements&) {
+  static_assert(!detail::MeanOrbit<Elements>,
+                "osculating elements; mean ones have a motion by their theory alone, Sgp4<Q>");
+  return {};
 }
 
 }  // namespace vectrix

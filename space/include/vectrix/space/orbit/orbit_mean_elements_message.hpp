@@ -27,6 +27,7 @@ class OrbitMeanElementsReader;
 ///     CENTER_NAME EARTH, REF_FRAME TEME, TIME_SYSTEM UTC, MEAN_ELEMENT_THEORY SGP4 or SGP/SGP4
 ///     if there, EPHEMERIS_TYPE 0 or 2, or 3 in version 2.0 (SDP4), and GM 398600.8 km^3/s^2 (WGS-72)
 ///     MEAN_MOTION in rev/day, angles in deg, BSTAR per Earth radius: units may be written, and are checked
+///     MEAN_MOTION in (0, 17], BSTAR within 100, MEAN_MOTION_DOT within 2, MEAN_MOTION_DDOT within 6
 /// text() gives the rest as it is written, also the derivatives of the mean motion, which SGP4 does not use
 /// and some providers divide by 2 and by 6, and keywords that are not of the standard. One that is nearly of
 /// the standard, so that it may be a slip, and one that is there twice are refused. The order is not checked.

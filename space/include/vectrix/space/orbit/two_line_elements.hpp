@@ -23,7 +23,9 @@ class ElementLine;
 /// have five digits, or a letter in place of the first two of six: A0000 is 100000, Z9999 is 339999, without
 /// I and O (Alpha-5). Years 57 to 99 are of the 20th century, 00 to 56 of the 21st. The day of the year is in
 /// UTC, the fraction of the day's own length; UTC starts in 1960, and epochs before are refused. So are sets
-/// of another theory, by the type in column 63 of line 1: it may be blank, 0, 2 or 3.
+/// of another theory, by the type in column 63 of line 1: it may be blank, 0, 2 or 3. And so is what no orbit
+/// has: a mean motion not in (0, 17] rev/day, a B* beyond 100, half its rate or a sixth of the second
+/// beyond 1.
 class VECTRIX_EXPORT TwoLineElements {
  public:
   using SecondRate = Quantity<unit_quotient<si::angular_acceleration, si::time>>;

@@ -30,7 +30,9 @@ VECTRIX_EXPORT PlainMotion geocentric_motion(Body body, const Epoch& epoch);
 /// largest errors, in longitude and distance: Mercury 4 arcsec, 300 km; Venus 5, 800; Mars 17, 7700; Jupiter
 /// 71, 76,000; Saturn 81, 267,000; Uranus 86, 712,000; Neptune 11, 253,000. Near the Earth a planet is
 /// seen with up to four times these angles. Their velocities are wrong by 0.4 m/s (Mercury) to 20 m/s.
-/// Ephemeris answers in a thousandth of the Sun's time. Throws BadInput outside the years 1900 to 2099.
+/// eraEpv00 and eraPlan94 are meant for TDB and are given TT, which is at most 1.7 ms off: the Sun by 51 m,
+/// 7e-5 arcsec, and a planet by 160 m. Ephemeris answers in a thousandth of the Sun's time. Throws BadInput
+/// outside the years 1900 to 2099.
 template <class B>
 std::enable_if_t<SkyBody<B>, PointMotion<earth::Gcrf, B, earth::Gcrf>> geocentric(Of<B>, const Epoch& epoch) {
   const auto plain = detail::geocentric_motion(detail::body_of<B>, epoch);

@@ -74,9 +74,9 @@ concept HasStarDirection = requires {
 /// with the words, and the observers, of Ephemeris. light_time is the catalogue's place with proper motion
 /// and parallax; apparent has also the aberration, up to 20.5 arcsec by the motion of the Earth and 5 more in
 /// a low orbit, and the deflection of light by the Sun, 0.5 arcsec a degree from its centre. There is no
-/// geometric: a catalogue says where a star is seen, not where it is. The Earth is that of eraEpv00, within
-/// 10 m. It never changes, so threads may share it. Throws BadInput for a span outside the years 1900 to
-/// 2099, and for an epoch outside the span.
+/// geometric: a catalogue says where a star is seen, not where it is. The Earth is that of eraEpv00 at TT,
+/// within 10 m; at TDB it would be up to 51 m elsewhere. It never changes, so threads may share it. Throws
+/// BadInput for a span outside the years 1900 to 2099, and for an epoch outside the span.
 class Stars {
  public:
   explicit Stars(const TimeSpan& span) : sight_(span) {}

@@ -8,6 +8,7 @@
 #include <type_traits>
 #include <utility>
 
+#include <vectrix/frames/operators.hpp>
 #include <vectrix/space/time/time_scale.hpp>
 
 namespace vectrix {
@@ -15,6 +16,10 @@ namespace vectrix {
 template <ScaleType Scale> class DateText;
 
 namespace detail {
+
+template <class Text>
+concept TextLike = std::convertible_to<const Text&, std::string_view>;
+template <class Text> inline constexpr bool no_instant = false;
 
 /// A text in a scale, which compares with texts in the same scale and with plain ones. Of deleted operators
 /// clang would list all those of std.
@@ -31,6 +36,10 @@ class ScaledText : public std::string {
   friend std::strong_ordering operator<=>(const DateText<A>& a, const DateText<B>& b) {
     static_assert(std::is_same_v<A, B>, "texts of one scale compare; else the epochs");
     return std::string_view(a) <=> std::string_view(b);
+  }
+  template <class Scale, TextLike Other> friend Refused operator-(const DateText<Scale>&, const Other&) {
+    static_assert(no_instant<Other>, "a text is no instant: subtract the epochs");
+    return {};
   }
 };
 

@@ -49,7 +49,9 @@ class VECTRIX_EXPORT Epoch {
 
   /// From a Julian date in two parts, split in any way: (2459683.5, 0.25) or (2459683.75, 0.0). Nothing is
   /// lost between the parts; a single double is rounded to 40 microseconds, of a modified Julian date to 1.
-  /// Throws BadInput if a part is not finite.
+  /// Throws BadInput if a part is not finite; for a Julian date outside the years 0 to 9999, as a modified
+  /// one would be; and for a modified one outside the years 0 to 6570, as a Julian date since the year 0
+  /// would be.
   static Epoch from_julian_date(const TimeScale& scale, double day, double fraction = 0.0);
   static Epoch from_modified_julian_date(const TimeScale& scale, double day, double fraction = 0.0);
   /// From a date that has its scale in its type: JulianDate<scale::Tt>{2459683.5, 0.25}.
@@ -65,7 +67,8 @@ class VECTRIX_EXPORT Epoch {
   static Epoch from_modified_julian_date(  // the scale first, (scale::tt, day, fraction)
       const Given&, const More&...) = delete;
   /// From a modified Julian day of UTC and the elapsed fraction of that day, in [0, 1). The fraction is of
-  /// the day's own length: a day with a leap second has 86401 s. Throws BadInput if the fraction is outside.
+  /// the day's own length: a day with a leap second has 86401 s. Throws BadInput if the fraction is outside,
+  /// and as from_modified_julian_date does.
   static Epoch from_utc_mjd(int day, double part = 0.0);
 
   /// From a whole week since 1980 January 6 and the seconds of the week, in [0, 604800). Throws BadInput if
@@ -109,6 +112,24 @@ class VECTRIX_EXPORT Epoch {
   friend std::weak_ordering operator<=>(const Epoch& a, const Epoch& b) {
     if (a.tai_ < b.tai_) return std::weak_ordering::less;
     return b.tai_ < a.tai_ ? std::weak_ordering::greater : std::weak_ordering::equivalent;
+  }
+
+  // A text is rounded, and may not say its scale. Of deleted operators clang would list all those of std.
+  template <detail::TextLike Text> friend bool operator==(const Epoch&, const Text&) {
+    static_assert(detail::no_instant<Text>, "a text is no instant: compare the epochs");
+    return false;
+  }
+  template <detail::TextLike Text> friend std::weak_ordering operator<=>(const Epoch&, const Text&) {
+    static_assert(detail::no_instant<Text>, "a text is no instant: compare the epochs");
+    return std::weak_ordering::equivalent;
+  }
+  template <detail::TextLike Text> friend Refused operator-(const Epoch&, const Text&) {
+    static_assert(detail::no_instant<Text>, "a text is no instant: subtract the epochs");
+    return {};
+  }
+  template <detail::TextLike Text> friend Refused operator-(const Text&, const Epoch&) {
+    static_assert(detail::no_instant<Text>, "a text is no instant: subtract the epochs");
+    return {};
   }
 
   // Friends are no candidates where no epoch stands, and so not in the compiler's words on other operands.

@@ -52,13 +52,16 @@ template <class F> NumberOfEpoch number_of_epoch(const F& f) {
 
 /// The instants in a span at which f(epoch), a double or a quantity, changes its sign, in order of time:
 ///     events(span, 30.0 * si::second, [&](const Epoch& t) { return elevation(t) - least; })
-/// f is evaluated a step apart and at the end of the span, and each change is narrowed down by Boost.Math's
-/// toms748 (Alefeld, Potra, Shi 1995). Two zeros within a step may hide: the step has to be shorter than the
-/// shortest time between two. A jump past zero is found as a zero; where f touches zero, or is zero at an end
-/// of the span, it does not change its sign. Throws BadInput, with the epoch, if f is not finite, f throws
-/// BadInput, or f is zero at two neighbouring instants, as it is if it is zero for a time. Any other
-/// exception of f is nested in a std::runtime_error with the epoch. Throws BadInput if the step or the
-/// tolerance is not positive and finite, or the tolerance is less than 1e-10 s.
+/// f is evaluated at the start, each step later and at the end, and each change of sign from one of these
+/// instants to the next is narrowed down by Boost.Math's toms748 (Alefeld, Potra, Shi 1995). Between two of
+/// them an even number of zeros hides, and of an odd number one is found. So two zeros are found whatever the
+/// start if they are more than a step apart; nearer, perhaps neither. Where f crosses zero by no more than d
+/// at an extremum with the second derivative f'', its two zeros are sqrt(8 d/|f''|) apart: the step has to be
+/// shorter than that. Where f touches zero, in a tangent or a cusp, or is zero at an end of the span, it does
+/// not change its sign, and there is no event; a jump past zero is one. Throws BadInput, with the epoch, if f
+/// is not finite, f throws BadInput, or f is zero at two neighbouring instants, as it is if it is zero for a
+/// time. Any other exception of f is nested in a std::runtime_error with the epoch. Throws BadInput if the
+/// step or the tolerance is not positive and finite, or the tolerance is less than 1e-10 s.
 template <class F>
 detail::IfFunctionOfEpoch<F, std::vector<ZeroCrossing>> events(const TimeSpan& span,
                                                                const Quantity<si::time>& step, const F& f,

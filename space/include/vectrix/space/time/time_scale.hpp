@@ -71,9 +71,9 @@ class Ut1 : public TimeScale {
   /// exceed 5 s, as with UT1-UTC in the place of UT1-TAI; UTC keeps it below 0.9 s, but future leap seconds
   /// may be missing.
   VECTRIX_EXPORT static Ut1 minus_tai(const Quantity<si::time>& difference);
-  /// A leap second changes the difference by 1 s, so this fits one instant: UTC = UT1 - (UT1-UTC), and in a
-  /// leap second the second after it. Throws BadInput if the difference exceeds 1 s: UTC keeps it below
-  /// 0.9 s.
+  /// A leap second changes the difference by 1 s, so this fits one instant: UTC = UT1 - (UT1-UTC), which is
+  /// never in a leap second. An Epoch in one throws BadInput, for it would be read as the second after it.
+  /// Throws BadInput if the difference exceeds 1 s: UTC keeps it below 0.9 s.
   VECTRIX_EXPORT static Ut1 minus_utc(const Quantity<si::time>& difference);
 
  private:

@@ -30,6 +30,14 @@ namespace detail {
 [[noreturn]] VECTRIX_EXPORT void refuse_outside(const std::string& name, const Epoch& epoch, const char* what,
                                                 const TimeSpan& span);
 
+template <class X>
+concept Duration = std::convertible_to<const X&, Quantity<si::time>> || requires(const X& x) {
+  convert<si::time>(x);
+};
+template <class Start, class End>
+inline constexpr bool ends_of_span = std::same_as<Start, Epoch> &&
+                                     (std::same_as<End, Epoch> || Duration<End>);
+
 }  // namespace detail
 
 /// Throws BadInput if the end is before the start, or the duration is negative or not finite.
@@ -40,6 +48,13 @@ template <class U>
   requires(!std::same_as<U, si::time> && detail::converts<si::time, U, double>)
 TimeSpan from_until(const Epoch& start, const Quantity<U>& duration) {
   return from_until(start, convert<si::time>(duration));
+}
+// Not deleted: clang would list all functions of this name.
+template <class Start, class End>
+  requires(!detail::ends_of_span<Start, End>)
+Refused from_until(const Start&, const End&) {
+  static_assert(detail::ends_of_span<Start, End>, "an Epoch, and an Epoch or a duration");
+  return {};
 }
 
 /// The epochs start + k step of a span, k = 0, 1, ..., each from its own k: no error grows from one to the
