@@ -2,6 +2,8 @@
 
 #include <Simbody.h>
 
+#include <optional>
+
 namespace vectrix::validation {
 namespace {
 
@@ -31,12 +33,29 @@ std::vector<SimbodyScanSample> simbody_scan(const SimbodyScan& scan, double accu
   SimTK::SimbodyMatterSubsystem matter(system);
   matter.setShowDefaultGeometry(false);
   SimTK::MobilizedBody::Free hub(matter.Ground(), rigid(scan.hub));
+  using Pin = SimTK::MobilizedBody::Pin;
   // A pin turns about z of its own frame, which is along the axis.
-  const Rotation Z(SimTK::UnitVec3(three(scan.axis_m)), SimTK::ZAxis);
-  const Rotation R_h_from_m(by_rows(scan.R_h_from_m), true);
-  SimTK::MobilizedBody::Pin mirror(hub, Transform(R_h_from_m * Z, three(scan.r_hm_h)), rigid(scan.mirror),
-                                   Transform(Z));
-  SimTK::Motion::Sinusoid(mirror, SimTK::Motion::Position, scan.amplitude, scan.rate, scan.phase);
+  const auto along = [](const std::array<double, 3>& axis) {
+    return Rotation(SimTK::UnitVec3(three(axis)), SimTK::ZAxis);
+  };
+  const auto drive = [](Pin& pin, SimTK::Motion::Level level, const SimbodySine& sine) {
+    SimTK::Motion::Sinusoid(pin, level, sine.amplitude, sine.rate, sine.phase);
+  };
+  const Rotation Z = along(scan.axis_m), R_h_from_m(by_rows(scan.R_h_from_m), true);
+  const SimTK::Body::Rigid ring(SimTK::MassProperties(0.0, Vec3(0.0), SimTK::Inertia(0.0)));
+  Pin mirror(hub, Transform(R_h_from_m * Z, three(scan.r_hm_h)), scan.free_axis_m ? ring : rigid(scan.mirror),
+             Transform(Z));
+  drive(mirror, SimTK::Motion::Position, scan.angle);
+  std::optional<Pin> free, wheel;
+  if (scan.free_axis_m) {
+    const Transform second(along(*scan.free_axis_m));
+    free.emplace(mirror, second, rigid(scan.mirror), second);
+  }
+  if (scan.wheel) {
+    const Rotation n = along(scan.wheel->axis_h);
+    wheel.emplace(hub, Transform(n, three(scan.wheel->r_hw_h)), rigid(scan.wheel->body), Transform(n));
+    drive(*wheel, SimTK::Motion::Velocity, scan.wheel->speed);
+  }
 
   SimTK::State state = system.realizeTopology();
   matter.setUseEulerAngles(state, false);
@@ -62,6 +81,14 @@ std::vector<SimbodyScanSample> simbody_scan(const SimbodyScan& scan, double accu
                        {w[0], w[1], w[2]},
                        mirror.getOneQ(now, 0),
                        -of_motion[mirror.getFirstUIndex(now)]});
+    if (free) {
+      samples.back().free_angle = free->getOneQ(now, 0);
+      samples.back().free_rate = free->getOneU(now, 0);
+    }
+    if (wheel) {
+      samples.back().spin = wheel->getOneU(now, 0);
+      samples.back().wheel_torque_nm = -of_motion[wheel->getFirstUIndex(now)];
+    }
   }
   steps = integrator.getNumStepsTaken();
   return samples;

@@ -74,6 +74,10 @@ SimbodyCraft simbody_craft(const PlainSpacecraft& craft) {
   return made;
 }
 
+static bool is_at_rest(multibody::Hold hold) {
+  return hold == multibody::Hold::locked || hold == multibody::Hold::sticks;
+}
+
 void copy_loads(const multibody::Work<double>& found, SimbodyLoads& loads) {
   const std::size_t links = found.links.size();
   loads.forces.resize(links + 1);
@@ -87,7 +91,7 @@ void copy_loads(const multibody::Work<double>& found, SimbodyLoads& loads) {
   wrench(0, found.hub);
   for (std::size_t i = 0; i < links; ++i) {
     wrench(i + 1, found.links[i].I);
-    loads.locked_links[i] = found.held[i] == multibody::Hold::locked;
+    loads.locked_links[i] = is_at_rest(found.held[i]);
     loads.driven_links[i] = found.held[i] == multibody::Hold::driven;
   }
   loads.given = found.given;
@@ -99,7 +103,7 @@ void copy_loads(const multibody::Work<double>& found, SimbodyLoads& loads) {
   loads.locked_rotors.resize(found.held_rotors.size());
   loads.driven_rotors.resize(found.held_rotors.size());
   for (std::size_t i = 0; i < found.held_rotors.size(); ++i) {
-    loads.locked_rotors[i] = found.held_rotors[i] == multibody::Hold::locked;
+    loads.locked_rotors[i] = is_at_rest(found.held_rotors[i]);
     loads.driven_rotors[i] = found.held_rotors[i] == multibody::Hold::driven;
   }
 }

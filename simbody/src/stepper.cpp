@@ -130,6 +130,8 @@ ode::Solution solve_with_simbody(const PlainSpacecraft& craft, ode::Problem prob
   const auto require = [&](bool condition, const char* what, double number) {
     if (!condition) throw BadInput(problem.caller + ": " + what + ", got " + text(number));
   };
+  require(how.accuracy != 0.0,
+          "the accuracy must be between 0 and 1; it is left out, or 0, and has no default", how.accuracy);
   require(how.accuracy > 0.0 && how.accuracy < 1.0, "the accuracy must be between 0 and 1", how.accuracy);
   const double scale = how.time_scale.value();
   require(std::isfinite(scale) && scale > 0.0, "the time scale must be finite and greater than 0 s", scale);

@@ -240,6 +240,8 @@ TEST(SimbodyRun, refuses_what_is_no_run) {
   };
   for (const double bad : {0.0, 1.0, -1e-6, std::numeric_limits<double>::quiet_NaN()})
     says({.end = 5.0 * s, .accuracy = bad}, "the accuracy must be between 0 and 1");
+  says({.end = 5.0 * s, .accuracy = SimbodyPropagation{}.accuracy},
+       "it is left out, or 0, and has no default");
   for (const double bad : {0.0, -1.0, std::numeric_limits<double>::infinity()})
     says({.end = 5.0 * s, .accuracy = 1e-6, .time_scale = bad * s}, "the time scale");
   says({.end = 1.0 * s, .accuracy = 1e-6}, "the end is 1 s, the start 1 s");

@@ -117,7 +117,8 @@ std::vector<Dual> duals_of(const Eigen::VectorXd& x, Eigen::Index along) {
 void require_tolerance(const char* of, double tolerance) {
   if (!(tolerance > 0.0 && std::isfinite(tolerance)))
     throw BadInput(std::string{"equilibrium: the tolerance of "} + of + " is " + text(tolerance) +
-                   "; it must be positive");
+                   "; it must be positive" +
+                   (tolerance == 0.0 ? ", and has no default: it is left out, or 0" : ""));
 }
 
 }  // namespace

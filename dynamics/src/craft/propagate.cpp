@@ -29,7 +29,8 @@ void set_run(ode::Problem& problem, const char* action, const CraftCore& core, d
   problem.caller = action + (" " + core.plain.hub);
   problem.component_names = core.component_names;
   if (!(end > start && std::isfinite(end))) {
-    throw BadInput(problem.caller + ": the end is " + text(end) + " s, the start " + text(start) + " s");
+    throw BadInput(problem.caller + ": the end is " + text(end) + " s, the start " + text(start) + " s" +
+                   (end == 0.0 ? "; .end is left out, or 0, and has no default" : ""));
   }
 }
 

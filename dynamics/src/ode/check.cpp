@@ -19,6 +19,12 @@ void require_finite(const Problem& problem, const std::string& what, double valu
   require(problem, std::isfinite(value), what + " must be finite, got " + text(value));
 }
 
+/// What has no default is NaN if it is left out; 0, in an option that is a plain number.
+void require_given(const Problem& problem, const char* what, double value, bool may_be_zero) {
+  require(problem, !std::isnan(value) && (may_be_zero || value != 0.0),
+          what + (" is left out, or " + text(value)) + "; it has no default");
+}
+
 void require_positive(const Problem& problem, const std::string& what, double value) {
   require(problem, std::isfinite(value) && value > 0.0,
           what + " must be finite and greater than 0, got " + text(value));
@@ -34,6 +40,7 @@ void require_increasing(const Problem& problem, const std::string& what, const s
 }
 
 void check_tolerances(const Problem& problem) {
+  require_given(problem, "relative_tolerance", problem.relative_tolerance, false);
   require_positive(problem, "relative tolerance", problem.relative_tolerance);
   require(problem, problem.absolute_tolerances.size() == problem.initial_state.size(),
           "the state has " + text(problem.initial_state.size()) + " components, but there are " +
@@ -45,6 +52,8 @@ void check_tolerances(const Problem& problem) {
 }
 
 void check_times(const Problem& problem) {
+  require_given(problem, "start", problem.start, true);
+  require_given(problem, "end", problem.end, true);
   require_finite(problem, "start", problem.start);
   require_finite(problem, "end", problem.end);
   require(problem, problem.end > problem.start,

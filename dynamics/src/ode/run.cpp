@@ -166,6 +166,14 @@ double Run::time(double elapsed) const {
                   std::nextafter(stop_time_, -std::numeric_limits<double>::infinity()));
 }
 
+std::string Run::what_limits_the_steps() const {
+  const std::string worst = stepper_->worst_component();
+  const std::vector<double>& times = record_->times;
+  if (worst.empty() || times.size() < 2) return "";
+  return ": the error of " + worst + " allows steps of " + text(times.back() - times[times.size() - 2]) +
+         " s; a stiff problem needs radau_iia_7";
+}
+
 /// Returns the time reached, since the start of the segment; the state is in state_. Takes more steps while
 /// they are too short to change the caller's time.
 double Run::step() {
@@ -173,7 +181,8 @@ double Run::step() {
   double t = record_->elapsed.back();
   for (parts_ = 0; !(time(t) > before); ++parts_) {
     if (record_->statistics.steps >= problem_.max_steps) {
-      throw Trouble{flag::too_many_steps, before, "max_steps = " + text(problem_.max_steps) + " reached",
+      throw Trouble{flag::too_many_steps, before,
+                    "max_steps = " + text(problem_.max_steps) + " reached" + what_limits_the_steps(),
                     nullptr};
     }
     t = stepper_->step();

@@ -25,6 +25,7 @@ class Run {
   void change(std::span<const Event> ended_by);
   [[nodiscard]] std::vector<Event> integrate_segment();
   double step();
+  [[nodiscard]] std::string what_limits_the_steps() const;
   [[nodiscard]] double time(double elapsed) const;
   void choose_stop(double elapsed);
   void keep_terms();

@@ -200,7 +200,8 @@ TEST(Equilibrium, IsRefusedWhereThereIsNone) {
   EXPECT_EQ(vectrix_test::message<BadInput>([&] {
               equilibrium(scenario(chain), guess, {0.0 * (rad_s / s), 1.0 * (m_s / s), 1.0});
             }),
-            "equilibrium: the tolerance of what turns is 0; it must be positive");
+            "equilibrium: the tolerance of what turns is 0; it must be positive, and has no default: "
+            "it is left out, or 0");
   EXPECT_THROW(equilibrium(scenario(chain, [](const auto&, auto&) { throw std::domain_error("no star"); }),
                            guess, fine),
                std::domain_error);

@@ -133,7 +133,10 @@ TEST(RefusedCraftPropagation, tolerances_that_are_not_positive) {
   const auto absolute = [](auto change) {
     return [change](CraftPropagation& how) { change(how.absolute_tolerances); };
   };
-  expect_refused_run([](auto& how) { how.relative_tolerance = 0.0; }, text("relative tolerance", "0"));
+  const std::string left_out = "relative_tolerance is left out, or 0; it has no default";
+  expect_refused_run([](auto& how) { how.relative_tolerance = CraftPropagation{}.relative_tolerance; },
+                     left_out);
+  expect_refused_run([](auto& how) { how.relative_tolerance = -1.0; }, text("relative tolerance", "-1"));
   expect_refused_run(absolute([](auto& by) { by.angle = -1e-12 * si::radian; }), "absolute tolerance of ");
   expect_refused_run(absolute([](auto& by) { by.rate = nan * (si::radian / si::second); }),
                      text("absolute tolerance of wx", "nan"));
@@ -153,6 +156,8 @@ TEST(RefusedCraftPropagation, times_that_make_no_sense) {
   for (const double end : {nan, infinity, -1.0, 0.0})
     expect_refused_run([&](auto& how) { how.end = seconds(end); },
                        "the end is " + detail::text(end) + " s, the start 0 s");
+  expect_refused_run([](auto& how) { how.end = CraftPropagation{}.end; },
+                     "the end is 0 s, the start 0 s; .end is left out, or 0, and has no default");
   expect_refused_run(
       [](auto& how) {
         how.output_times = {seconds(0.5), seconds(0.5)};

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <sstream>
 #include <vectrix/dynamics/load/each.hpp>
 #include <vectrix/dynamics/load/lockable.hpp>
 #include <vectrix/dynamics/load/pulse.hpp>
@@ -72,6 +73,27 @@ TEST(Each, HoldsAValueForEach) {
       start(), how);
   EXPECT_EQ(lists.at(3.0 * s).numbers(), all.at(3.0 * s).numbers());
   EXPECT_EQ(lists.at(3.0 * s).speed(of<Blade<2>>).value(), 0.0);
+}
+
+// The same types and numbers as of parts and starts that are written out.
+TEST(Each, MakesACraftAndItsStart) {
+  const auto listed = spacecraft(body(three_parts::mass<Hub>(6.0, 2.0), turning_in<Inertial>),
+                                 each(blades, []<int i>(Of<Blade<i>>) { return blade<i>(); }));
+  static_assert(std::is_same_v<decltype(listed), const decltype(make_fan())>);
+  std::ostringstream one, other;
+  one << plain(listed);
+  other << plain(fan);
+  EXPECT_EQ(one.str(), other.str());
+
+  const MovingDcm hub{aligned(to<Inertial>, from<Hub>), at_rest(of<Hub>, relative_to<Inertial>, in<Hub>)};
+  const std::array angles{0.3 * rad, -0.2 * rad, 0.0 * rad};
+  const auto written =
+      state(fan, 0.0 * s, hub, starts(of<Blade<1>>, angles[0], 0.5 * rad_s),
+            starts(of<Blade<2>>, angles[1], 0.5 * rad_s), starts(of<Blade<3>>, angles[2], 0.5 * rad_s));
+  EXPECT_EQ(state(fan, 0.0 * s, hub, starts(blades, angles, 0.5 * rad_s)).numbers(), written.numbers());
+  const auto by_name =
+      each(blades, [&]<int i>(Of<Blade<i>> b) { return starts(b, angles[i - 1], 0.5 * rad_s); });
+  EXPECT_EQ(state(fan, 0.0 * s, hub, by_name).numbers(), written.numbers());
 }
 
 }  // namespace

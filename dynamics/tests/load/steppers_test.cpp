@@ -6,6 +6,7 @@
 #include <vectrix/dynamics/load/friction.hpp>
 #include <vectrix/dynamics/load/of_time.hpp>
 #include <vectrix/dynamics/load/pulse.hpp>
+#include <vectrix/dynamics/load/springs.hpp>
 #include <vectrix/dynamics/load/stop_at.hpp>
 
 #include "load/three_parts.hpp"
@@ -107,6 +108,26 @@ TEST(Steppers, AStopHoldsFromTheStart) {
       EXPECT_NEAR(flight.at(t * s).coordinate(of<Panel>).value(),
                   0.3 + M / k * (1.0 - std::cos(std::sqrt(k / J) * t)), reached);
   }
+}
+
+// A hinge that is nearly rigid: an explicit method takes steps of some J/c, says which joint wants them, and
+// names the method that holds it.
+TEST(Steppers, AStiffHingeIsNamed) {
+  const Sat sat;
+  const auto k = 1e6 * N_m / rad;
+  const auto c = 1e6 * N_m / rad_s;
+  const auto stiff = scenario(sat, spring(sat, of<Panel>, k, 0.0 * rad), damper(sat, of<Panel>, c));
+  const auto start = start_of(sat, {.angle = 1e-3, .rate = -1e-3});
+  auto how = with(ode::Method::verner_9, 10.0);
+  how.max_steps = 1000;
+  const auto said = message<CraftFailure<Sat>>([&] { (void)propagate(stiff, start, how); });
+  EXPECT_TRUE(contains(said, "max_steps = 1000 reached: the error of ")) << said;
+  EXPECT_TRUE(contains(said, frame_name<Panel>())) << said;
+  EXPECT_TRUE(contains(said, "a stiff problem needs radau_iia_7")) << said;
+  how.method = ode::Method::radau_iia_7;
+  // What is left of the fast part is no longer there: q' = -k/c q.
+  EXPECT_NEAR(propagate(stiff, start, how).at(10.0 * s).coordinate(of<Panel>).value(), 1e-3 * std::exp(-10.0),
+              reached);
 }
 
 }  // namespace

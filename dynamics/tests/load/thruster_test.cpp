@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <limits>
+#include <vectrix/dynamics/load/springs.hpp>
 #include <vectrix/dynamics/load/thruster.hpp>
 
 #include "load/three_parts.hpp"
@@ -59,6 +60,41 @@ TEST(Thruster, TheMomentumIsTheImpulse) {
     EXPECT_FALSE(flight.held<Firing<Hub>>(3.0 * s).is_on());
   }
   EXPECT_TRUE(propagate(fired, start_of(sat, {}), until(3.0)).held<Firing<Hub>>(0.5 * s).is_on());
+}
+
+// With one time constant the rest of each fall makes up for its rise: the impulse is the full thrust times
+// all the time on, whatever else changes and happens in the run.
+TEST(Thruster, ALongTrainIsBookedThroughEvents) {
+  const Sat sat;
+  constexpr int pulses = 200;
+  constexpr double end = 20.0, constant = 0.05;
+  std::vector<FiringInterval> train;
+  double on = 0.0;
+  for (int i = 0; i < pulses; ++i) {
+    const double begin = 0.07 * i + 0.003 * (i % 5), length = 0.01 + 0.004 * (i % 9);
+    train.push_back({begin * s, (begin + length) * s});
+    on += (train.back().end - train.back().start).value();
+  }
+  struct Sampled {
+    int count;
+  };
+  const auto swings = [](const Now<Sat>& now) { return now.speed(of<Panel>); };
+  const auto flight = propagate(
+      scenario(sat, thruster(sat, of<Hub>, F * N * unit_y(in<Inertial>), {constant * s, constant * s}, train),
+               spring(sat, of<Panel>, 20.0 * N_m / rad, 0.0 * rad), held(Sampled{0}),
+               every(0.13 * s, [](const Now<Sat>&, const Sampled& last) { return Sampled{last.count + 1}; }),
+               when("the panel turns back", swings, ode::Direction::any,
+                    [](const Now<Sat>&, const Sampled& last) { return Sampled{last.count + 1}; })),
+      start_of(sat, {.angle = 0.3}), until(end));
+  EXPECT_GT(flight.events().size(), 20U);
+  // Each switch rounds a time and a sum of times.
+  constexpr double of_switches = F * 2 * pulses * end * std::numeric_limits<double>::epsilon();
+  const auto booked = flight.held<Firing<Hub>>(end * s);
+  EXPECT_EQ(booked.switches(), 2U * pulses);
+  EXPECT_NEAR(booked.impulse(end * s).value(), F * on, of_switches);
+  // Each of some thousand steps rounds the velocity.
+  const auto at_end = motion(sat, flight.at(end * s));
+  EXPECT_NEAR(at_end.now().momentum().y().value(), F * on, 1e3 * rounding);
 }
 
 // Without time constants it is a pulse; on a mount it acts through the mount's origin.

@@ -97,6 +97,37 @@ auto flight(const Sat& sat) {
 }
 }  // namespace a_zero_of_a_vector
 
+namespace a_zero_without_a_direction {
+// mistake: an event that ends the run, without the direction of its zeros
+// expect: when\("name", g, ode::Direction::falling\)
+const auto rate = [](const Now<Sat>& now) {
+  return now.angular_velocity(of<Hub>, relative_to<Gcrf>, in<Hub>).z();
+};
+auto flight(const Sat& sat) {
+#ifdef REPAIRED
+  return scenario(sat, when("at rest", rate, ode::Direction::any, stop));
+#else
+  return scenario(sat, when("at rest", rate, stop));
+#endif
+}
+}  // namespace a_zero_without_a_direction
+
+namespace a_zero_of_a_condition {
+// mistake: the zeros of a condition, which has none: it jumps
+// expect: IsNoFunctionOfTheState<
+const auto too_fast = [](const Now<Sat>& now) {
+  const auto w = now.angular_velocity(of<Hub>, relative_to<Gcrf>, in<Hub>);
+#ifdef REPAIRED
+  return w.z() - 0.1 * (si::radian / si::second);
+#else
+  return w.z() > 0.1 * (si::radian / si::second);
+#endif
+};
+auto flight(const Sat& sat) {
+  return scenario(sat, when("too fast", too_fast, ode::Direction::rising));
+}
+}  // namespace a_zero_of_a_condition
+
 namespace a_held_value_of_another_scenario {
 // mistake: a trajectory is asked for a value that its scenario does not hold
 // expect: a type that the scenario holds

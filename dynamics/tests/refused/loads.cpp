@@ -358,6 +358,30 @@ auto scan(const Sat& sat) {
 }
 }  // namespace a_scan_in_metres
 
+namespace a_scan_without_units {
+// mistake: the angle of a scan as a bare number
+// expect: each with its unit: rad, rad/s, rad/s\^2
+auto scan(const Quantity<si::time>& t) {
+#ifdef REPAIRED
+  return JointMotion{t.in(s)*rad, 1.0 * rad / s, 0.0 * rad / s / s};
+#else
+  return JointMotion{t.in(s), 1.0 * rad / s, 0.0 * rad / s / s};
+#endif
+}
+}  // namespace a_scan_without_units
+
+namespace a_speed_of_a_wheel_that_is_a_unit {
+// mistake: a unit where the acceleration of a wheel is due
+// expect: \{speed, acceleration\}, each with its unit: rad/s, rad/s\^2
+auto throttle(const Quantity<si::time>&) {
+#ifdef REPAIRED
+  return RotorMotion{30.0 * rad / s, 1.0 * rad / s / s};
+#else
+  return RotorMotion{30.0 * rad / s, rad / s / s};
+#endif
+}
+}  // namespace a_speed_of_a_wheel_that_is_a_unit
+
 namespace a_scan_of_what_hangs_nowhere {
 // mistake: the motion of a joint of the hub, which hangs on nothing
 // expect: B = (.*::)?Hub
@@ -428,3 +452,17 @@ auto springs(const Sat& sat) {
 #endif
 }
 }  // namespace the_same_load_on_a_type
+
+namespace starts_of_fewer {
+// mistake: two angles for the starts of three hinges
+// expect: of each a value, or a std::array of all
+template <int i> struct Blade : moving_frame {};
+auto blades() {
+#ifdef REPAIRED
+  const std::array angles{0.1 * rad, 0.2 * rad, 0.3 * rad};
+#else
+  const std::array angles{0.1 * rad, 0.2 * rad};
+#endif
+  return starts(of_numbered<Blade, 1, 3>, angles, 0.0 * rad / s);
+}
+}  // namespace starts_of_fewer

@@ -71,6 +71,13 @@ template <class Trigger, class F> struct Change {
   F update;
 };
 
+/// A name, a direction, and what a zero does, if anything.
+template <class Name, class... Given> inline constexpr bool is_zero = false;
+template <class Name, class D>
+inline constexpr bool is_zero<Name, D> =
+    std::is_convertible_v<const Name&, std::string>&& std::is_same_v<D, ode::Direction>;
+template <class Name, class D, class F> inline constexpr bool is_zero<Name, D, F> = is_zero<Name, D>;
+
 VECTRIX_EXPORT double checked_period(double period);
 VECTRIX_EXPORT double checked_latency(double latency);
 VECTRIX_EXPORT std::vector<double> checked_times(const std::vector<Quantity<si::time>>& times);
@@ -114,13 +121,14 @@ template <class G>
 detail::Change<detail::Zero<G>, Recorded> when(std::string name, G function, ode::Direction direction) {
   return {{std::move(name), std::move(function), direction}, {}};
 }
-template <class G>
-detail::Change<detail::Zero<G>, Stop> when(std::string name, G function, ode::Direction direction, Stop) {
-  return {{std::move(name), std::move(function), direction}, {}};
-}
 template <class G, class F>
 detail::Change<detail::Zero<G>, F> when(std::string name, G function, ode::Direction direction, F update) {
   return {{std::move(name), std::move(function), direction}, std::move(update)};
 }
+
+template <class Name, class G, class... Given>
+  requires(!detail::is_zero<Name, Given...>)
+auto when(  // when("name", g, ode::Direction::falling): then nothing, stop, becomes(x), or a function
+    const Name&, const G&, const Given&...) -> Refused = delete;
 
 }  // namespace vectrix

@@ -174,8 +174,9 @@ template <class Function, class... Before, class... X>
 struct CallableWith<Function, std::tuple<Before...>, std::tuple<X...>>
     : std::bool_constant<std::invocable<const Function&, Before..., const X&...>> {};
 
-/// Whether a function of the state and of held values gives a number or a quantity.
-template <class Value> inline constexpr bool is_size = std::is_convertible_v<Value, double>;
+/// Whether a function of the state and of held values gives a number or a quantity: a condition has no zero.
+template <class Value>
+inline constexpr bool is_size = std::is_convertible_v<Value, double> && !std::is_same_v<Value, bool>;
 template <class U> inline constexpr bool is_size<Quantity<U>> = true;
 template <class C, class G, class Tuple> struct GivesSize;
 template <class C, class G, class... X> struct GivesSize<C, G, std::tuple<X...>> {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <concepts>
 #include <cstddef>
@@ -179,6 +180,16 @@ template <CraftType C, class S = double> class Forces {
   template <class B>
   auto lock(Of<B>) -> Refused = delete;  // of a body of the craft C that hangs on a joint, or a rotor
 
+  /// As lock(), but what locks or drives it as well prevails: friction does not withstand a drive.
+  template <class B>
+    requires can_lock<B>
+  void stick(detail::Trusted, Of<B>) {
+    if constexpr (Shape::template has_rotor<B>)
+      hold<B>(work_->held_rotors[rotor<B>], multibody::Hold::sticks);
+    else
+      hold_joint<B>(multibody::Hold::sticks);
+  }
+
   /// The joint of a body, or a rotor, has this acceleration, whatever acts on it: of a hinge, a slider or a
   /// rotor; both of a gimbal, or that about one of its axes. Throws BadInput if it is also locked, or driven
   /// twice.
@@ -234,10 +245,11 @@ template <CraftType C, class S = double> class Forces {
   }
   template <class W> static constexpr std::size_t rotor = Shape::template spin_at<W> - Shape::rotors_begin;
   template <class B> void hold(multibody::Hold& held, multibody::Hold how) {
-    if (held != multibody::Hold::none && (held != how || how == multibody::Hold::driven)) [[unlikely]]
+    using multibody::Hold;
+    if (std::min(held, how) > Hold::sticks && std::max(held, how) == Hold::driven) [[unlikely]]
       detail::refuse_to_hold_twice((Shape::template has_rotor<B> ? "the rotor " : "the joint of ") +
                                    frame_name<B>());
-    held = how;
+    held = std::max(held, how);
   }
   template <class B, int axis, class Given> void drive_axis(AboutAxis<axis>, const Given& acceleration) {
     hold<B>(work_->held[Shape::template link_of<B>() - 3 + axis], multibody::Hold::driven);

@@ -8,7 +8,7 @@ namespace vectrix {
 
 /// Where a joint with one axis is at an instant, with its speed and its acceleration: rad, rad/s, rad/s^2 of
 /// what turns; m, m/s, m/s^2 of a slider.
-template <Unit Q, Unit U, Unit A> struct JointMotion {
+template <class Q, class U, class A> struct JointMotion {
   Quantity<Q> coordinate;
   Quantity<U> speed;
   Quantity<A> acceleration;
@@ -16,10 +16,24 @@ template <Unit Q, Unit U, Unit A> struct JointMotion {
 template <class Q, class U, class A>
 JointMotion(const Quantity<Q>&, const Quantity<U>&, const Quantity<A>&) -> JointMotion<Q, U, A>;
 
+namespace detail {
+template <class... Given> struct NotThree {};
+}  // namespace detail
+template <class... Given> struct JointMotion<detail::NotThree<Given...>, void, void> {
+  JointMotion(const Given&...) = delete;  // {q, u, a}, each with its unit: rad, rad/s, rad/s^2; m, m/s, m/s^2
+};
+template <class... Given> JointMotion(const Given&...) -> JointMotion<detail::NotThree<Given...>, void, void>;
+
 /// The speed of a rotor relative to its body at an instant, and its rate.
 struct RotorMotion {
   Quantity<si::angular_velocity> speed;
   Quantity<si::angular_acceleration> acceleration;
+
+  RotorMotion(const Quantity<si::angular_velocity>& speed_given,
+              const Quantity<si::angular_acceleration>& acceleration_given)
+      : speed(speed_given), acceleration(acceleration_given) {}
+  template <class... Given>
+  RotorMotion(const Given&...) = delete;  // {speed, acceleration}, each with its unit: rad/s, rad/s^2
 };
 
 namespace detail {

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <tuple>
 #include <type_traits>
+#include <vectrix/dynamics/craft/each_part.hpp>
 #include <vectrix/dynamics/craft/part.hpp>
 #include <vectrix/frames/graph/lacks.hpp>
 
@@ -129,7 +130,12 @@ template <class Hub, class... Parts> constexpr auto craft_fault() {
     return fault_from<CraftShape<Hub, Parts...>, 1>();
   }
 }
-template <class Hub, class... Parts> using CraftFault = typename decltype(craft_fault<Hub, Parts...>())::type;
+template <class Hub, class Tuple> struct FaultOfCraft;
+template <class Hub, class... Parts>
+struct FaultOfCraft<Hub, std::tuple<Parts...>> : decltype(craft_fault<Hub, Parts...>()) {};
+/// Parts may be lists of parts.
+template <class Hub, class... Parts>
+using CraftFault = typename FaultOfCraft<Hub, typename FlatList<Parts...>::type>::type;
 
 }  // namespace detail
 }  // namespace vectrix

@@ -52,23 +52,31 @@ template <class C, class B> void lower(LoweredParts& to, const MountPart<C, B>& 
   to.add(part.numbers);
 }
 
+template <class Fault, class Hub, class Tuple> struct CraftWith;
+template <class Fault, class Hub, class... Parts>
+struct CraftWith<Fault, Hub, std::tuple<Parts...>> : MadeUnless<Fault, Spacecraft> {
+  template <class Made> using craft = typename Made::template type<Hub, Parts...>;
+};
 template <class Hub, class... Parts>
-using CraftOf = typename MadeUnless<CraftFault<Hub, Parts...>, Spacecraft>::template type<Hub, Parts...>;
+using MadeCraft = CraftWith<CraftFault<Hub, Parts...>, Hub, typename FlatList<Parts...>::type>;
+template <class Hub, class... Parts>
+using CraftOf = typename MadeCraft<Hub, Parts...>::template craft<MadeCraft<Hub, Parts...>>;
 
 }  // namespace detail
 
-/// The spacecraft of a hub and of parts, each after the body on which it hangs. Throws BadInput with the name
-/// of the part, as NamedSpacecraft does: for a mass or an inertia that no body has, or that is below 1e-90 or
-/// above 1e90 kg, kg m^2, an axis that is not a unit vector, a number that is not finite, a rotor with more
-/// inertia than its body, modes in which more mass takes part than their body has, a joint about which its
-/// body, without what hangs on it, has no inertia, a hub alone about one of whose axes there is none.
+/// The spacecraft of a hub and of parts, each after the body on which it hangs; each() gives several. Throws
+/// BadInput with the name of the part, as NamedSpacecraft does: for a mass or an inertia that no body has, or
+/// that is below 1e-90 or above 1e90 kg, kg m^2, an axis that is not a unit vector, a number that is not
+/// finite, a rotor with more inertia than its body, modes in which more mass takes part than their body has,
+/// a joint about which its body, without what hangs on it, has no inertia, a hub alone about one of whose
+/// axes there is none.
 template <class Hub, class... Parts>
 detail::CraftOf<Hub, Parts...> spacecraft(const Hub& hub, const Parts&... parts) {
   if constexpr (std::is_same_v<detail::CraftFault<Hub, Parts...>, Refused>) {
     return Refused{};
   } else {
     detail::LoweredParts lowered(hub.numbers);
-    (detail::lower(lowered, parts), ...);
+    (detail::for_each_part(parts, [&](const auto& part) { detail::lower(lowered, part); }), ...);
     return {detail::trusted, lowered.core()};
   }
 }

@@ -26,44 +26,74 @@ template <class A, std::size_t count_of_modes> struct DeflectionStart {
   std::array<double, count> coordinates, rates;
 };
 
-/// A hinge; a slider; a gimbal.
-template <Frame B>
-JointStart<B, JointKind::hinge> starts(Of<B>, const Quantity<si::angle>& angle,
-                                       const Quantity<si::angular_velocity>& rate) {
-  return {{angle.value()}, {rate.value()}};
-}
-template <Frame B>
-JointStart<B, JointKind::slider> starts(Of<B>, const Quantity<si::length>& length,
-                                        const Quantity<si::velocity>& rate) {
-  return {{length.value()}, {rate.value()}};
-}
-template <Frame B>
-JointStart<B, JointKind::gimbal> starts(Of<B>, const Quantity<si::angle>& angle_1,
-                                        const Quantity<si::angular_velocity>& rate_1,
-                                        const Quantity<si::angle>& angle_2,
-                                        const Quantity<si::angular_velocity>& rate_2) {
-  return {{angle_1.value(), angle_2.value()}, {rate_1.value(), rate_2.value()}};
-}
-template <class B, class... Given>
-auto starts(  // an angle and its rate of a hinge, both of a gimbal, a length and its rate of a slider
-    Of<B>, const Given&...) -> Refused = delete;
+namespace detail {
 
-/// A ball joint, by R_b^p and w_pb^b; a free joint, with r_pb^p and v_pb|p^p.
-template <class P, class B> JointStart<B, JointKind::ball, P> starts(const MovingDcm<P, B>& R_p_from_b) {
-  JointStart<B, JointKind::ball, P> start;
-  detail::put_numbers(start.positions.data(), R_p_from_b.rotation.matrix());
-  detail::put_numbers(start.speeds.data(), R_p_from_b.angular_velocity.coordinates());
-  return start;
+template <JointKind kind, class Q, class U>
+inline constexpr bool is_axis =
+    std::convertible_to<const Q&, Quantity<typename JointUnits<kind>::coordinate>>&&
+        std::convertible_to<const U&, Quantity<typename JointUnits<kind>::speed>>;
+
+/// What starts() makes of what it is given: one function for all, so that a refusal names few.
+template <class First, class... Given> struct Started { static constexpr bool fits = false; };
+template <class B, class Q, class U> struct Started<Of<B>, Q, U> {
+  static constexpr JointKind kind = is_axis<JointKind::hinge, Q, U> ? JointKind::hinge : JointKind::slider;
+  static constexpr bool fits = is_axis<kind, Q, U>;
+  static JointStart<B, kind> make(Of<B>, const Quantity<typename JointUnits<kind>::coordinate>& coordinate,
+                                  const Quantity<typename JointUnits<kind>::speed>& rate) {
+    return {{coordinate.value()}, {rate.value()}};
+  }
+};
+template <class B, class Q, class U, class V, class W> struct Started<Of<B>, Q, U, V, W> {
+  static constexpr bool fits = is_axis<JointKind::hinge, Q, U> && is_axis<JointKind::hinge, V, W>;
+  using Angle = Quantity<si::angle>;
+  using Rate = Quantity<si::angular_velocity>;
+  static JointStart<B, JointKind::gimbal> make(Of<B>, const Angle& angle_1, const Rate& rate_1,
+                                               const Angle& angle_2, const Rate& rate_2) {
+    return {{angle_1.value(), angle_2.value()}, {rate_1.value(), rate_2.value()}};
+  }
+};
+template <class P, class B> struct Started<MovingDcm<P, B>> {
+  static constexpr bool fits = true;
+  static JointStart<B, JointKind::ball, P> make(const MovingDcm<P, B>& R_p_from_b) {
+    JointStart<B, JointKind::ball, P> start;
+    put_numbers(start.positions.data(), R_p_from_b.rotation.matrix());
+    put_numbers(start.speeds.data(), R_p_from_b.angular_velocity.coordinates());
+    return start;
+  }
+};
+template <class P, class B> struct Started<MovingTransform<P, B>> {
+  static constexpr bool fits = true;
+  static JointStart<B, JointKind::free, P> make(const MovingTransform<P, B>& X_p_from_b) {
+    JointStart<B, JointKind::free, P> start;
+    double* next = put_numbers(start.positions.data(), X_p_from_b.turning.rotation.matrix());
+    put_numbers(next, X_p_from_b.translation.coordinates());
+    next = put_numbers(start.speeds.data(), X_p_from_b.turning.angular_velocity.coordinates());
+    put_numbers(next, X_p_from_b.velocity.coordinates());
+    return start;
+  }
+};
+
+/// The words of the run-time form are names.
+template <class First> inline constexpr bool is_of_frames = false;
+template <class B> inline constexpr bool is_of_frames<Of<B>> = true;
+template <class... B> inline constexpr bool is_of_frames<OfEach<B...>> = true;
+
+}  // namespace detail
+
+/// The start of a joint: of a hinge its angle and rate, of a slider its length and rate, of a gimbal the
+/// angle and rate about each axis; of a ball joint R_b^p and w_pb^b, of a free joint X_b^p with its rates. Of
+/// several hinges or sliders, one value for all, or a std::array:
+///     starts(of<Panel>, 0.1 * rad, 0.0 * (rad / s)), starts(R_p_from_b)
+///     starts(of_numbered<Panel, 1, 2>, std::array{0.1 * rad, 0.2 * rad}, 0.0 * (rad / s))
+template <class First, class... Given>
+  requires(detail::Started<First, Given...>::fits)
+auto starts(const First& first, const Given&... given) {
+  return detail::Started<First, Given...>::make(first, given...);
 }
-template <class P, class B>
-JointStart<B, JointKind::free, P> starts(const MovingTransform<P, B>& X_p_from_b) {
-  JointStart<B, JointKind::free, P> start;
-  double* next = detail::put_numbers(start.positions.data(), X_p_from_b.turning.rotation.matrix());
-  detail::put_numbers(next, X_p_from_b.translation.coordinates());
-  next = detail::put_numbers(start.speeds.data(), X_p_from_b.turning.angular_velocity.coordinates());
-  detail::put_numbers(next, X_p_from_b.velocity.coordinates());
-  return start;
-}
+template <class First, class... Given>
+  requires(detail::is_of_frames<First> && !detail::Started<First, Given...>::fits)
+auto starts(  // angle and rate, of a gimbal both; length and rate; of each a value, or a std::array of all
+    const First&, const Given&...) -> Refused = delete;
 
 /// The speed of a rotor relative to its body.
 template <Point W> SpinStart<W> spins(Of<W>, const Quantity<si::angular_velocity>& speed) {
@@ -158,7 +188,9 @@ template <class Shape, class... Starts> struct StartFault {
   }
   using type = typename decltype(fault())::type;
 };
-template <class Shape, class Motion, class... Starts> struct FaultOfState {
+template <class Shape, class Motion, class Tuple> struct FaultOfState;
+template <class Shape, class Motion, class... Starts>
+struct FaultOfState<Shape, Motion, std::tuple<Starts...>> {
   using Wanted = typename HubStart<Shape>::type;
   static constexpr auto fault() {
     if constexpr ((std::is_same_v<Starts, Refused> || ...)) {

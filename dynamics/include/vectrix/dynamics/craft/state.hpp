@@ -90,11 +90,7 @@ void put_start(const CraftCore&, const DeflectionStart<A, count>& start, double*
 }
 
 template <class C, class Motion, class... Starts>
-using StateFault = typename FaultOfState<typename C::shape, Motion, Starts...>::type;
-
-}  // namespace detail
-
-namespace detail {
+using StateFault = typename FaultOfState<typename C::shape, Motion, typename FlatList<Starts...>::type>::type;
 
 template <CraftType C>
 CraftState<C> checked_state(const C& craft, const char* action, const Quantity<si::time>& t,
@@ -124,7 +120,10 @@ template <CraftType C, class Motion, class... Starts>
       const C& craft, const Quantity<si::time>& t, const Motion& X_i_from_hub, const Starts&... starts) {
     typename CraftState<C>::Numbers y{};
     detail::put_hub(X_i_from_hub, y.data());
-    (detail::put_start<typename C::shape>(*craft.core(), starts, y.data()), ...);
+    (detail::for_each_part(
+         starts,
+         [&](const auto& start) { detail::put_start<typename C::shape>(*craft.core(), start, y.data()); }),
+     ...);
     return detail::checked_state(craft, "state", t, y);
   }
 template <CraftType C, class Time, class Motion, class... Starts,

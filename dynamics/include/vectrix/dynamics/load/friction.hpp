@@ -45,6 +45,26 @@ template <class C, class On> constexpr std::size_t speed_number() {
     return C::shape::template speed_at<On>;
 }
 
+/// Whether the motion of a joint or rotor is given, with its acceleration.
+struct Driven {
+  bool is_driven;
+  double acceleration;
+};
+template <class C, class On> Driven drive_of(const Now<C>& now) {
+  using Shape = typename C::shape;
+  const auto& work = now.instant().work();
+  if constexpr (Shape::template has_rotor<On>) {
+    constexpr std::size_t rotor = Shape::template spin_at<On> - Shape::rotors_begin;
+    return {work.held_rotors[rotor] == multibody::Hold::driven, work.given_spins[rotor]};
+  } else {
+    return {work.held[Shape::template link_of<On>() - 1] == multibody::Hold::driven,
+            work.given[Shape::template speed_at<On> - Shape::speeds_begin]};
+  }
+}
+inline int sign(double x) {
+  return (x > 0.0) - (x < 0.0);
+}
+
 /// The effort that keeps the speed of a locked joint or rotor, besides what the loads apply.
 template <class C, class On> double sticking_effort(const Now<C>& now) {
   using Shape = typename C::shape;
@@ -84,15 +104,21 @@ template <CraftType C, class On, class Effort, class Speed, class Damping> struc
   static constexpr double least = std::numeric_limits<double>::min();
 
   /// By how much the effort that keeps it at rest is above M_s; negative unless it then also begins to slip
-  /// that way, which rounding may prevent.
+  /// that way, which rounding may prevent. If it is driven, the speed that it is given.
   double excess(const Solved& at) const {
-    const double above = std::abs(detail::sticking_effort<C, On>(at.with(State{}).now)) - breakaway.value();
+    const Now<C> sticking = at.with(State{}).now;
+    if (detail::drive_of<C, On>(sticking).is_driven) return std::abs(detail::speed_of<C, On>(at.now)) - least;
+    const double above = std::abs(detail::sticking_effort<C, On>(sticking)) - breakaway.value();
     if (above > 0.0 && slips_first(at) != 0) return above;
     return std::min(above, -least);
   }
-  /// The direction in which it begins to slip from rest; 0: it stays there.
+  /// The direction in which it begins to slip from rest, or is driven; 0: it stays there.
   int slips_first(const Solved& at) const {
-    const double effort = detail::sticking_effort<C, On>(at.with(State{}).now);
+    const Now<C> sticking = at.with(State{}).now;
+    const double speed = detail::speed_of<C, On>(at.now);
+    if (const auto [is_driven, acceleration] = detail::drive_of<C, On>(sticking); is_driven)
+      return detail::sign(speed != 0.0 ? speed : acceleration);
+    const double effort = detail::sticking_effort<C, On>(sticking);
     if (!(std::abs(effort) > breakaway.value())) return 0;
     const int slips = effort < 0.0 ? 1 : -1;
     return slips * at.with(State{slips}).rates[detail::speed_number<C, On>()] > 0.0 ? slips : 0;
@@ -102,13 +128,11 @@ template <CraftType C, class On, class Effort, class Speed, class Damping> struc
     const auto speed = [](const Now<C>& now) { return detail::speed_of<C, On>(now); };
     const auto load = [law = *this]<class S>(const Now<C, S>& now, Forces<C, S>& forces, const State& state) {
       if (state.slips == 0)
-        forces.lock(of<On>);
+        forces.stick(detail::trusted, of<On>);
       else
         detail::act<On>(forces, law.effort(state.slips, detail::speed_of<C, On>(now)));
     };
-    const auto at_first = [speed](const Now<C>& now) {
-      return State{(speed(now) > 0.0) - (speed(now) < 0.0)};
-    };
+    const auto at_first = [speed](const Now<C>& now) { return State{detail::sign(speed(now))}; };
     const auto slipping = [speed](const Now<C>& now, const State& state) {
       return state.slips == 0 ? 1.0 : state.slips * speed(now) - state.from + least;
     };
@@ -140,9 +164,11 @@ template <CraftType C, class On, class Effort, class Speed, class Damping> struc
 /// At rest it sticks, with a speed of exactly zero, until the effort that this needs is above the breakaway
 /// effort M_s, also by a jump of another load; it then slips in the direction of the effort. The speed that
 /// is left at the rounded time at which it comes to rest is set to zero, and the momentum loses it. Whether
-/// it sticks is the held value StickSlip<On>; the zeros are events of the run. Coulomb's law alone has M_s =
-/// M_c and any u_s. Throws BadInput for a number that is not finite, negative, or 0 for M_s or u_s, and if
-/// M_s < M_c.
+/// it sticks is the held value StickSlip<On>; the zeros are events of the run. Where the motion is
+/// prescribed, friction does not stick: it only loads the drive, with the sign of the speed, and with zero
+/// where the speed is exactly zero and stays so, where any effort up to M_s would do. A locked joint stays
+/// locked whatever its friction. Coulomb's law alone has M_s = M_c and any u_s. Throws BadInput for a number
+/// that is not finite, negative, or 0 for M_s or u_s, and if M_s < M_c.
 template <CraftType C, class On, class Effort, class Speed, class Damping>
   requires(detail::is_friction<C, On, Effort, Speed, Damping>())
 JointFriction<C, On, Effort, Speed, Damping> friction(const C&, Of<On>, const Quantity<Effort>& coulomb,

@@ -49,9 +49,9 @@ struct TreeLayout {
   [[nodiscard]] std::size_t size() const { return modes_begin() + 2 * modes; }
 };
 
-/// Whether the acceleration of a joint or rotor is given: that of a locked one is zero, that of a driven one
-/// is not.
-enum class Hold : char { none, locked, driven };
+/// Whether the acceleration of a joint or rotor is given: that of a locked one, and of one that sticks by
+/// friction, is zero, that of a driven one is not.
+enum class Hold : char { none, sticks, locked, driven };
 
 /// A tree at one instant, and what acts on it. One for each thread; made by Tree::work().
 template <class S> struct Work {

@@ -64,6 +64,9 @@ template <class Table, std::size_t N, SegmentRates<N> F> class InlinedStepper fi
   }
   [[nodiscard]] std::size_t evaluations() const override { return method_.rates().evaluations; }
   [[nodiscard]] std::size_t error_test_failures() const override { return method_.rejections(); }
+  [[nodiscard]] std::string worst_component() const override {
+    return component_name(problem_, method_.worst_component());
+  }
 
  private:
   static std::span<const double, N> state_of(std::span<const double> y) {
@@ -79,8 +82,8 @@ template <class Table, std::size_t N, SegmentRates<N> F> class InlinedStepper fi
     constexpr double near_rounding = 100 * std::numeric_limits<double>::epsilon();
     throw Trouble{
         flag::step_too_short, t,
-        "the step fell below " + text(method_.next_step()) + ", and the error of " +
-            component_name(problem_, method_.worst_component()) + " is still too large; " +
+        "the step fell below " + text(method_.next_step()) + ", and the error of " + worst_component() +
+            " is still too large; " +
             (problem_.relative_tolerance < near_rounding
                  ? "the relative tolerance, " + text(problem_.relative_tolerance) + ", is near rounding"
                  : "a stiff problem needs radau_iia_7"),

@@ -55,6 +55,8 @@ class VECTRIX_EXPORT Stepper {
   [[nodiscard]] virtual std::size_t evaluations() const = 0;
   [[nodiscard]] virtual std::size_t error_test_failures() const = 0;
   [[nodiscard]] virtual std::string flag_name(int flag) const;
+  /// The component whose error is the largest in the last step; empty if that is not known.
+  [[nodiscard]] virtual std::string worst_component() const { return {}; }
 
  protected:
   Stepper() = default;
