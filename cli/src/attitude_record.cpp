@@ -1,10 +1,10 @@
 #include "attitude_record.hpp"
 
 #include <cmath>
-#include <fstream>
-#include <set>
 
 #include "figures.hpp"
+#include "message_kind.hpp"
+#include "reference_frame.hpp"
 #include "selection.hpp"
 #include "table_column.hpp"
 #include "table_text.hpp"
@@ -18,60 +18,21 @@ void require_two(const AttitudeRecord& record) {
                    counted(record.size(), "sample") + "; at least two are needed");
 }
 
-std::string first_word(const std::filesystem::path& file) {
-  std::ifstream in(file);
-  if (!in) throw BadInput(file.string() + ": cannot be read");
-  std::string word;
-  in >> word;
-  if (word.starts_with("\xef\xbb\xbf")) word.erase(0, 3);
-  return word;
-}
-
-// Or the mark of UTF-16.
-bool is_xml(const std::string& word) {
-  const auto has_at = [&](const char* mark, std::size_t place) {
-    return word.starts_with(mark) && word.size() > place && word[place] == '<';
-  };
-  return word.starts_with('<') || has_at("\xff\xfe", 2) || has_at("\xfe\xff", 3);
-}
-
-// The name of the first element of a file, without its prefix, or of the first message of a combined one;
-// empty if the file is not XML.
-std::string message_of_xml(const std::filesystem::path& file) {
-  if (!is_xml(first_word(file))) return "";
-  constexpr std::size_t enough = 4096;  // for comments before it
-  std::string text(enough, '\0');
-  text.resize(
-      static_cast<std::size_t>(std::ifstream(file, std::ios::binary).read(text.data(), enough).gcount()));
-  std::erase(text, '\0');  // UTF-16 of ASCII
-  for (auto at = text.find('<'); at != std::string::npos; at = text.find('<', at + 1)) {
-    if (text.compare(at, 4, "<!--") == 0) at = text.find("-->", at);
-    if (at == std::string::npos) break;
-    if (at + 1 >= text.size() || !std::isalpha(static_cast<unsigned char>(text[at + 1]))) continue;
-    std::string name = text.substr(at + 1, text.find_first_of(" \t\r\n/>", at) - at - 1);
-    name.erase(0, name.find(':') + 1);
-    if (name != "ndm" && name != "COMMENT" && name != "MESSAGE_ID") return name;
-  }
-  return "";
-}
-
 template <class Rates> std::vector<Eigen::Vector3d> numbers_of(const Rates& rates) {
   std::vector<Eigen::Vector3d> all;
   for (const auto& w : rates) all.push_back(w.coordinates());
   return all;
 }
 
-// The kind of a message of CCSDS in small letters, "aem"; empty if it does not begin as one does.
-std::string kind_of_message(const std::filesystem::path& file) {
-  constexpr std::string_view start = "CCSDS_";
-  constexpr std::size_t letters = 3;
-  const std::string word = first_word(file);
-  return word.starts_with(start) ? small(word.substr(start.size(), letters)) : message_of_xml(file);
-}
-
 }  // namespace
 
 Eigen::Quaterniond AttitudeRecord::to_reference(std::size_t sample, const Convention& convention) const {
+  const Eigen::Quaterniond q = to_stated_reference(sample, convention);
+  return gcrf_from_stated.empty() ? q : gcrf_from_stated[sample] * q;
+}
+
+Eigen::Quaterniond AttitudeRecord::to_stated_reference(std::size_t sample,
+                                                       const Convention& convention) const {
   const auto& n = numbers[sample];
   const Eigen::Quaterniond q = convention.scalar == Convention::Scalar::first
                                    ? Eigen::Quaterniond(n[0], n[1], n[2], n[3])
@@ -86,29 +47,6 @@ std::vector<Eigen::Vector3d> AttitudeRecord::rates_in_radians() const {
   return all;
 }
 
-bool is_message(const std::filesystem::path& file) {
-  const std::string word = first_word(file);
-  if ((word.starts_with("\xff\xfe") || word.starts_with("\xfe\xff")) && !is_xml(word))
-    throw BadInput(file.string() + ": is UTF-16, and no XML; a table or a message in keywords is UTF-8");
-  return word.starts_with("CCSDS_") || is_xml(word) || word == "COMMENT";
-}
-
-bool is_orbit_message(const std::filesystem::path& file) {
-  return kind_of_message(file) == "oem";
-}
-
-bool is_mean_elements_message(const std::filesystem::path& file) {
-  return kind_of_message(file) == "omm";
-}
-
-void require_kind_of_message(const std::filesystem::path& file, const std::string& wanted) {
-  static const std::set<std::string> kinds{"acm", "aem", "apm", "cdm", "ocm", "oem", "omm", "opm", "tdm"};
-  const std::string kind = kind_of_message(file);
-  if (kind != wanted && kinds.contains(kind))
-    throw BadInput(file.string() + ": is a message of the kind " + capitals(kind) + ", not " +
-                   capitals(wanted));
-}
-
 AttitudeRecord read_table(const std::filesystem::path& file, const TableColumns& columns) {
   const auto table = CsvTable::read(file, {});
   require_column(table, file, columns.time);
@@ -117,7 +55,9 @@ AttitudeRecord read_table(const std::filesystem::path& file, const TableColumns&
   AttitudeRecord record;
   record.file = file.string();
   record.body = "the body";
-  record.reference = inertial_name(columns.reference);
+  const auto known = reference_name(columns.reference);
+  if (!known) throw BadInput("the reference '" + columns.reference + "' is none of " + reference_names());
+  record.reference = *known;
   record.time_scale = columns.scale;
   record.stated = columns.stated;
   record.rate_axes = columns.rate_axes;
@@ -148,17 +88,16 @@ AttitudeRecord read_table(const std::filesystem::path& file, const TableColumns&
 }
 
 AttitudeRecord read_message(const std::filesystem::path& file, const Selection& selection) {
-  require_kind_of_message(file, "aem");
-  const auto message = AttitudeEphemerisMessage::read(file);
+  const auto message = read_attitude_message(file);
   const auto& part = segment_of(message, selection, file);
-  const auto a = inertial(part.ref_frame_a()), b = inertial(part.ref_frame_b());
+  const auto a = reference_name(part.ref_frame_a()), b = reference_name(part.ref_frame_b());
   if (a && b)
     throw BadInput(file.string() + ": the frames '" + part.ref_frame_a() + "' and '" + part.ref_frame_b() +
                    "' are both references; one of them must be a body");
   if (!a && !b)
-    throw BadInput(file.string() + ": the frames are '" + part.ref_frame_a() + "' and '" +
-                   part.ref_frame_b() +
-                   "'; one of them must be EME2000, J2000, GCRF or ICRF, the other a body");
+    throw BadInput(
+        file.string() + ": the frames are '" + part.ref_frame_a() + "' and '" + part.ref_frame_b() +
+        "'; one of them must be a reference, the other a body; references are " + reference_names());
   const detail::AttitudeLines& lines = part.lines(detail::trusted);
   AttitudeRecord record;
   record.file = file.string();

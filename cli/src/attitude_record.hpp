@@ -38,7 +38,7 @@ inline RateAxes other(RateAxes axes) {
 struct AttitudeRecord {
   std::string file, body;
   bool names_body = false;  // the file, or its frame kernel; else `body` only tells it from the reference
-  std::string reference;    // EME2000 or GCRF
+  std::string reference;    // one of reference_name()
   Convention stated{};
   bool has_quaternions = true;  // else Euler angles, whose numbers have no other order
   bool are_normalised = false;  // of a kernel, where the norm does not matter
@@ -55,10 +55,19 @@ struct AttitudeRecord {
   std::optional<MessageText> message{};  // of a message
   std::vector<Epoch> interval_starts{};  // of a kernel: to these samples nothing leads from the one before
   std::optional<double> longest_step{};  // s: a longer one is a gap; by default three times the median
+  // By turn_to_gcrf(): the reference of the file, and at every sample its attitude; empty without it.
+  std::string stated_reference{};
+  std::vector<Eigen::Quaterniond> gcrf_from_stated{};
 
   [[nodiscard]] std::size_t size() const { return times.size(); }
   /// The quaternion that takes coordinates from the body to the reference, of norm 1.
   [[nodiscard]] Eigen::Quaterniond to_reference(std::size_t sample, const Convention& convention) const;
+  /// The same to the reference of the file, relative to which its rates are.
+  [[nodiscard]] Eigen::Quaterniond to_stated_reference(std::size_t sample,
+                                                       const Convention& convention) const;
+  [[nodiscard]] const std::string& reference_of_file() const {
+    return stated_reference.empty() ? reference : stated_reference;
+  }
   /// The rates in rad/s.
   [[nodiscard]] std::vector<Eigen::Vector3d> rates_in_radians() const;
 };
@@ -89,17 +98,8 @@ struct TableColumns {
 AttitudeRecord read_table(const std::filesystem::path& file, const TableColumns& columns);
 
 /// The selected segment of an attitude ephemeris message, with all its samples.
-/// Throws BadInput as the message does, for a segment that the file does not have, and if neither frame is
-/// EME2000 or GCRF.
+/// Throws BadInput as the message does, for a segment that the file does not have, and unless one frame is of
+/// reference_name() and the other is not.
 AttitudeRecord read_message(const std::filesystem::path& file, const Selection& selection);
-/// Whether the file begins as a message does, or else is a table. Throws BadInput if it cannot be read, and
-/// for UTF-16 that is not XML.
-bool is_message(const std::filesystem::path& file);
-/// Whether the file begins as an orbit ephemeris message does. Throws BadInput if it cannot be read.
-bool is_orbit_message(const std::filesystem::path& file);
-/// Throws BadInput if the file begins as a message of CCSDS of another kind than "aem", "oem" and so on.
-void require_kind_of_message(const std::filesystem::path& file, const std::string& wanted);
-/// The same as is_orbit_message of an orbit mean-elements message.
-bool is_mean_elements_message(const std::filesystem::path& file);
 
 }  // namespace vectrix::cli

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <map>
 #include <optional>
 #include <ostream>
 #include <sstream>
@@ -11,16 +12,18 @@
 
 #include "evidence.hpp"
 #include "figures.hpp"
+#include "reference_frame.hpp"
 #include "sample_faults.hpp"
 
 namespace vectrix::cli {
 namespace {
 
 std::string axes_name(RateAxes axes, const AttitudeRecord& record) {
-  return axes == RateAxes::body ? record.body : record.reference;
+  return axes == RateAxes::body ? record.body : record.reference_of_file();
 }
 
-// A comparison, and what it found of each reading, the stated one first.
+// A comparison, and what it found of each reading, the stated one first; of rates, of each in the stated axes
+// and then of each in the other ones.
 struct Comparison {
   std::vector<std::string> names;
   std::vector<double> disagreements;
@@ -31,10 +34,11 @@ struct Comparison {
 // The comparisons made so far, and what they say together.
 class Findings {
  public:
-  explicit Findings(std::ostream& out) : out_(out) {}
+  Findings(std::size_t readings, std::ostream& out) : out_(out), readings_(readings) {}
 
   void add(const Comparison& made) {
     const auto fit = fitting(made.disagreements, made.largest);
+    keep(made, fit);
     if (fit.empty()) {
       out_ << "  No reading fits." << made.without_fit << "\n\n";
     } else if (fit.front() != 0) {
@@ -49,10 +53,14 @@ class Findings {
   }
   void add_refusal(const std::string& better) {
     ++refuted_;
+    fit_.emplace_back();  // by none of these readings
     out_ << "  Another reading fits: " << better << ".\n\n";
   }
   [[nodiscard]] bool conclude(bool by_rates_alone) const {
-    if (refuted_ > 0 && confirmed_ > 0) {
+    const std::string common = in_common();
+    if (refuted_ > 0 && !common.empty()) {
+      out_ << "The file as stated does not fit. One reading fits all comparisons: " << common << ".\n";
+    } else if (refuted_ > 0 && confirmed_ > 0) {
       out_ << "The comparisons contradict each other: one confirms the file as stated, one does not.\n";
     } else if (refuted_ > 0) {
       out_ << "The file as stated does not fit.\n";
@@ -72,6 +80,37 @@ class Findings {
   }
 
  private:
+  void keep(const Comparison& made, const std::vector<std::size_t>& fit) {
+    std::map<std::size_t, std::string> found;
+    for (const std::size_t i : fit) {
+      std::string& name = found[i % readings_];
+      name += (name.empty() ? "" : " or ") + made.names[i];
+    }
+    fit_.push_back(std::move(found));
+  }
+  // The one reading that is in all of several comparisons, by its longest name, which has the axes of the
+  // rates; else
+  // "".
+  [[nodiscard]] std::string in_common() const {
+    std::string only;
+    std::size_t count = 0;
+    if (fit_.size() < 2) return "";
+    for (const auto& [reading, name] : fit_.front()) {
+      std::string longest;
+      for (const auto& each : fit_) {
+        const auto there = each.find(reading);
+        if (there == each.end()) {
+          longest.clear();
+          break;
+        }
+        if (there->second.size() > longest.size()) longest = there->second;
+      }
+      if (longest.empty()) continue;
+      only = longest;
+      ++count;
+    }
+    return count == 1 ? only : "";
+  }
   static std::string names(const Comparison& made, const std::vector<std::size_t>& fit, std::size_t from) {
     std::string list;
     for (std::size_t i = from; i < fit.size(); ++i)
@@ -80,6 +119,8 @@ class Findings {
   }
 
   std::ostream& out_;
+  std::size_t readings_;
+  std::vector<std::map<std::size_t, std::string>> fit_{};  // of each comparison, by reading
   int confirmed_ = 0, refuted_ = 0;
 };
 
@@ -153,15 +194,21 @@ bool check(const CheckOptions& options, std::ostream& out) {
   if (options.axis.has_value() != options.target.has_value())
     throw BadInput("--axis and --target go together: an axis of the body, and what it should look at");
   if (options.axis) require_axis(*options.axis);
-  const AttitudeRecord record = read_attitude(options.attitude);
+  AttitudeRecord record = read_attitude(options.attitude);
+  if (!options.orientation.empty() && record.reference != "ITRF" && options.orbit.message.empty())
+    throw BadInput("--orientation is of ITRF; the attitude is relative to " + record.reference +
+                   ", and there is no --oem");
   const auto span = from_until(record.times.front(), record.times.back());
-  const FlownOrbit orbit = read_orbit(options.orbit, span);
+  OrbitSource source = options.orbit;
+  source.orientation = read_orientation(options.orientation, record.times);
+  const FlownOrbit orbit = read_orbit(source, span);
   if (options.target) require_orbit_for(*options.target, orbit);
+  if (orbit || options.target) turn_to_gcrf(record, orbit, source.orientation, reference_options);
 
   // Written at the end: an input may be refused on the way.
   std::ostringstream text;
   write_samples(record, text);
-  Findings findings(text);
+  Findings findings(readings_of(record).size(), text);
   if (!record.rates.empty()) write_rates(record, findings, text);
   if (!record.no_rates.empty()) text << record.no_rates << "\n\n";
   if (orbit) {

@@ -13,6 +13,7 @@ struct CheckOptions {
   OrbitSource orbit{};
   std::optional<Eigen::Vector3d> axis{};  // in the axes of the body, any length
   std::optional<Target> target{};
+  std::filesystem::path orientation{};  // of the Earth, for ITRF
 };
 
 /// Writes which readings of an attitude make its rates, its steadiness and its target agree. It chooses none.

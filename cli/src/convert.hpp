@@ -19,7 +19,9 @@ struct ConvertOptions {
   std::string body{};  // the name of its frame in a message; empty for that of the message that was read
   std::string aem_version = "2.0";
   bool force = false;
-  KernelWords kernel{};  // of a kernel of SPICE that is written: its clock and its frame
+  KernelWords kernel{};                 // of a kernel of SPICE that is written: its clock and its frame
+  OrbitSource orbit{};                  // to turn an attitude relative to a frame of the orbit
+  std::filesystem::path orientation{};  // of the Earth, to turn one relative to ITRF
   std::optional<Interpolation> interpolation{};  // of an OEM; nothing for that of the message that was read
 };
 

@@ -7,6 +7,7 @@
 #include "new_file.hpp"
 #include "plain_attitude.hpp"
 #include "quantile.hpp"
+#include "reference_frame.hpp"
 #include "sample_faults.hpp"
 #include "table_text.hpp"
 #include "viewer_text.hpp"
@@ -72,9 +73,25 @@ void convert(const AttitudeSource& source, const ConvertOptions& options, std::o
   refuse_input(options.out, files_of(source));
   refuse_input(options.out, files_of(AttitudeSource{{}, {}, {}, options.kernel}));
   require_one_line("--body", options.body);
-  const AttitudeRecord record = read_attitude(source);
+  AttitudeRecord record = read_attitude(source);
+  const bool moves = !inertial(record.reference);
+  if (!files_of(options.orbit).empty() || !options.orientation.empty()) {
+    refuse_input(options.out, files_of(options.orbit));
+    refuse_input(options.out, {options.orientation});
+    if (!moves || options.frame.empty())
+      throw BadInput(
+          "an orbit and --orientation are for --frame, of an attitude relative to a frame that moves; "
+          "this one is relative to " +
+          record.reference);
+  }
+  if (moves && !options.frame.empty()) {
+    OrbitSource orbit = options.orbit;
+    orbit.orientation = read_orientation(options.orientation, record.times);
+    turn_to_gcrf(record, read_orbit(orbit, from_until(record.times.front(), record.times.back())),
+                 orbit.orientation, reference_options);
+  }
   PlainAttitude attitude = plain(record);
-  if (inertial(options.body))
+  if (reference_name(options.body))
     throw BadInput("--body " + options.body + " is the name of a reference, not of a body");
   if (!options.body.empty()) attitude.body = options.body;
   if (!options.frame.empty()) attitude = relative_to_frame(std::move(attitude), inertial_name(options.frame));

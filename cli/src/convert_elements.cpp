@@ -5,6 +5,7 @@
 
 #include "convert.hpp"
 #include "figures.hpp"
+#include "message_kind.hpp"
 #include "new_file.hpp"
 
 namespace vectrix::cli {
@@ -63,7 +64,7 @@ void convert(const ElementFile& elements, const ConvertOptions& options, std::os
   require_one_line("--originator", given.originator);
   const bool are_lines = !is_message(elements.file);
   auto messages = are_lines ? messages_of(TwoLineElements::read(elements.file), given, elements.file.string())
-                            : OrbitMeanElementsMessage::read(elements.file);
+                            : read_mean_elements_messages(elements.file);
   std::set<std::string> objects;
   for (OrbitMeanElementsMessage& message : messages) {
     objects.insert(message.object_id());

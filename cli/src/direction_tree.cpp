@@ -11,8 +11,7 @@ using Eigen::Vector3d;
 struct DirectionTree::Search {
   const Vector3d& from;
   std::size_t begin, end;
-  double largest;
-  std::optional<std::size_t> found{};
+  Farthest farthest;
 
   [[nodiscard]] double bound(const Node& node) const {
     return (node.least - from).cwiseAbs().cwiseMax((node.most - from).cwiseAbs()).squaredNorm();
@@ -80,19 +79,51 @@ Vector3d DirectionTree::sum(std::size_t first, std::size_t last) const {
   return sum;
 }
 
-void DirectionTree::search(const Place& place, Search& search) const {
+void DirectionTree::search(const Place& place, Search& search) {
   if (search.begin >= place.end || search.end <= place.begin) return;
-  if (!(search.bound(nodes_[place.node]) > search.largest)) return;
+  Farthest& farthest = search.farthest;
+  ++farthest.looks;
+  if (!(search.bound(nodes_[place.node]) > farthest.square)) return;
   if (place.end - place.begin == leaf_size) {
     const auto part = rows(place, search.begin, search.end);
     const auto squares = (part.col(0) - search.from.x()).square() + (part.col(1) - search.from.y()).square() +
                          (part.col(2) - search.from.z()).square();
-    if (!(squares.maxCoeff() > search.largest)) return;
+    farthest.looks += leaf_size;
+    if (!(squares.maxCoeff() > farthest.square)) return;
     Eigen::Index at = 0;
-    search.largest = squares.maxCoeff(&at);
-    search.found = std::max(search.begin, place.begin) + static_cast<std::size_t>(at);
+    farthest.square = squares.maxCoeff(&at);
+    farthest.at = std::max(search.begin, place.begin) + static_cast<std::size_t>(at);
+    farthest.is_found = true;
     return;
   }
+  if (search.begin <= place.begin && place.end <= search.end && place.end - place.begin >= least_near) {
+    search_whole(place, search);
+  } else {
+    search_halves(place, search);
+  }
+}
+
+bool DirectionTree::is_wide(const Node& node) {
+  const double width = (node.most - node.least).maxCoeff();
+  return width > 1e-4 && width < 1.9;
+}
+
+void DirectionTree::search_whole(const Place& place, Search& search) {
+  Node& node = nodes_[place.node];
+  if (node.near) {
+    node.near->search(search.from, search.farthest);
+    return;
+  }
+  const std::size_t before = search.farthest.looks;
+  search_halves(place, search);
+  node.looks += search.farthest.looks - before;
+  // What it costs to build is then little, compared with what was looked at in vain.
+  constexpr std::size_t patience = 32;
+  if (node.looks > patience * (place.end - place.begin) && is_wide(node))
+    node.near = std::make_unique<const NearTree>(coordinates_, place.begin, place.end);
+}
+
+void DirectionTree::search_halves(const Place& place, Search& search) {
   // The half that may hold the farther one comes first.
   const Place halves[] = {left(place), right(place)};
   const bool swap = search.bound(nodes_[halves[1].node]) > search.bound(nodes_[halves[0].node]);
@@ -101,10 +132,12 @@ void DirectionTree::search(const Place& place, Search& search) const {
 }
 
 std::optional<std::size_t> DirectionTree::farthest(const Vector3d& from, std::size_t first, std::size_t last,
-                                                   double above) const {
-  Search search{from, first, last + 1, above < 0.0 ? -1.0 : above * above};
+                                                   double above) {
+  Search search{from, first, last + 1, {above < 0.0 ? -1.0 : above * above, 0}};
   this->search({1, 0, size_}, search);
-  return search.found;
+  looks_ += search.farthest.looks;
+  if (!search.farthest.is_found) return std::nullopt;
+  return search.farthest.at;
 }
 
 }  // namespace vectrix::cli

@@ -5,6 +5,7 @@
 
 #include "attitude_record.hpp"
 #include "figures.hpp"
+#include "message_kind.hpp"
 
 namespace vectrix::cli {
 
@@ -20,9 +21,8 @@ std::vector<ElementSet> read_two_lines(const std::filesystem::path& file) {
 }
 
 std::vector<ElementSet> read_mean_elements(const std::filesystem::path& file) {
-  require_kind_of_message(file, "omm");
   std::vector<ElementSet> sets;
-  for (const OrbitMeanElementsMessage& message : OrbitMeanElementsMessage::read(file)) {
+  for (const OrbitMeanElementsMessage& message : read_mean_elements_messages(file)) {
     const auto& number = message.catalogue_number();
     sets.push_back(
         {message.mean_elements(), number ? detail::text(*number) : std::string{}, message.object_id()});

@@ -23,6 +23,13 @@ Quaterniond turned(const Vector3d& rotation_vector) {
       .eigen();
 }
 
+// Relative to the reference of the file, as its rates are.
+std::vector<Quaterniond> to_stated_reference(const AttitudeRecord& record, const Reading& reading) {
+  std::vector<Quaterniond> all;
+  for (std::size_t i = 0; i < record.size(); ++i)
+    all.push_back(record.to_stated_reference(i, reading.of(record.stated)));
+  return all;
+}
 std::vector<Quaterniond> to_reference(const AttitudeRecord& record, const Reading& reading) {
   std::vector<Quaterniond> all;
   for (std::size_t i = 0; i < record.size(); ++i)
@@ -111,7 +118,7 @@ RateEvidence compare_rates(const AttitudeRecord& record) {
                    " rad/s rms");
   const auto by_rates = turns_by(rates, steps);
   for (const Reading& reading : readings_of(record)) {
-    const auto q = to_reference(record, reading);
+    const auto q = to_stated_reference(record, reading);
     const auto stated = turns_of(q, steps, record.rate_axes),
                others = turns_of(q, steps, other(record.rate_axes));
     if (evidence.stated_axes.empty())
@@ -128,7 +135,7 @@ std::vector<RatesInOtherAxes> rates_in_other_axes(const AttitudeRecord& record) 
   std::vector<RatesInOtherAxes> tried;
   for (const Reading& reading : all_readings) {
     if (reading.other_order) continue;
-    const auto turns = turns_of(to_reference(record, reading), steps, RateAxes::body);
+    const auto turns = turns_of(to_stated_reference(record, reading), steps, RateAxes::body);
     for (const SignedAxes& axes : all_axes()) {
       const double difference = rms_rate(steps, [&](std::size_t k) {
         const Vector3d v = in_body(axes, by_rates[k].vec());

@@ -7,6 +7,7 @@
 
 #include "attitude_record.hpp"
 #include "figures.hpp"
+#include "message_kind.hpp"
 #include "plain_words.hpp"
 #include "selection.hpp"
 #include "table_text.hpp"
@@ -160,8 +161,7 @@ FlownOrbit orbit_of_elements(const std::vector<ElementSet>& all, const std::file
 FlownOrbit orbit_of_message(const std::filesystem::path& file, const TimeSpan& span,
                             const StatedInterpolation& stated,
                             const std::optional<EarthOrientation>& orientation) {
-  require_kind_of_message(file, "oem");
-  const auto message = OrbitEphemerisMessage::read(file);
+  const auto message = read_orbit_message(file);
   const auto& segments = message.segments();
   if (stated.value && std::all_of(segments.begin(), segments.end(), [](const auto& segment) {
         return said_by(segment.metadata()).has_value();

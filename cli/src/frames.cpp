@@ -10,6 +10,7 @@
 #include "figures.hpp"
 #include "plain_words.hpp"
 #include "quantile.hpp"
+#include "reference_frame.hpp"
 #include "resampled.hpp"
 #include "sample_faults.hpp"
 #include "scenario/flight.hpp"
@@ -30,6 +31,7 @@ class Frames {
     graph_.add_frame("GCRF", FrameMotion::inertial);
     hang("EME2000", {"GCRF", "the bias of J2000", true}, gcrf_from("EME2000"),
          Eigen::Vector3d(0.0, 0.0, 0.0));
+    add_reference(scenario, flown.record, t);
     add_attitude(flown.record, t);
     for (const Report::BodyFrame& frame : flown.frames.all()) {
       const auto stated = std::find_if(scenario.frames.begin(), scenario.frames.end(),
@@ -38,18 +40,8 @@ class Frames {
         hang(stated->name, {stated->parent, "fixed, " + stated->place.line_text(), true},
              stated->parent_from_frame.toRotationMatrix(), Eigen::Vector3d(0.0, 0.0, 0.0));
     }
-    if (scenario.orientation) {
-      const auto earth = scenario.orientation->at(t);
-      hang("ITRF", {"GCRF", "the observed turn of the Earth", true}, earth.rotation.matrix(),
-           earth.angular_velocity.coordinates());
-    }
-    if (scenario.orbit) {
-      struct Lvlh : moving_frame {};
-      const TimeSpan time = looked_at(scenario, flown.record);
-      const TimeSpan with_t = from_until(std::min(time.start(), t), std::max(time.end(), t));
-      const auto [r, v] = read_orbit(*scenario.orbit, with_t, middle_of(time))(t);
-      hang("LVLH", {"GCRF", "of the orbit", false}, lvlh(from<Lvlh>, r, v).matrix(), {});
-    }
+    if (scenario.orientation && !hangs("ITRF")) hang_earth(*scenario.orientation, t);
+    if (scenario.orbit && !hangs("LVLH")) hang_moving("LVLH", scenario, flown.record, t);
   }
 
   [[nodiscard]] const std::vector<std::string>& names() const { return names_; }
@@ -58,13 +50,13 @@ class Frames {
 
   /// The name as it is here. Throws BadInput for another one.
   [[nodiscard]] std::string known(const char* option, const std::string& name) const {
-    const std::string found = inertial(name).value_or(name);
+    const std::string found = reference_name(name).value_or(name);
     if (found == "GCRF" || tree_.contains(found)) return found;
     std::vector<std::string_view> all{"GCRF"};
     all.insert(all.end(), names_.begin(), names_.end());
-    const std::string missing = found == "ITRF"   ? "; it needs orientation = \"FILE\" in [earth]"
-                                : found == "LVLH" ? "; it needs [orbit]"
-                                                  : instead_of(found, all);
+    const std::string missing = found == "ITRF" ? "; it needs orientation = \"FILE\" in [earth]"
+                                : !axes_of_reference(found).empty() ? "; it needs [orbit]"
+                                                                    : instead_of(found, all);
     throw BadInput(std::string(option) + ": the scenario has no frame '" + name + "'" + missing);
   }
 
@@ -109,6 +101,36 @@ class Frames {
     }
     names_.push_back(name);
     tree_.emplace(name, hanging);
+  }
+
+  void hang_earth(const EarthOrientation& orientation, const Epoch& t) {
+    const auto earth = orientation.at(t);
+    hang("ITRF", {"GCRF", "the observed turn of the Earth", true}, earth.rotation.matrix(),
+         earth.angular_velocity.coordinates());
+  }
+
+  // With a rate only if it is of the Earth.
+  void hang_moving(const std::string& name, const Scenario& scenario, const AttitudeRecord& record,
+                   const Epoch& t) {
+    const TimeSpan time = looked_at(scenario, record);
+    const TimeSpan with_t = from_until(std::min(time.start(), t), std::max(time.end(), t));
+    const FlownOrbit orbit =
+        scenario.orbit ? read_orbit(*scenario.orbit, with_t, middle_of(time)) : FlownOrbit(nullptr);
+    const auto motion =
+        reference_motion(record.file, name, with_t, orbit, scenario.orientation, reference_keys);
+    const std::string axes = axes_of_reference(name);
+    hang(name, {"GCRF", axes.empty() ? "true equator, mean equinox of date" : "of the orbit, " + axes, false},
+         motion(t), {});
+  }
+
+  // What the attitude is relative to.
+  void add_reference(const Scenario& scenario, const AttitudeRecord& record, const Epoch& t) {
+    if (inertial(record.reference)) return;
+    if (record.reference == "ITRF" && scenario.orientation) {
+      hang_earth(*scenario.orientation, t);
+    } else {
+      hang_moving(record.reference, scenario, record, t);
+    }
   }
 
   void add_attitude(const AttitudeRecord& record, const Epoch& t) {
@@ -176,8 +198,8 @@ void write_chain(const Frames& frames, const std::string& from, const std::strin
   if (has_rate) {
     write_rate(from, to, frames.rate(from, to), out);
   } else {
-    out << "    w is not known: LVLH follows from position and velocity, its rate would need the "
-           "acceleration\n";
+    out << "    w is not known: a frame of the orbit follows from position and velocity, its rate would need "
+           "the acceleration\n";
   }
 }
 

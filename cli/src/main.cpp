@@ -62,6 +62,7 @@ bool run_pointing(PointingWords& words) {
   words.options.axis = axis_of(words.target.axis);
   words.options.target = target_of(words.target);
   if (!words.correction.empty()) words.options.correction = corrections().at(words.correction);
+  if (!words.when.empty()) words.options.when = when_of(words.when);
   return in_plain_words(place_of(words.attitude, words.options.orbit),
                         [&] { return pointing(words.options, std::cout); });
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "message_kind.hpp"
 #include "table_column.hpp"
 #include "target.hpp"
 
@@ -9,7 +10,7 @@ namespace vectrix::cli {
 namespace {
 
 OrbitRecord of_message(const OrbitFile& source) {
-  const auto message = OrbitEphemerisMessage::read(source.file);
+  const auto message = read_orbit_message(source.file);
   const auto& segment = segment_of(message, source.selection, source.file);
   return {source.file.string(), segment.metadata().time_system,
           MessageText{message.header(), segment.metadata(), segment.comments()},

@@ -14,9 +14,24 @@ bool is_far_from_unit(const std::array<double, 4>& q) {
   return !(std::abs(norm_of(q) - 1.0) <= most);
 }
 
+// Of a record that is turned to GCRF.
+PlainAttitude plain_turned(const AttitudeRecord& record) {
+  PlainAttitude attitude{record.body, record.reference, record.time_scale, record.times};
+  for (std::size_t i = 0; i < record.size(); ++i) {
+    const Eigen::Quaterniond q = record.to_reference(i, record.stated);
+    attitude.quaternions.push_back({q.w(), q.x(), q.y(), q.z()});
+  }
+  attitude.computed.push_back("the attitude is turned from " + record.stated_reference + " to " +
+                              record.reference);
+  if (!record.rates.empty() || !record.derived_rates.empty() || !record.no_rates.empty())
+    attitude.computed.push_back("the rates, relative to " + record.stated_reference + ", are left out");
+  return attitude;
+}
+
 }  // namespace
 
 PlainAttitude plain(const AttitudeRecord& record) {
+  if (!record.stated_reference.empty()) return plain_turned(record);
   const bool are_derived = !record.derived_rates.empty();
   if (!record.no_rates.empty() && !are_derived)
     throw BadInput(record.file + ": " + record.no_rates + " They would be lost");
@@ -47,6 +62,9 @@ PlainAttitude plain(const AttitudeRecord& record) {
 
 PlainAttitude relative_to_frame(PlainAttitude attitude, const std::string& reference) {
   if (reference == attitude.reference) return attitude;
+  if (!inertial(attitude.reference))
+    throw BadInput("the attitude is relative to " + attitude.reference + ", and has to be relative to " +
+                   reference + "; --frame " + reference + " turns it");
   // R_new^old.
   const Eigen::Matrix3d R_new_from_old = gcrf_from(reference).transpose() * gcrf_from(attitude.reference);
   const Eigen::Quaterniond turn(R_new_from_old);

@@ -1,6 +1,28 @@
 #include "plain_words.hpp"
 
+#include <string_view>
+
 namespace vectrix::cli {
+
+std::string without_types_of_names(const std::string& given) {
+  std::string text = given;
+  const auto is_type = [](const std::string& name) {
+    return name.find("::") != std::string::npos && name.find_first_of(" ,;'") == std::string::npos;
+  };
+  for (auto at = text.find(" ("); at != std::string::npos; at = text.find(" (", at)) {
+    const auto end = text.find(')', at);
+    if (end == std::string::npos) break;
+    if (is_type(text.substr(at + 2, end - at - 2))) {
+      text.erase(at, end + 1 - at);
+    } else {
+      ++at;
+    }
+  }
+  constexpr std::string_view asked = "; asked for ";
+  const auto last = text.rfind(asked);
+  if (last != std::string::npos && is_type(text.substr(last + asked.size()))) text.resize(last);
+  return text;
+}
 
 std::string without_types(const std::string& text) {
   const std::size_t first_reason = text.find(": "), scope = text.rfind("::"), bracket = text.find('<');

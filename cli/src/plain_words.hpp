@@ -6,6 +6,9 @@
 
 namespace vectrix::cli {
 
+/// What the library says, without the types that stand in brackets behind a name, "-99 (cli::Satellite)", or
+/// at the end, "; asked for earth::Gcrf".
+std::string without_types_of_names(const std::string& text);
 /// What the library says, without the names of types with which a message of it may begin.
 std::string without_types(const std::string& text);
 
@@ -14,8 +17,9 @@ template <class Function> auto in_plain_words(const std::string& place, const Fu
   try {
     return function();
   } catch (const BadInput& error) {
-    const std::string text = error.what(), plain = without_types(text);
-    if (plain == text) throw;
+    const std::string text = without_types_of_names(error.what()), plain = without_types(text);
+    if (plain == error.what()) throw;
+    if (plain == text) throw BadInput(text);
     throw BadInput(place + ": " + plain);
   }
 }

@@ -10,7 +10,9 @@
 #include "hidden.hpp"
 #include "new_file.hpp"
 #include "pointing_error.hpp"
+#include "reference_frame.hpp"
 #include "sample_faults.hpp"
+#include "sunlight.hpp"
 #include "word.hpp"
 
 namespace vectrix::cli {
@@ -53,7 +55,8 @@ std::string table(const PointingOptions& options, const AttitudeRecord& record, 
   std::string text = "# Angle between the axis (" + detail::text(options.axis.x()) + ", " +
                      detail::text(options.axis.y()) + ", " + detail::text(options.axis.z()) + ") of " +
                      record.body + " and " + target + ".\n# Attitude of " + record.body + " relative to " +
-                     record.reference + " from " + record.file + ". Times in UTC, angles in degrees" +
+                     record.reference_of_file() + " from " + record.file +
+                     ". Times in UTC, angles in degrees" +
                      (hidden.empty() ? ".\ntime_utc,angle_deg\n"
                                      : "; hidden: 1 if the Earth hides it.\ntime_utc,angle_deg,hidden\n");
   for (std::size_t i = 0; i < angles.size(); ++i)
@@ -85,8 +88,6 @@ void check_options(const PointingOptions& options) {
   if (is_station && options.orientation.empty())
     throw BadInput(name_of(options.target) +
                    " turns with the Earth; missing: --orientation FILE, finals2000A of the IERS");
-  if (!is_station && !options.orientation.empty())
-    throw BadInput("--orientation is of a station, not of " + name_of(options.target));
   if (options.force && options.csv.empty())
     throw BadInput("--force overwrites the file of --csv, which is not given");
   require_angle("--require", options.required);
@@ -109,13 +110,13 @@ void require_utc(const AttitudeRecord& record) {
                    " TT, is before 1960, and UTC, in which the figures are written, is not known then");
 }
 
-// The figures are of all samples.
+// The angles are of those samples that count.
 void write_hidden(const std::vector<double>& angles, const std::vector<bool>& hidden, std::ostream& out) {
   const std::string words = words_of_hidden(hidden, "sample");
   if (words.empty()) return;
-  std::vector<double> seen;
-  for (std::size_t i = 0; i < angles.size(); ++i)
-    if (!hidden[i]) seen.push_back(angles[i]);
+  std::vector<bool> visible = hidden;
+  visible.flip();
+  const auto seen = counted_of(angles, visible);
   out << "  These are of all samples, but " << words;
   if (!seen.empty()) {
     const AngleFigures figures(seen);
@@ -126,12 +127,16 @@ void write_hidden(const std::vector<double>& angles, const std::vector<bool>& hi
 }
 
 bool write_absolute(const PointingOptions& options, const AttitudeRecord& record, const std::string& target,
-                    const std::vector<double>& angles, const std::vector<bool>& hidden, std::ostream& out) {
+                    const std::vector<double>& all, const std::vector<bool>& hidden,
+                    const std::vector<bool>& counts, std::ostream& out) {
   out << "Absolute error, deg: the angle between the axis " << name_of(options.axis) << " of " << record.body
       << "\nand " << target << '\n';
+  const auto angles = counted_of(all, counts);
   const AngleFigures figures(angles);
-  write(figures, record.times, out);
-  write_hidden(angles, hidden, out);
+  write(figures, counted_of(record.times, counts), out);
+  if (const std::string words = words_of_left_out(options.when, counts, "sample"); !words.empty())
+    out << "  " << words << ".\n";
+  if (options.when != When::visible) write_hidden(angles, counted_of(hidden, counts), out);
   return !options.required || fulfils(figures, *options.required, *options.percent, "samples", out);
 }
 
@@ -142,7 +147,8 @@ bool write_relative(const PointingOptions& options, const AttitudeRecord& record
   out << "\nRelative error, deg: the most that the target moves from its mean direction in a window of "
       << detail::text(*options.window) << " s,\n"
       << counted(found.errors.size(), "window") << "; " << found.left_out
-      << (found.left_out == 1 ? " more reaches" : " more reach") << " over a gap or the end\n";
+      << (found.left_out == 1 ? " more reaches" : " more reach") << " over a gap"
+      << (options.when == When::always ? "" : ", a sample that is left out,") << " or the end\n";
   const AngleFigures figures(found.errors);
   write(figures, starts, out);
   out << "  The largest change between two samples at most " << detail::text(*options.window)
@@ -153,19 +159,6 @@ bool write_relative(const PointingOptions& options, const AttitudeRecord& record
          fulfils(figures, *options.required_relative, *options.percent, "windows", out);
 }
 
-// The orientation of the Earth, which must be known from the first sample to the last.
-std::optional<EarthOrientation> read_orientation(const PointingOptions& options,
-                                                 const AttitudeRecord& record) {
-  if (options.orientation.empty()) return std::nullopt;
-  auto orientation = EarthOrientation::read(options.orientation);
-  try {
-    for (const Epoch& t : {record.times.front(), record.times.back()}) (void)orientation.at(t);
-  } catch (const BadInput& error) {
-    throw BadInput(options.orientation.string() + ": " + error.what());
-  }
-  return orientation;
-}
-
 }  // namespace
 
 bool pointing(const PointingOptions& options, std::ostream& out) {
@@ -173,12 +166,18 @@ bool pointing(const PointingOptions& options, std::ostream& out) {
   for (const auto& inputs : {files_of(options.attitude), files_of(options.orbit)})
     refuse_input(options.csv, inputs);
   refuse_input(options.csv, {options.orientation});
-  const AttitudeRecord record = read_attitude(options.attitude);
+  AttitudeRecord record = read_attitude(options.attitude);
   require_utc(record);
+  if (!options.orientation.empty() && !std::holds_alternative<StationTarget>(options.target) &&
+      record.reference != "ITRF" && options.orbit.message.empty())
+    throw BadInput("--orientation is of a station and of ITRF; the target is " + name_of(options.target) +
+                   ", the attitude is relative to " + record.reference + ", and there is no --oem");
   OrbitSource source = options.orbit;
-  source.orientation = read_orientation(options, record);
+  source.orientation = read_orientation(options.orientation, record.times);
   const FlownOrbit orbit = read_orbit(source, from_until(record.times.front(), record.times.back()));
   require_orbit_for(options.target, orbit);
+  turn_to_gcrf(record, orbit, source.orientation, reference_options);
+  require_known(options.when, options.target, static_cast<bool>(orbit), "--tle, --omm, --oem or --spk");
   const auto motions = motions_at(record.times, orbit);
   const auto lines = lines_to(options.target, record.times, motions, options.correction.value_or(geometric),
                               source.orientation);
@@ -186,14 +185,19 @@ bool pointing(const PointingOptions& options, std::ostream& out) {
                                       source.orientation);
   const auto in_body = seen_in_body(record, directions_of(lines, record, name_of(options.target)));
   const auto angles = absolute_errors(in_body, options.axis);
+  const auto counts = counting(options.when, hidden,
+                               options.when == When::sunlight || options.when == When::shadow
+                                   ? visible_suns(record.times, motions)
+                                   : std::vector<double>{},
+                               name_of(options.target));
   std::optional<RelativeErrors> relative;
-  if (options.window) relative = relative_errors(record, in_body, *options.window);
+  if (options.window) relative = relative_errors(record, in_body, *options.window, counts);
   const std::string target = seen(options, static_cast<bool>(orbit));
 
   if (!options.csv.empty())
     write_new(options.csv, table(options, record, target, angles, hidden), options.force);
   write_samples(record, out);
-  bool good = write_absolute(options, record, target, angles, hidden, out);
+  bool good = write_absolute(options, record, target, angles, hidden, counts, out);
   if (relative) good = write_relative(options, record, *relative, out) && good;
   return good;
 }

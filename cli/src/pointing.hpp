@@ -6,6 +6,7 @@
 
 #include "sources.hpp"
 #include "target.hpp"
+#include "when.hpp"
 
 namespace vectrix::cli {
 
@@ -14,8 +15,9 @@ struct PointingOptions {
   OrbitSource orbit{};
   Eigen::Vector3d axis = Eigen::Vector3d::Zero();  // in the axes of the body, any length
   MeasureTarget target = Target::sun;
-  std::filesystem::path orientation{};                  // of the Earth, for a station
-  std::optional<SkyCorrection> correction{};            // of the Sun, the Moon and stars, which need one
+  std::filesystem::path orientation{};        // of the Earth, for a station and ITRF
+  std::optional<SkyCorrection> correction{};  // of the Sun, the Moon and stars, which need one
+  When when = When::always;
   std::optional<double> window{};                       // s
   std::optional<double> required, required_relative{};  // deg, of the absolute and the relative error
   std::optional<double> percent{};  // of the samples, or the windows, that have to fulfil it

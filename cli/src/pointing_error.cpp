@@ -64,8 +64,8 @@ void require_direction(const Vector3d& sum, const AttitudeRecord& record, std::s
 }
 
 // From the mean direction of the samples from first to last.
-double largest_from_mean(const AttitudeRecord& record, const std::vector<Vector3d>& u,
-                         const DirectionTree& tree, std::size_t first, std::size_t last) {
+double largest_from_mean(const AttitudeRecord& record, const std::vector<Vector3d>& u, DirectionTree& tree,
+                         std::size_t first, std::size_t last) {
   const Vector3d sum = tree.sum(first, last);
   require_direction(sum, record, first, last);
   return angle_between(u[tree.farthest(sum.normalized(), first, last, -1.0).value()], sum);
@@ -90,7 +90,7 @@ RelativeErrors relative_errors(const AttitudeRecord& record, const std::vector<V
                                double seconds, const std::vector<bool>& among) {
   Windows windows(record, seconds, among);
   RelativeErrors found;
-  const DirectionTree tree(in_body);
+  DirectionTree tree(in_body);
   double largest_distance = 0.0;
   for (std::size_t first = 0; first < record.size(); ++first) {
     if (!windows.counts(first)) continue;

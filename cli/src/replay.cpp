@@ -26,12 +26,15 @@ void write_measures(const Scenario& scenario, const std::vector<Measured>& measu
   std::size_t width = 0;
   for (const Measure& each : scenario.measures) width = std::max(width, each.name.size());
   for (std::size_t i = 0; i < measures.size(); ++i) {
-    const AngleFigures figures(measures[i].angles);
+    const AngleFigures figures(counted_of(measures[i].angles, measures[i].counts));
     out << label(scenario.measures[i].name, width + 4) << decimals(figures.value(figures.place_of_least()))
         << " to " << decimals(figures.value(figures.place_of_largest())) << " deg, median "
         << decimals(figures.quantile(50.0)) << ", rms " << decimals(figures.rms()) << ": "
         << measures[i].what;
     if (const std::string words = words_of_hidden(measures[i].hidden, "instant"); !words.empty())
+      out << "; " << words;
+    if (const std::string words = words_of_left_out(scenario.measures[i].when, measures[i].counts, "instant");
+        !words.empty())
       out << "; " << words;
     out << '\n';
   }

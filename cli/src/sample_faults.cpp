@@ -7,6 +7,7 @@
 
 #include "figures.hpp"
 #include "quantile.hpp"
+#include "reference_frame.hpp"
 
 namespace vectrix::cli {
 namespace {
@@ -21,15 +22,18 @@ void add(SampleFaults::Extreme& found, double value, std::size_t sample) {
 
 void write_head(const AttitudeRecord& record, const SampleFaults& faults, std::ostream& out) {
   out << record.file << "\n"
-      << record.size() << " samples of " << record.body << " relative to " << record.reference << ", "
-      << record.times.front() << " to " << record.times.back() << ", usually " << shown(faults.median_step)
-      << " s apart.\n";
+      << record.size() << " samples of " << record.body << " relative to " << record.reference_of_file()
+      << ", " << record.times.front() << " to " << record.times.back() << ", usually "
+      << shown(faults.median_step) << " s apart.\n";
   if (record.has_quaternions) {
     const bool to_body = record.stated.maps == Convention::Maps::to_body;
-    out << "As stated, R(q) takes coordinates to " << (to_body ? record.body : record.reference)
+    out << "As stated, R(q) takes coordinates to " << (to_body ? record.body : record.reference_of_file())
         << "; the scalar is " << (record.stated.scalar == Convention::Scalar::first ? "first" : "last")
         << ".\n";
   }
+  if (const std::string axes = axes_of_reference(record.reference_of_file()); !axes.empty())
+    out << record.reference_of_file() << " is taken as CCSDS has it, of the orbit relative to GCRF: " << axes
+        << ".\n";
   out << '\n';
 }
 

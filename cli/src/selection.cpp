@@ -23,11 +23,6 @@ std::optional<std::string> inertial(const std::string& name) {
   return std::nullopt;
 }
 
-bool is_other_frame(const std::string& name) {
-  const std::string known = small(name);
-  return known == "itrf" || known == "teme" || known == "lvlh";
-}
-
 std::string inertial_name(const std::string& name) {
   const auto known = inertial(name);
   if (!known) throw BadInput("the reference '" + name + "' is none of EME2000, J2000, GCRF, ICRF");

@@ -49,8 +49,6 @@ const auto& segment_of(const Message& message, const Selection& selection,
 
 /// EME2000 or GCRF, of the names EME2000, J2000, GCRF and ICRF in any capitals; nothing for another frame.
 std::optional<std::string> inertial(const std::string& name);
-/// Whether it is ITRF, TEME or LVLH, in any capitals: a frame that is not fixed in a body.
-bool is_other_frame(const std::string& name);
 /// Throws BadInput for another frame.
 std::string inertial_name(const std::string& name);
 

@@ -115,6 +115,17 @@ std::vector<Vector3d> lines_to(const MeasureTarget& target, const std::vector<Ep
   return lines_to_plain(std::get<Target>(target), times, motions, correction);
 }
 
+StarMotion star_motion(const Eigen::Vector2d& rates, bool cos_declination_is_included, double parallax,
+                       const Epoch& epoch) {
+  constexpr double year = 365.25 * 86400.0;
+  const auto of = cos_declination_is_included ? proper_motion_with_cos_declination
+                                              : proper_motion_without_cos_declination;
+  const auto rate = [&](double value) {
+    return value / (3600.0 * degrees * year) * (si::radian / si::second);
+  };
+  return {of(rate(rates.x()), rate(rates.y())), parallax / (3600.0 * degrees) * si::radian, epoch};
+}
+
 std::string name_of(const MeasureTarget& target) {
   if (const auto* const star = std::get_if<StarTarget>(&target)) return star->name;
   if (const auto* const station = std::get_if<StationTarget>(&target)) return station->name;

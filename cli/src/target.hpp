@@ -21,6 +21,14 @@ struct StarMotion {
   Quantity<si::angle> parallax;
   Epoch epoch;
 };
+/// Of rates of right ascension and declination in arcsec in a Julian year, the first with the factor
+/// cos(declination) in it or not, and of a parallax in arcsec.
+StarMotion star_motion(const Eigen::Vector2d& rates, bool cos_declination_is_included, double parallax,
+                       const Epoch& epoch);
+/// Whether a star may have it: from 0 to 1 arcsec.
+inline bool is_parallax(double arcseconds) {
+  return arcseconds >= 0.0 && arcseconds <= 1.0;
+}
 /// A star, which stands still if it is not said how it moves.
 struct StarTarget {
   std::string name;

@@ -1,5 +1,6 @@
 #include "target_words.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -35,6 +36,33 @@ void require(const Words& words, const std::string& target) {
     throw BadInput("--target " + target + " is not all; missing: " + missing);
 }
 
+double milliarcseconds(const char* option, const std::string& text) {
+  const auto number = number_of<double>(text);
+  if (!number || !std::isfinite(*number))
+    throw BadInput(std::string(option) + ": '" + text + "' is no finite number of milliarcseconds");
+  return *number;
+}
+
+// Nothing if it is not said how the star moves.
+std::optional<StarMotion> motion_of(const TargetWords& words) {
+  const Words needed{{"--proper-motion MAS,MAS", words.proper_motion},
+                     {"--cos-declination included|'not included'", words.cos_declination},
+                     {"--epoch TIME", words.epoch}};
+  const std::string missing = missing_of(needed);
+  const auto is_empty = [](const Word& word) { return word.text.empty(); };
+  if (words.parallax.empty() && std::all_of(needed.begin(), needed.end(), is_empty)) return std::nullopt;
+  if (!missing.empty()) throw BadInput("the motion of the star is not all; missing: " + missing);
+  const auto rates = fields("--proper-motion", words.proper_motion, 2);
+  constexpr double milli = 1e-3;
+  const double parallax =
+      words.parallax.empty() ? 0.0 : milli * milliarcseconds("--parallax", words.parallax);
+  if (!is_parallax(parallax))
+    throw BadInput("--parallax " + words.parallax + " is not from 0 to 1000 milliarcseconds");
+  return star_motion({milli * milliarcseconds("--proper-motion", rates[0]),
+                      milli * milliarcseconds("--proper-motion", rates[1])},
+                     words.cos_declination == "included", parallax, Epoch::from(words.epoch));
+}
+
 }  // namespace
 
 std::vector<std::string> plain_target_names() {
@@ -63,18 +91,27 @@ Eigen::Vector3d axis_of(const std::string& text) {
 MeasureTarget target_of(const TargetWords& words) {
   const Words of_star{{"--right-ascension DEGREES", words.right_ascension},
                       {"--declination DEGREES", words.declination}};
+  const Words of_its_motion{{"--proper-motion", words.proper_motion},
+                            {"--cos-declination", words.cos_declination},
+                            {"--epoch", words.epoch},
+                            {"--parallax", words.parallax}};
   const Words of_station{{"--latitude DEGREES", words.latitude},
                          {"--longitude DEGREES", words.longitude},
                          {"--height METRES", words.height}};
   const std::string other = ", and the target is " + words.target;
-  if (words.target != "star") refuse(of_star, "", " is of a star" + other);
+  if (words.target != "star")
+    for (const Words& each : {of_star, of_its_motion}) refuse(each, "", " is of a star" + other);
   if (words.target != "station") refuse(of_station, "", " is of a station" + other);
   if (words.target == "star") {
     require(of_star, words.target);
+    const auto motion = motion_of(words);
     return StarTarget{"the star at right ascension " + words.right_ascension + " deg, declination " +
-                          words.declination + " deg",
+                          words.declination + " deg" +
+                          (motion ? " at " + words.epoch + ", with its proper motion"
+                                  : ", standing still: no proper motion is given"),
                       {angle("--right-ascension", words.right_ascension, most_of_a_longitude),
-                       angle("--declination", words.declination, most_of_a_latitude)}};
+                       angle("--declination", words.declination, most_of_a_latitude)},
+                      motion};
   }
   if (words.target == "station") {
     require(of_station, words.target);

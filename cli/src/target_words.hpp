@@ -10,7 +10,10 @@ namespace vectrix::cli {
 /// What the options say of a target, and of what should look at it. Empty: not given.
 struct TargetWords {
   std::string axis{}, target{};
-  std::string right_ascension{}, declination{};   // of a star, degrees
+  std::string right_ascension{}, declination{};  // of a star, degrees
+  // How it moves: "-798.58,10328.12", milliarcsec in a Julian year, "included" or "not included",
+  // milliarcsec.
+  std::string proper_motion{}, cos_declination{}, epoch{}, parallax{};
   std::string latitude{}, longitude{}, height{};  // of a station, degrees and metres
 };
 

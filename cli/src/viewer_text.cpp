@@ -52,7 +52,8 @@ std::string czml(const std::string& object, const Epoch& first, const Epoch& las
 
 }  // namespace
 
-std::string stk_attitude(const PlainAttitude& attitude) {
+std::string stk_attitude(const PlainAttitude& given) {
+  const PlainAttitude attitude = relative_to_frame(given, inertial(given.reference).value_or("GCRF"));
   constexpr std::array months{"Jan", "Feb", "Mar", "Apr", "May", "Jun",
                               "Jul", "Aug", "Sep", "Oct", "Nov", "Dec"};
   const Start start(attitude.times.front());

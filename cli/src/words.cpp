@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <initializer_list>
 
+#include "message_kind.hpp"
 #include "scales.hpp"
 #include "stored_attitude.hpp"
 #include "table_text.hpp"
@@ -152,6 +153,7 @@ OrbitFile orbit_file(const AttitudeWords& words, const OrbitWords& orbit) {
 
 ElementFile element_file(const AttitudeWords& words, const OrbitWords& orbit, ConvertOptions& options,
                          const MessageWords& message) {
+  refuse_orbit_words(options);
   const std::string has = words.file.string() + ": has elements of SGP4, which have no samples; ";
   const InterpolationWords& interpolation = message.interpolation;
   for (const Words& all : {Words{{"--segment", words.segment},
@@ -190,7 +192,18 @@ bool is_orbit(const AttitudeWords& words, const OrbitWords& orbit) {
   return false;
 }
 
-void set_message_words(ConvertOptions& options, const MessageWords& words, bool of_orbit) {
+void refuse_orbit_words(const ConvertOptions& options) {
+  if (!files_of(options.orbit).empty() || !options.orientation.empty())
+    throw BadInput(
+        "an orbit, --tle, --omm, --oem or --spk, and --orientation turn an attitude; none is converted");
+}
+
+void set_message_words(ConvertOptions& options, const MessageWords& given, bool of_orbit) {
+  MessageWords words = given;
+  if (of_orbit) refuse_orbit_words(options);
+  // Else of the orbit by which the attitude is turned.
+  set_orbit_words(options.orbit, options.orbit.message.empty() ? InterpolationWords{} : words.interpolation);
+  if (!options.orbit.message.empty()) words.interpolation = {};
   const InterpolationWords& interpolation = words.interpolation;
   if (options.out.extension() == ".csv")
     refuse({{"--object-name", words.object_name},

@@ -44,6 +44,8 @@ ElementFile element_file(const AttitudeWords& words, const OrbitWords& orbit, Co
 
 /// What is to be converted: of a table, --position and --velocity say that it is an orbit.
 bool is_orbit(const AttitudeWords& words, const OrbitWords& orbit);
+/// Throws BadInput for an orbit or an orientation, which only an attitude can need.
+void refuse_orbit_words(const ConvertOptions& options);
 /// Throws BadInput for an option that what is to be written has not.
 void set_message_words(ConvertOptions& options, const MessageWords& words, bool of_orbit);
 

@@ -98,6 +98,38 @@ TEST(Check, TakesNoBodyForSteadyThatIsNot) {
   EXPECT_TRUE(says(found.text, "  No reading fits.\n"));
 }
 
+// The rates fit as stated only if they are in other axes than stated, and the axis looks at the Sun as
+// stated.
+TEST(Check, SaysWhichReadingFitsAllComparisons) {
+  const Eigen::Vector3d w(1e-3, -2e-3, 1.5e-3);
+  const Eigen::Quaterniond start = Eigen::Quaterniond(0.5, 0.1, -0.7, 0.4).normalized();
+  std::ostringstream rows;
+  rows.precision(17);
+  rows << "t,w,x,y,z,wx,wy,wz\n";
+  AttitudeRecord record;
+  record.reference = "GCRF";
+  for (int i = 0; i < 3; ++i) {
+    record.times.push_back(Epoch::from_utc("2026-03-01T00:00:00") + 4.0 * i * si::second);
+    const Eigen::Quaterniond q = start * AttitudeMotion::turned((4.0 * i + 1e-9) * w);
+    rows << record.times.back().utc(9) << ',' << q.w() << ',' << q.x() << ',' << q.y() << ',' << q.z() << ','
+         << w.x() << ',' << w.y() << ',' << w.z() << '\n';
+  }
+  const TemporaryFile file(rows.str());
+  CheckOptions options;
+  options.attitude.file = file.path();
+  options.attitude.columns = {
+      "t", scale::utc, {"w", "x", "y", "z"}, {Scalar::first, Maps::to_reference}, "GCRF", {"wx", "wy", "wz"}};
+  options.attitude.columns->rate_axes = RateAxes::reference;
+  options.axis = start.conjugate() * directions(record, Target::sun, geometric, nullptr)[0];
+  options.target = Target::sun;
+  const auto found = checked(options);
+  EXPECT_FALSE(found.fits);
+  EXPECT_TRUE(says(
+      found.text,
+      "\nThe file as stated does not fit. One reading fits all comparisons: as stated, rates in the axes "
+      "of the body.\n"));
+}
+
 // The rates are those of the file as stated; the axis looks at the Sun if the file is transposed.
 TEST(Check, SaysThatTheComparisonsContradictEachOther) {
   const Eigen::Vector3d w(1e-3, -2e-3, 1.5e-3);
@@ -285,8 +317,10 @@ TEST(Check, RefusesWhatItCannotCompare) {
   options.target = Target::moon;
   EXPECT_EQ(refusal(options), "the direction of the Moon needs an orbit: --tle, --omm, --oem or --spk");
   options = cubesat();
-  options.attitude.columns->reference = "ITRF";
-  EXPECT_EQ(refusal(options), "the reference 'ITRF' is none of EME2000, J2000, GCRF, ICRF");
+  options.attitude.columns->reference = "TOD";
+  EXPECT_EQ(refusal(options),
+            "the reference 'TOD' is none of EME2000, J2000, GCRF, ICRF, ITRF, TEME, LVLH, RTN, RSW, TNW, NTW "
+            "and VNC");
   options = cubesat();
   options.orbit.message = "some.oem";
   EXPECT_EQ(refusal(options),

@@ -10,6 +10,7 @@
 
 #include "cubesat.hpp"
 #include "kernel_writer.hpp"
+#include "message_kind.hpp"
 #include "plain_attitude.hpp"
 #include "says.hpp"
 #include "space/tests/temporary_file.hpp"

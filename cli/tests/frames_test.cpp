@@ -113,9 +113,10 @@ maps = { from = "body", to = "GCRF" }
 TEST(Frames, AreListed) {
   const auto list = text("sentinel1.toml");
   EXPECT_TRUE(says(list, "  satellite, relative to quaternion axes: fixed, "));
-  EXPECT_TRUE(says(
-      list,
-      "  ITRF, relative to GCRF: the observed turn of the Earth\n  LVLH, relative to GCRF: of the orbit\n"));
+  EXPECT_TRUE(says(list,
+                   "  ITRF, relative to GCRF: the observed turn of the Earth\n  LVLH, relative to GCRF: of "
+                   "the orbit, z along -r, y "
+                   "along -(r x v)\n"));
 }
 
 TEST(Frames, RefuseWhatIsNotThere) {

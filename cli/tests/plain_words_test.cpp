@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include "says.hpp"
+#include "temporary_folder.hpp"
+
 namespace vectrix::cli::plain_words_test {
 namespace {
 
@@ -13,6 +16,26 @@ TEST(PlainWords, HaveNoNamesOfTypes) {
             "catalogue number 5, the epoch: late");
   EXPECT_EQ(without_types("Ephemeris<Sun>: the epoch"), "the epoch");
   EXPECT_EQ(without_types("a.csv: 3 < 4: no"), "a.csv: 3 < 4: no");
+}
+
+TEST(PlainWords, HaveNoTypesBehindNames) {
+  EXPECT_EQ(
+      without_types_of_names(
+          "o.bsp: it has -99 relative to 'MARS' (499); asked for -99 (cli::Satellite) relative "
+          "to 'EARTH' (399) (earth::Gcrf) from 1 to 2"),
+      "o.bsp: it has -99 relative to 'MARS' (499); asked for -99 relative to 'EARTH' (399) from 1 to 2");
+  EXPECT_EQ(without_types_of_names("o.bsp: J2000 (1) is read; asked for earth::Gcrf"),
+            "o.bsp: J2000 (1) is read");
+  EXPECT_EQ(without_types_of_names("a (b: open"), "a (b: open");
+}
+
+// The place is said once.
+TEST(PlainWords, KeepTheFileOfAMessageThatHasIt) {
+  const auto said = [](const std::string& text) {
+    return complaint([&] { in_plain_words("FILE", [&]() -> void { throw BadInput(text); }); });
+  };
+  EXPECT_EQ(said("kernel o.bsp: it has -99 (cli::Satellite)"), "kernel o.bsp: it has -99");
+  EXPECT_EQ(said("Sgp4(cli::Satellite): late"), "FILE: late");
 }
 
 }  // namespace

@@ -52,12 +52,73 @@ TEST(TargetWords, SayWhereAStarOrAStationIs) {
   const auto vega = std::get<StarTarget>(target_of(star()));
   EXPECT_NEAR(vega.at.right_ascension.value(), 279.2347 * degree, rounding);
   EXPECT_NEAR(vega.at.declination.value(), -38.7837 * degree, rounding);
-  EXPECT_EQ(vega.name, "the star at right ascension 279.2347 deg, declination -38.7837 deg");
+  EXPECT_EQ(
+      vega.name,
+      "the star at right ascension 279.2347 deg, declination -38.7837 deg, standing still: no proper motion "
+      "is given");
+  EXPECT_FALSE(vega.motion.has_value());
   const auto boulder = std::get<StationTarget>(target_of(station()));
   EXPECT_NEAR(boulder.at.latitude.angle.value(), 40.015 * degree, rounding);
   EXPECT_NEAR(boulder.at.longitude.value(), -105.2705 * degree, rounding);
   EXPECT_EQ(boulder.at.height.value(), 1655.0);
   EXPECT_EQ(boulder.name, "the station at latitude 40.015 deg, longitude -105.2705 deg, height 1655 m");
+}
+
+TargetWords moving_star() {
+  TargetWords words = star();
+  words.proper_motion = "-798.58,10328.12";
+  words.cos_declination = "included";
+  words.epoch = "2000-01-01T12:00:00 TT";
+  return words;
+}
+
+TEST(TargetWords, SayHowAStarMoves) {
+  constexpr double mas_per_year = std::numbers::pi / 648000e3 / (365.25 * 86400.0);
+  TargetWords words = moving_star();
+  const auto barnard = std::get<StarTarget>(target_of(words));
+  ASSERT_TRUE(barnard.motion.has_value());
+  EXPECT_DOUBLE_EQ(barnard.motion->proper.right_ascension().value(), -798.58 * mas_per_year);
+  EXPECT_DOUBLE_EQ(barnard.motion->proper.declination().value(), 10328.12 * mas_per_year);
+  EXPECT_TRUE(barnard.motion->proper.has_cos_declination());
+  EXPECT_EQ(barnard.motion->epoch, Epoch::from_tt("2000-01-01T12:00:00"));
+  EXPECT_EQ(barnard.motion->parallax.value(), 0.0);
+  EXPECT_EQ(
+      barnard.name,
+      "the star at right ascension 279.2347 deg, declination -38.7837 deg at 2000-01-01T12:00:00 TT, with "
+      "its proper motion");
+  words.cos_declination = "not included";
+  words.parallax = "547.45";
+  const auto other = std::get<StarTarget>(target_of(words));
+  EXPECT_FALSE(other.motion->proper.has_cos_declination());
+  EXPECT_DOUBLE_EQ(other.motion->parallax.value(), 547.45 * std::numbers::pi / 648000e3);
+}
+
+TEST(TargetWords, OfTheMotionOfAStarAreAllAndNumbers) {
+  const auto refusal = [](std::string TargetWords::*word, const std::string& text) {
+    TargetWords words = moving_star();
+    words.*word = text;
+    return complaint([&] { (void)target_of(words); });
+  };
+  EXPECT_EQ(refusal(&TargetWords::epoch, ""), "the motion of the star is not all; missing: --epoch TIME");
+  EXPECT_EQ(refusal(&TargetWords::proper_motion, ""),
+            "the motion of the star is not all; missing: --proper-motion MAS,MAS");
+  EXPECT_EQ(refusal(&TargetWords::cos_declination, ""),
+            "the motion of the star is not all; missing: --cos-declination included|'not included'");
+  EXPECT_EQ(refusal(&TargetWords::proper_motion, "1"),
+            "--proper-motion 1 has 1 fields between commas, not 2");
+  EXPECT_EQ(refusal(&TargetWords::proper_motion, "1,nan"),
+            "--proper-motion: 'nan' is no finite number of milliarcseconds");
+  EXPECT_EQ(refusal(&TargetWords::parallax, "1001"), "--parallax 1001 is not from 0 to 1000 milliarcseconds");
+  EXPECT_EQ(refusal(&TargetWords::parallax, "-1"), "--parallax -1 is not from 0 to 1000 milliarcseconds");
+  TargetWords only = star();
+  only.parallax = "10";
+  EXPECT_EQ(complaint([&] { (void)target_of(only); }),
+            "the motion of the star is not all; missing: --proper-motion MAS,MAS, --cos-declination "
+            "included|'not included', --epoch TIME");
+  TargetWords of_sun;
+  of_sun.target = "sun";
+  of_sun.epoch = "2000-01-01T12:00:00 TT";
+  EXPECT_EQ(complaint([&] { (void)target_of(of_sun); }), "--epoch is of a star, and the target is sun");
 }
 
 TEST(TargetWords, AreAllAndNoOthers) {
@@ -135,6 +196,19 @@ TEST_F(PointingAsReplay, LooksAtAStar) {
                                         "declination = \"-38.7837 deg\"\n"));
   PointingOptions given = options(replay.scenario, star());
   given.correction = apparent;
+  expect_same(replay, given);
+}
+
+TEST_F(PointingAsReplay, LooksAtAStarThatMoves) {
+  const auto replay = replayed(scenario(
+      "target = \"Barnard\"\ncorrection = \"light_time\"",
+      "[[star]]\nname = \"Barnard\"\nright_ascension = \"279.2347 deg\"\ndeclination = \"-38.7837 deg\"\n"
+      "[star.proper_motion]\nepoch = \"2000-01-01T12:00:00 TT\"\nright_ascension = \"-798.58 mas/yr\"\n"
+      "declination = \"10328.12 mas/yr\"\ncos_declination = \"included\"\nparallax = \"0.54745 arcsec\"\n"));
+  TargetWords words = moving_star();
+  words.parallax = "547.45";
+  PointingOptions given = options(replay.scenario, words);
+  given.correction = light_time;
   expect_same(replay, given);
 }
 

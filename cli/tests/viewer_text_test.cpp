@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "convert.hpp"
+#include "message_kind.hpp"
 #include "says.hpp"
 #include "temporary_folder.hpp"
 

@@ -54,7 +54,10 @@ void add_attitude(CLI::App& command, AttitudeWords& words, const char* what) {
             "the four columns in their order");
   table.choose("--scalar", words.scalar, {"first", "last"}, "which of them is the scalar");
   table.choose("--maps", words.maps, {"body", "reference"}, "to whose axes R(q) takes coordinates");
-  table.add("--reference", words.reference, "EME2000|GCRF", "also by the names J2000 and ICRF");
+  table.add("--reference", words.reference, "FRAME",
+            "EME2000, J2000, GCRF or ICRF; of an attitude also ITRF, TEME, and of the orbit LVLH, RTN, RSW, "
+            "TNW, NTW "
+            "or VNC");
   table.add("--rates", words.rates, three_columns, "the rate of the body relative to the reference");
   table.choose("--rate-unit", words.rate_unit, {"rad/s", "deg/s"}, "of the rates");
   table.choose("--rate-axes", words.rate_axes, {"body", "reference"}, "of the rates");
@@ -66,14 +69,19 @@ void add_interpolation(Options& options, InterpolationWords& words, const char* 
               "of the interpolation: hermite odd, 3 to 15; lagrange 2 to 15");
 }
 
-void add_orbit(Options& options, OrbitSource& orbit, InterpolationWords& words) {
+void add_orbit(Options& options, OrbitSource& orbit) {
   options.add("--tle", orbit.elements, a_file, "two-line elements");
   options.add("--omm", orbit.mean_elements, a_file, "the same as CCSDS OMM (KVN or XML)");
   options.add("--satellite", orbit.satellite.value, "NUMBER",
               "of elements of several satellites: which one, by its number in the catalogue, or its "
               "designator as written");
-  options.add("--oem", orbit.message, a_file, "CCSDS OEM (KVN or XML) in EME2000, GCRF or TEME");
+  options.add("--oem", orbit.message, a_file,
+              "CCSDS OEM (KVN or XML) in EME2000, GCRF or TEME, or ITRF with --orientation");
   options.add("--spk", orbit.kernel, a_file, "kernel of SPICE (SPK) with one spacecraft");
+}
+
+void add_orbit(Options& options, OrbitSource& orbit, InterpolationWords& words) {
+  add_orbit(options, orbit);
   add_interpolation(options, words, "of an OEM that does not say it");
 }
 
@@ -96,6 +104,8 @@ void add_check(CLI::App& app, CheckWords& words) {
   add_attitude(check, words.attitude, attitude_file);
   Options compared(check, "To compare with");
   add_orbit(compared, words.options.orbit, words.interpolation);
+  compared.add("--orientation", words.options.orientation, a_file,
+               "how the Earth turns, for ITRF: finals2000A of the IERS");
   add_axis(compared, words.target);
   compared.choose("--target", words.target.target, plain_target_names(),
                   "earth is its centre; velocity is relative to GCRF");
@@ -123,17 +133,29 @@ void add_pointing(CLI::App& app, PointingWords& words) {
   where.choose("--correction", words.correction, corrections_of(Target::sun),
                "of the Sun, the Moon or a star: where it is, where it was when the light left, or that with "
                "aberration");
+  where.choose(
+      "--when", words.when, when_names(),
+      "only samples at which the whole disc of the Sun is seen, or none of it, or the Earth does not "
+      "hide the target; how many are left out is said");
   add_orbit(where, words.options.orbit, words.interpolation);
   Options star(pointing, "A star");
   star.add("--right-ascension", words.target.right_ascension, "DEGREES",
-           "along the axes of GCRF, at the date");
+           "along the axes of GCRF, at --epoch, or without proper motion at the date");
   star.add("--declination", words.target.declination, "DEGREES", "positive north");
+  star.add("--proper-motion", words.target.proper_motion, "MAS,MAS",
+           "of right ascension and declination, milliarcsec in a year; without it the star stands still. Its "
+           "radial velocity is taken as zero");
+  star.choose("--cos-declination", words.target.cos_declination, {"included", "not included"},
+              "whether the first has the factor cos(declination) in it, as in Hipparcos and Gaia");
+  star.add("--epoch", words.target.epoch, "TIME",
+           "of the catalogue, when the star was at this place: '2000-01-01T12:00:00 TT'");
+  star.add("--parallax", words.target.parallax, "MAS", "at most 1000 milliarcsec; by default zero");
   Options station(pointing, "A station");
   station.add("--latitude", words.target.latitude, "DEGREES", "geodetic, positive north");
   station.add("--longitude", words.target.longitude, "DEGREES", "positive east");
   station.add("--height", words.target.height, "METRES", "above the ellipsoid WGS-84");
   station.add("--orientation", words.options.orientation, a_file,
-              "how the Earth turns: finals2000A of the IERS");
+              "how the Earth turns, also for ITRF: finals2000A of the IERS");
   Options required(pointing, "What is required");
   required.add("--require", words.options.required, "DEGREES", "the largest absolute error that is allowed");
   required.add("--percent", words.options.percent, "PERCENT",
@@ -170,6 +192,10 @@ void add_convert(CLI::App& app, ConvertWords& words) {
   orbit.add("--velocity", words.orbit.velocity, three_columns, "x, y and z of the velocity");
   orbit.choose("--unit", words.orbit.unit, {"m", "km"}, "of the position; of the velocity m/s or km/s");
   output.add("--frame", words.options.frame, "EME2000|GCRF", "relative to this instead");
+  Options turn(convert, "An attitude relative to ITRF or a frame of the orbit, for --frame");
+  add_orbit(turn, words.options.orbit);
+  turn.add("--orientation", words.options.orientation, a_file,
+           "how the Earth turns, for ITRF: finals2000A of the IERS");
   output.flag("--force", words.options.force, "overwrites an existing file");
   Options message(convert, "A message");
   message.add("--object-name", words.message.object_name, "NAME", "OBJECT_NAME");
@@ -177,7 +203,7 @@ void add_convert(CLI::App& app, ConvertWords& words) {
   message.add("--originator", words.message.originator, "NAME", "ORIGINATOR");
   message.add("--body", words.message.body, "FRAME", "the name of the frame of the body, such as SC_BODY_1");
   message.choose("--aem-version", words.message.aem_version, {"1.0", "2.0"}, "2.0 if it is not given");
-  add_interpolation(message, words.message.interpolation, "of an OEM");
+  add_interpolation(message, words.message.interpolation, "of an OEM that is written, or else of --oem");
 }
 
 void add_replay(CLI::App& app, ReplayOptions& options) {
@@ -230,7 +256,8 @@ void add_frames(CLI::App& app, FramesOptions& options) {
   frames.footer(
       "Without --from and --to the frames are listed. Names are those of the scenario, its body, GCRF "
       "(ICRF),\n"
-      "EME2000 (J2000), ITRF if the file has [earth], and LVLH if it has [orbit].\n"
+      "EME2000 (J2000), ITRF if the file has [earth], LVLH if it has [orbit], and the reference of the "
+      "attitude.\n"
       "Exit code: 0, or 2 if the input is wrong.\n\n"
       "  vectrix frames scenario.toml --from radiometer --to J2000 --at '2023-04-20T05:30:00 UTC'");
   Options all(frames);

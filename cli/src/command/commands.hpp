@@ -27,7 +27,7 @@ struct PointingWords {
   InterpolationWords interpolation;
   TargetWords target;
   PointingOptions options;
-  std::string correction;
+  std::string correction, when;
 };
 struct ConvertWords {
   AttitudeWords attitude;

@@ -77,12 +77,7 @@ std::string name_of(Index index, const Requirement& required) {
                                               : "relative error (RPE)";
   if (index != Index::absolute) name += " in " + detail::text(*required.window) + " s";
   name += ", " + detail::text(required.percent) + " %";
-  if (required.when == When::visible) {
-    name += " while visible";
-  } else if (required.when != When::always) {
-    name += required.when == When::sunlight ? " in sunlight" : " in shadow";
-  }
-  return name;
+  return name + words_of(required.when);
 }
 
 }  // namespace

@@ -90,7 +90,7 @@ Stated stated(const ScenarioTable& frame) {
 FixedFrame fixed_frame(const ScenarioTable& from) {
   const std::string& name = from.at("name").text();
   if (inertial(name)) refuse(from.at("name").place, "'" + name + "' is the name of a reference");
-  if (is_other_frame(name))
+  if (reference_name(name))
     refuse(from.at("name").place, "'" + name + "' is the name of a frame that is not fixed in a body");
   const Stated said = stated(from);
   if ((said.to == name) == (said.from == name))

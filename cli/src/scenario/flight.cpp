@@ -7,6 +7,7 @@
 #include "hidden.hpp"
 #include "plain_words.hpp"
 #include "quantile.hpp"
+#include "reference_frame.hpp"
 #include "resampled.hpp"
 #include "sample_faults.hpp"
 #include "scenario/budget.hpp"
@@ -38,30 +39,12 @@ std::vector<Epoch> instants(const Scenario& scenario, const AttitudeRecord& reco
   return all;
 }
 
-// Which instants count; empty if all do.
-std::vector<bool> counting(const Requirement& required, const Flight& flight, const Measured& measure) {
-  std::vector<bool> all;
-  if (required.when == When::always) return all;
-  if (required.when == When::visible) {
-    all = measure.hidden;
-    all.flip();
-    if (std::find(all.begin(), all.end(), true) == all.end())
-      refuse(required.place, "at no instant is " + measure.target + " visible past the Earth");
-    return all;
-  }
-  const bool in_sunlight = required.when == When::sunlight;
-  for (const double part : flight.visible_sun) all.push_back(part == (in_sunlight ? 1.0 : 0.0));
-  if (std::find(all.begin(), all.end(), true) == all.end())
-    refuse(required.place, std::string("no instant is in ") + (in_sunlight ? "sunlight" : "shadow"));
-  return all;
-}
-
-// The result of the function, which is refused at the place of the requirement.
-template <class Function> auto of_windows(const Requirement& required, const Function& function) {
+// The result of the function, which is refused at this place.
+template <class Function> auto at_place_of(const Place& place, const Function& function) {
   try {
     return function();
   } catch (const BadInput& error) {
-    refuse(required.place, error.what());
+    refuse(place, error.what());
   }
 }
 
@@ -74,6 +57,25 @@ template <class Function> auto with_columns_of(const Scenario& scenario, const F
     require_columns(scenario);
     throw;
   }
+}
+
+// The samples of the file from the one before the first instant to the one after the last.
+AttitudeRecord around(AttitudeRecord record, const Epoch& first, const Epoch& last) {
+  const auto& times = record.times;
+  const auto begin = std::upper_bound(times.begin() + 1, times.end(), first) - 1;
+  const auto end = std::lower_bound(times.begin(), times.end() - 1, last) + 1;
+  const Places places{begin - times.begin(), end - times.begin()};
+  keep(record.times, places);
+  keep(record.numbers, places);
+  keep(record.rates, places);
+  return record;
+}
+
+// Which instants count; empty if all do.
+std::vector<bool> counting(const Requirement& required, const Flight& flight, const Measured& measure) {
+  return at_place_of(required.place, [&] {
+    return counting(required.when, measure.hidden, flight.visible_sun, measure.target);
+  });
 }
 
 }  // namespace
@@ -115,13 +117,17 @@ Flight read_flight(const Scenario& scenario, Progress& progress) {
   const Epoch middle = middle_of(looked_at(scenario, flown.record));
   const auto asked = scenario.step ? instants(scenario, flown.record) : flown.record.times;
   AttitudeRecord attitude = scenario.step ? resampled(flown.record, asked) : flown.record;
-  Flight flight{std::move(flown), std::move(attitude), asked.size(), nullptr, {}, {}};
+  AttitudeRecord samples = around(flown.record, attitude.times.front(), attitude.times.back());
+  Flight flight{std::move(flown), std::move(attitude), std::move(samples), asked.size(), nullptr, {}, {}};
   const auto& times = flight.attitude.times;
+  // The reference must be known at the samples too.
+  const auto& all = inertial(flight.attitude.reference) ? times : flight.samples.times;
   for (const Epoch& t : {times.front(), times.back()}) require_orientation(scenario, t);
   if (scenario.orbit)
-    flight.orbit = with_columns_of(scenario, [&] {
-      return read_orbit(*scenario.orbit, from_until(times.front(), times.back()), middle);
-    });
+    flight.orbit = with_columns_of(
+        scenario, [&] { return read_orbit(*scenario.orbit, from_until(all.front(), all.back()), middle); });
+  for (AttitudeRecord* const each : {&flight.attitude, &flight.samples})
+    turn_to_gcrf(*each, flight.orbit, scenario.orientation, reference_keys);
   progress.begin("orbit", times.size());
   flight.motions = motions_at(times, flight.orbit, [&] { progress.count(); });
   progress.end();
@@ -160,6 +166,8 @@ Measured measured(const Measure& measure, const Scenario& scenario, const Flight
   made.in_body = seen_in_body(flight.attitude, made.directions);
   const Vector3d axis = flight.flown.frames.in_body(measure.axis);
   made.angles = absolute_errors(made.in_body, axis);
+  made.counts = at_place_of(
+      measure.place, [&] { return counting(measure.when, made.hidden, flight.visible_sun, made.target); });
   made.by_reading = off_directions(flight.attitude, axis, made.directions);
   return made;
 }
@@ -181,20 +189,17 @@ std::vector<double> errors_of(const Requirement& required, const Scenario& scena
     return errors_in_windows(required, scenario, flight, measure).from_means;
   const auto among = counting(required, flight, measure);
   if (required.window)
-    return of_windows(required, [&] {
+    return at_place_of(required.place, [&] {
       return relative_errors(flight.attitude, measure.in_body, *required.window, among).errors;
     });
-  std::vector<double> errors;
-  for (std::size_t i = 0; i < measure.angles.size(); ++i)
-    if (among.empty() || among[i]) errors.push_back(measure.angles[i]);
-  return errors;
+  return counted_of(measure.angles, among);
 }
 
 WindowErrors errors_in_windows(const Requirement& required, const Scenario& scenario, const Flight& flight,
                                const Measured& measure) {
   const auto among = counting(required, flight, measure);
   const Vector3d axis = flight.flown.frames.in_body(scenario.measures[required.measure].axis);
-  return of_windows(required, [&] {
+  return at_place_of(required.place, [&] {
     return window_errors(flight.attitude, measure.in_body, axis, *required.window, among);
   });
 }

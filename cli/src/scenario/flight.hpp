@@ -30,7 +30,9 @@ void require_orientation(const Scenario& scenario, const Epoch& t);
 /// A flight at the instants that are looked at.
 struct Flight {
   FlownAttitude flown;
-  AttitudeRecord attitude;
+  AttitudeRecord attitude;  // relative to EME2000 or GCRF, as are
+  AttitudeRecord
+      samples;  // those of the file from the one before the first instant to the one after the last
   std::size_t
       instants;      // that are asked for by a step; those in gaps and outside the samples have no attitude
   FlownOrbit orbit;  // nothing if none is given
@@ -51,6 +53,7 @@ struct Measured {
   std::vector<Eigen::Vector3d> in_body;
   std::vector<double> angles;  // rad
   std::vector<bool> hidden;    // by the Earth; empty if it cannot be
+  std::vector<bool> counts;    // at which instants the figures are; empty if at all
   std::vector<double>
       by_reading;  // the median angle by each reading of the quaternions, the stated one first
 };

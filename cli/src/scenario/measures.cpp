@@ -5,7 +5,6 @@
 #include <map>
 
 #include "figures.hpp"
-#include "hidden.hpp"
 #include "scenario/fixed_frame.hpp"
 #include "scenario/given.hpp"
 #include "table_text.hpp"
@@ -57,21 +56,15 @@ class MeasureReader {
     return {name, at, proper ? std::optional(star_motion(*proper)) : std::nullopt};
   }
   static StarMotion star_motion(const ScenarioTable& from) {
-    constexpr double year = 365.25 * 86400.0;
-    const auto rate = [&](const char* key) {
-      return from.at(key).as<Amount>().in("arcsec/yr") / (3600.0 * degrees * year) *
-             (si::radian / si::second);
-    };
-    const bool is_included = from.at("cos_declination").text() == "included";
-    const auto of_right_ascension = rate("right_ascension"), of_declination = rate("declination");
+    const auto rate = [&](const char* key) { return from.at(key).as<Amount>().in("arcsec/yr"); };
     const auto* const parallax = from.find("parallax");
     const double arcseconds = parallax ? parallax->as<Amount>().in("arcsec") : 0.0;
-    if (!(arcseconds >= 0.0 && arcseconds <= 1.0))
+    if (!is_parallax(arcseconds))
       refuse(parallax->place, "'star.proper_motion.parallax' is " + parallax->as<Amount>().text() +
                                   "; it is from 0 to 1 arcsec");
-    return {is_included ? proper_motion_with_cos_declination(of_right_ascension, of_declination)
-                        : proper_motion_without_cos_declination(of_right_ascension, of_declination),
-            arcseconds / (3600.0 * degrees) * si::radian, from.at("epoch").as<Epoch>()};
+    return cli::star_motion({rate("right_ascension"), rate("declination")},
+                            from.at("cos_declination").text() == "included", arcseconds,
+                            from.at("epoch").as<Epoch>());
   }
   StationTarget station(const ScenarioTable& from) const {
     require_latitude(from.at("latitude"));
@@ -117,10 +110,23 @@ class MeasureReader {
     }
     if (!scenario_.orbit && needs_orbit(made.target))
       refuse(target.place, "the direction of " + target.text() + " needs an orbit; missing: [orbit]");
+    made.when = when(from, made.target);
     if (made.correction)
       scenario_.choices.push_back(
           {"correction of " + made.name, words_of(*made.correction), correction->place.line_text()});
     return made;
+  }
+
+  When when(const ScenarioTable& from, const MeasureTarget& target) const {
+    const auto* const value = from.find("when");
+    if (!value) return When::always;
+    const When when = when_of(value->text());
+    try {
+      require_known(when, target, scenario_.orbit.has_value(), "[orbit]");
+    } catch (const BadInput& error) {
+      refuse(value->place, error.what());
+    }
+    return when;
   }
 
   Requirement requirement(const ScenarioTable& from) const {
@@ -152,23 +158,18 @@ class MeasureReader {
     } else if (window) {
       refuse(window->place, "'require.window' is of a relative error; this one is absolute");
     }
-    std::string condition;
-    if (const auto* const when = from.find("when")) {
-      made.when = when->text() == "sunlight" ? When::sunlight
-                  : when->text() == "shadow" ? When::shadow
-                                             : When::visible;
-      condition = made.when == When::visible ? " while it is visible" : " in " + when->text();
-      if (made.when == When::visible && !may_be_hidden(scenario_.measures[made.measure].target))
-        refuse(when->place, "the Earth hides the Sun, the Moon, stars and stations, and not " +
-                                name_of(scenario_.measures[made.measure].target));
-      if (!scenario_.orbit)
-        refuse(when->place, "whether it is " + std::string(made.when == When::visible ? "" : "in ") +
-                                when->text() + " needs an orbit; missing: [orbit]");
+    const Measure& of = scenario_.measures[made.measure];
+    made.when = of.when;
+    if (from.find("when")) {
+      made.when = when(from, of.target);
+      if (of.when != When::always && made.when != of.when)
+        refuse(from.at("when").place, "'require.when' is \"" + from.at("when").text() + "\", and '" +
+                                          of.name + "' is measured only" + words_of(of.when));
     }
     made.text = (is_relative ? "relative error in " + window->as<Amount>().text() : "absolute error") +
                 " at most " + (made.by_budget ? "that of the budget" : limit.as<Amount>().text()) + " in " +
                 percent.as<Amount>().text() + " of the " +
-                (is_relative && !made.by_budget ? "windows" : "samples") + condition;
+                (is_relative && !made.by_budget ? "windows" : "samples") + words_of(made.when);
     return made;
   }
 

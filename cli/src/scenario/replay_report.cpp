@@ -10,6 +10,7 @@
 #include "pointing_error.hpp"
 #include "quantile.hpp"
 #include "reading.hpp"
+#include "reference_frame.hpp"
 #include "sample_faults.hpp"
 #include "selection.hpp"
 #include "sha256.hpp"
@@ -39,6 +40,10 @@ std::vector<Report::Fact> facts(const Scenario& scenario, const Flight& flight,
   for (std::size_t i = 0; i < measures.size(); ++i)
     if (const std::string words = words_of_hidden(measures[i].hidden, "instant"); !words.empty())
       all.push_back({"target of " + scenario.measures[i].name, words});
+  for (std::size_t i = 0; i < measures.size(); ++i)
+    if (const std::string words = words_of_left_out(scenario.measures[i].when, measures[i].counts, "instant");
+        !words.empty())
+      all.push_back({"figures of " + scenario.measures[i].name, words});
   return all;
 }
 
@@ -52,8 +57,9 @@ std::vector<Quaterniond> quaternions(const AttitudeRecord& record) {
   return all;
 }
 
-// In the axes of the body.
+// In the axes of the body; none if they are relative to a frame that moves.
 std::vector<Vector3d> body_rates(const AttitudeRecord& record) {
+  if (!record.stated_reference.empty()) return {};
   auto rates = record.rates_in_radians();
   if (record.rate_axes == RateAxes::reference)
     for (std::size_t i = 0; i < rates.size(); ++i)
@@ -66,28 +72,17 @@ Result::Attitude attitude_of(const AttitudeRecord& record) {
           longest_step(record, median(durations_of(record)))};
 }
 
-// The samples of the file from the one before the first instant to the one after the last.
-AttitudeRecord around(AttitudeRecord record, const Epoch& first, const Epoch& last) {
-  const auto& times = record.times;
-  const auto begin = std::upper_bound(times.begin() + 1, times.end(), first) - 1;
-  const auto end = std::lower_bound(times.begin(), times.end() - 1, last) + 1;
-  const Places places{begin - times.begin(), end - times.begin()};
-  keep(record.times, places);
-  keep(record.numbers, places);
-  keep(record.rates, places);
-  return record;
-}
-
 Report::Table statistics(const Scenario& scenario, const Flight& flight,
                          const std::vector<Measured>& measures) {
   Report::Table table{
       "Angles, deg", {"measure", "least", "median", "95 %", "largest", "rms", "largest at, UTC"}, {}};
   for (std::size_t k = 0; k < measures.size(); ++k) {
-    const AngleFigures figures(measures[k].angles);
+    const AngleFigures figures(counted_of(measures[k].angles, measures[k].counts));
+    const auto times = counted_of(flight.attitude.times, measures[k].counts);
     table.rows.push_back({scenario.measures[k].name, decimals(figures.value(figures.place_of_least())),
                           decimals(figures.quantile(50.0)), decimals(figures.quantile(95.0)),
                           decimals(figures.value(figures.place_of_largest())), decimals(figures.rms()),
-                          flight.attitude.times[figures.place_of_largest()].utc(3)});
+                          times[figures.place_of_largest()].utc(3)});
   }
   return table;
 }
@@ -161,6 +156,13 @@ void add_choices(Report& report, const Scenario& scenario, const Flight& flight)
   if (scenario.orbit && !scenario.orientation)
     report.choices.push_back(
         {"ground track", "with UT1 equal to UTC and no polar motion: up to 0.004 deg off", "the program"});
+  if (const std::string axes = axes_of_reference(record.reference); !axes.empty())
+    report.choices.push_back(
+        {"axes of " + record.reference, axes + ", of the orbit relative to GCRF", "CCSDS"});
+  if (!record.rates.empty() && !inertial(record.reference))
+    report.choices.push_back(
+        {"rates of the file",
+         "not shown: they are relative to " + record.reference + ", and the page to GCRF", "the program"});
   if (!record.no_rates.empty()) report.choices.push_back({"rates of the file", record.no_rates, record.file});
 }
 
@@ -213,7 +215,7 @@ Result replay_result(const Scenario& scenario, const Flight& flight, const std::
   add_choices(texts, scenario, flight);
 
   Result result{std::move(texts), attitude.body, attitude.reference, attitude_of(attitude),
-                attitude_of(around(flight.flown.record, attitude.times.front(), attitude.times.back()))};
+                attitude_of(flight.samples)};
   if (flight.orbit) result.orbit = orbit_of(scenario, flight);
   result.frames.assign(frames.all().begin() + 1, frames.all().end());
   for (std::size_t k = 0; k < measures.size(); ++k)

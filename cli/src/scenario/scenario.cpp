@@ -7,7 +7,9 @@
 
 #include "attitude_kernel_record.hpp"
 #include "figures.hpp"
+#include "message_kind.hpp"
 #include "plain_words.hpp"
+#include "reference_frame.hpp"
 #include "scales.hpp"
 #include "scenario/contributions.hpp"
 #include "scenario/fixed_frame.hpp"
@@ -171,19 +173,13 @@ class Reader {
     const auto& scalar = quaternion.at("scalar");
     const ScenarioTable& maps = *quaternion.table("maps");
     const auto &map_from = maps.at("from"), &map_to = maps.at("to");
-    const auto reference_from = inertial(map_from.text()), reference_to = inertial(map_to.text());
-    const bool has_reference = reference_from || reference_to;
-    for (const auto* const name : {&map_from, &map_to})
-      if (is_other_frame(name->text()))
-        refuse(maps.place, "'" + name->text() + "' is the name of a frame that is not fixed in a body" +
-                               (has_reference ? ""
-                                              : "; of the two frames one must be J2000, EME2000, GCRF or "
-                                                "ICRF"));
+    const auto reference_from = reference_name(map_from.text()), reference_to = reference_name(map_to.text());
     if (reference_from.has_value() == reference_to.has_value())
       refuse(maps.place,
              "'" + map_from.text() + "' and '" + map_to.text() +
                  (reference_from ? "' are both references; one of them must be the body"
-                                 : "' are both bodies; one of them must be J2000, EME2000, GCRF or ICRF"));
+                                 : std::string("' are both bodies; one of them must be a reference: ") +
+                                       reference_names()));
     columns.reference = reference_from ? *reference_from : *reference_to;
     scenario_.body = reference_from ? map_to.text() : map_from.text();
     columns.stated = {scalar.text() == "first" ? Scalar::first : Scalar::last,
@@ -217,11 +213,11 @@ class Reader {
     const auto &of = rates.at("of"), &relative_to = rates.at("relative_to"), &in = rates.at("in");
     scenario_.rates =
         StatedRates{of.place, relative_to.place, in.place, of.text(), relative_to.text(), in.text()};
-    if (inertial(relative_to.text()) != columns.reference)
+    if (reference_name(relative_to.text()) != columns.reference)
       refuse(relative_to.place, "the rates are relative to '" + relative_to.text() +
                                     "', the quaternions to " + columns.reference +
                                     "; both must be relative to one frame");
-    if (const auto axes = inertial(in.text())) {
+    if (const auto axes = reference_name(in.text())) {
       if (*axes != columns.reference)
         refuse(in.place, "the rates are in the axes of " + in.text() + "; it must be " + columns.reference +
                              " or a frame fixed in the body");

@@ -10,6 +10,7 @@
 #include "scenario/place.hpp"
 #include "sources.hpp"
 #include "target.hpp"
+#include "when.hpp"
 
 namespace vectrix::cli {
 
@@ -34,10 +35,8 @@ struct Measure {
   Place target_place;
   MeasureTarget target;
   std::optional<SkyCorrection> correction{};  // of the Sun, the Moon and stars
+  When when = When::always;                   // of the figures, and of requirements that say nothing else
 };
-
-/// While the Sun is seen or not, or the target is not hidden by the Earth.
-enum class When { always, sunlight, shadow, visible };
 
 struct Requirement {
   Place place;

@@ -36,9 +36,9 @@ Key time_column() {
 Key scalar(bool is_needed) {
   return choice("scalar", is_needed, "which of the four numbers is the scalar", {"first", "last"});
 }
-Key maps() {
+Key maps(const std::string& more = "") {
   return table(
-      "maps", needed, "v_to = R v_from: between which frames it takes coordinates",
+      "maps", needed, "v_to = R v_from: between which frames it takes coordinates" + more,
       {{"from", Kind::text, needed, "the frame of v_from"}, {"to", Kind::text, needed, "the frame of v_to"}});
 }
 
@@ -53,7 +53,8 @@ Key time() {
 }
 
 Key earth() {
-  return table("earth", optional, "how the Earth turns; needed by an orbit in ITRF and by stations",
+  return table("earth", optional,
+               "how the Earth turns; needed by an orbit or an attitude relative to ITRF, and by stations",
                {{"orientation", Kind::input, needed, "file finals2000A of the IERS"}});
 }
 
@@ -98,7 +99,10 @@ Key attitude() {
        time_column(),
        table("quaternion", optional, "the quaternions of a table",
              {several("columns", Kind::texts, needed, 4, "their columns, in the order of the file"),
-              scalar(needed), maps()}),
+              scalar(needed),
+              maps("; one is a reference: EME2000 (J2000), GCRF (ICRF), TEME, ITRF, or a frame of the orbit, "
+                   "LVLH, "
+                   "RTN (RSW), TNW, NTW or VNC")}),
        table("rates", optional, "angular velocities of a table: compared with the turns of the quaternions",
              {several("columns", Kind::texts, needed, 3, "their columns"),
               choice("unit", needed, "of the numbers", {"rad/s", "deg/s"}),
@@ -159,6 +163,10 @@ Key station() {
                  amount("height", needed, Dimension::length, "above the ellipsoid WGS-84")});
 }
 
+Key when(std::string help) {
+  return choice("when", optional, std::move(help), {"sunlight", "shadow", "visible"});
+}
+
 Key measure() {
   return tables(
       "measure", "how far an axis of the body is from a target",
@@ -172,7 +180,12 @@ Key measure() {
        choice(
            "correction", optional,
            "of the Sun, the Moon and stars: where it is, where it was when the light left, where it is seen",
-           {"geometric", "light_time", "apparent"})});
+           {"geometric", "light_time", "apparent"}),
+       when(
+           "the figures and what is required are only while the whole disc of the Sun is seen (sunlight) or "
+           "none of it (shadow), or while the Earth does not hide the target (visible): the line to the Sun, "
+           "the Moon or a star passes beside the ellipsoid, a station has the satellite above its horizon; "
+           "how many instants are left out is said; by default none is")});
 }
 
 Key contribution() {
@@ -219,13 +232,7 @@ Key requirement() {
               {"absolute", "relative"}),
        amount("window", optional, Dimension::duration, "of the relative error"),
        amount("percent", needed, Dimension::share, "of the samples, or of the windows"),
-       choice(
-           "when", optional,
-           "only while the whole disc of the Sun is seen (sunlight) or none of it (shadow), or while the "
-           "Earth does not hide the target (visible): the line to the Sun, the Moon or a star passes beside "
-           "the ellipsoid, a station has the satellite above its horizon; by default hidden ones are judged "
-           "too",
-           {"sunlight", "shadow", "visible"})});
+       when("what is judged: as of a measure, whose word is taken by default")});
 }
 
 Key output() {

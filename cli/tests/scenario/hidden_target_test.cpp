@@ -4,6 +4,9 @@
 #include <cmath>
 #include <sstream>
 
+#include "angle_figures.hpp"
+#include "figures.hpp"
+#include "pointing.hpp"
 #include "replay.hpp"
 #include "replayed.hpp"
 #include "result_file/result_file.hpp"
@@ -41,6 +44,77 @@ TEST(HiddenTarget, IsNotJudgedIfOnlyVisibleOnesAre) {
   // Hidden ones count if nothing is said.
   EXPECT_EQ(replayed(through_shadow() + with(visible, "when = \"visible\"\n", "")).judged[0].count,
             hidden.size());
+}
+
+// `when` of the measure: the figures too are of visible ones only.
+TEST(HiddenTarget, IsLeftOutOfTheFiguresOfAMeasure) {
+  const std::string of_measure =
+      with(through_shadow(), "target = \"sun\"\n", "target = \"sun\"\nwhen = \"visible\"\n");
+  const std::string required = with(visible, "when = \"visible\"\n", "");
+  const auto found = replayed(of_measure + required), all = replayed(through_shadow() + visible);
+  EXPECT_EQ(found.judged[0].required, all.judged[0].required);
+  EXPECT_EQ(found.judged[0].figures.found, all.judged[0].figures.found);
+  const auto& hidden = found.measures[0].hidden;
+  double largest = 0.0;
+  for (std::size_t i = 0; i < hidden.size(); ++i)
+    if (!hidden[i]) largest = std::max(largest, found.measures[0].angles[i]);
+  const auto row = [](const Replayed& replay) { return replay.report().tables[0].rows[0]; };
+  EXPECT_EQ(row(found)[4], decimals(degrees * largest));
+  EXPECT_NE(row(all)[4], row(found)[4]);
+  const auto count = std::count(hidden.begin(), hidden.end(), true);
+  const auto facts = found.result().texts.facts;
+  EXPECT_TRUE(std::any_of(facts.begin(), facts.end(), [&](const auto& fact) {
+    return fact.name == "figures of off-Sun" &&
+           fact.value == std::to_string(count) + " of " + std::to_string(hidden.size()) +
+                             " instants are left out, where the Earth hides the target";
+  }));
+  EXPECT_NE(complaint([&] {
+              (void)replayed(of_measure + with(visible, "\"visible\"", "\"sunlight\""));
+            }).find("'require.when' is \"sunlight\", and 'off-Sun' is measured only while it is visible"),
+            std::string::npos);
+}
+
+// The same word as an option of pointing, the same figures.
+TEST(HiddenTarget, IsLeftOutByPointing) {
+  std::string text = with(through_shadow(), "step = \"10 s\"", "");
+  text = with(text, "-z of radiometer", "-z of body");
+  const auto found = replayed(with(text, "target = \"sun\"\n", "target = \"sun\"\nwhen = \"visible\"\n"));
+  PointingOptions options;
+  options.attitude = found.scenario.attitude;
+  options.orbit.elements = found.scenario.orbit->elements;
+  options.axis = {0.0, 0.0, -1.0};
+  options.correction = geometric;
+  const auto said = [&] {
+    std::ostringstream out;
+    (void)pointing(options, out);
+    return out.str();
+  };
+  const std::string all = said();
+  EXPECT_TRUE(says(all, "These are of all samples, but the Earth hides it at "));
+  options.when = When::visible;
+  const std::string visible_ones = said();
+  const AngleFigures figures(counted_of(found.measures[0].angles, found.measures[0].counts));
+  const std::string largest = decimals(figures.value(figures.place_of_largest()));
+  EXPECT_TRUE(says(visible_ones, "largest " + std::string(12 - largest.size() + 2, ' ') + largest))
+      << visible_ones;
+  EXPECT_TRUE(says(visible_ones, " samples are left out, where the Earth hides the target.\n"));
+  EXPECT_FALSE(says(visible_ones, "These are of all samples"));
+  EXPECT_NE(all, visible_ones);
+  // A window among which a sample is hidden is none.
+  options.window = 60.0;
+  EXPECT_TRUE(says(said(), "reach over a gap, a sample that is left out, or the end\n"));
+  options.when = When::shadow;
+  EXPECT_TRUE(says(said(), " samples are left out, which are not in shadow.\n"));
+  options.when = When::visible;
+  options.target = Target::earth;
+  options.correction.reset();
+  EXPECT_EQ(complaint([&] { (void)said(); }),
+            "the Earth hides the Sun, the Moon, stars and stations, and not the centre of the Earth");
+  options.target = Target::sun;
+  options.correction = geometric;
+  options.orbit = {};
+  EXPECT_EQ(complaint([&] { (void)said(); }),
+            "whether it is visible needs an orbit; missing: --tle, --omm, --oem or --spk");
 }
 
 TEST(HiddenTarget, IsWrittenAndStored) {

@@ -1,0 +1,104 @@
+#include "reference_frame.hpp"
+
+#include <map>
+
+#include "table_text.hpp"
+#include "target.hpp"
+
+namespace vectrix::cli {
+namespace {
+
+using earth::Gcrf, earth::Itrf, earth::Teme;
+using Eigen::Matrix3d;
+
+struct Orbit : moving_frame {};
+
+Matrix3d of_orbit(const std::string& reference, const SatelliteMotion& motion) {
+  const auto& [r, v] = motion;
+  if (reference == "LVLH") return lvlh(from<Orbit>, r, v).matrix();
+  if (reference == "RTN") return ric(from<Orbit>, r, v).matrix();
+  if (reference == "VNC") return vnb(from<Orbit>, r, v).matrix();
+  const Matrix3d R_gcrf_from_ntw = ntw(from<Orbit>, r, v).matrix();
+  if (reference == "NTW") return R_gcrf_from_ntw;
+  Matrix3d R_gcrf_from_tnw;
+  R_gcrf_from_tnw << R_gcrf_from_ntw.col(1), -R_gcrf_from_ntw.col(0), R_gcrf_from_ntw.col(2);
+  return R_gcrf_from_tnw;
+}
+
+}  // namespace
+
+std::optional<std::string> reference_name(const std::string& name) {
+  if (const auto known = inertial(name)) return known;
+  static const std::map<std::string, const char*> names{
+      {"teme", "TEME"}, {"temeofdate", "TEME"}, {"lvlh", "LVLH"}, {"vvlh", "LVLH"},
+      {"rtn", "RTN"},   {"rsw", "RTN"},         {"qsw", "RTN"},   {"ric", "RTN"},
+      {"tnw", "TNW"},   {"ntw", "NTW"},         {"vnc", "VNC"}};
+  std::string word = small(name);
+  if (word.starts_with("itrf") && word.find_first_not_of("-0123456789", 4) == std::string::npos)
+    return "ITRF";
+  constexpr std::string_view rotating = "_rotating";
+  if (word.ends_with(rotating)) word.resize(word.size() - rotating.size());
+  const auto found = names.find(word);
+  if (found == names.end()) return std::nullopt;
+  return found->second;
+}
+
+const char* reference_names() {
+  return "EME2000, J2000, GCRF, ICRF, ITRF, TEME, LVLH, RTN, RSW, TNW, NTW and VNC";
+}
+
+std::string axes_of_reference(const std::string& reference) {
+  static const std::map<std::string, const char*> axes{{"LVLH", "z along -r, y along -(r x v)"},
+                                                       {"RTN", "x along r, z along r x v"},
+                                                       {"TNW", "x along v, z along r x v"},
+                                                       {"NTW", "y along v, z along r x v"},
+                                                       {"VNC", "x along v, y along r x v"}};
+  const auto found = axes.find(reference);
+  return found == axes.end() ? "" : found->second;
+}
+
+std::optional<EarthOrientation> read_orientation(const std::filesystem::path& file,
+                                                 const std::vector<Epoch>& times) {
+  if (file.empty()) return std::nullopt;
+  auto orientation = EarthOrientation::read(file);
+  try {
+    for (const Epoch& t : {times.front(), times.back()}) (void)orientation.at(t);
+  } catch (const BadInput& error) {
+    throw BadInput(file.string() + ": " + error.what());
+  }
+  return orientation;
+}
+
+std::function<Matrix3d(const Epoch&)> reference_motion(const std::string& file, const std::string& reference,
+                                                       const TimeSpan& span, const FlownOrbit& orbit,
+                                                       const std::optional<EarthOrientation>& orientation,
+                                                       const ReferenceWords& words) {
+  const std::string given = file + ": the attitude is relative to " + reference;
+  if (inertial(reference)) return [R = gcrf_from(reference)](const Epoch&) { return R; };
+  if (reference == "TEME") {
+    // Over ITRF: the turn of the Earth cancels.
+    const EarthMotion earth(EarthOrientation::unobserved(span, 0.0 * si::second), span);
+    const auto graph = frame_graph(edge(earth), edge(teme(earth)));
+    return [graph](const Epoch& t) { return graph.at(t).rotation(to<Gcrf>, from<Teme>).matrix(); };
+  }
+  if (reference == "ITRF") {
+    if (!orientation)
+      throw BadInput(given + ", which needs the orientation of the Earth; missing: " + words.orientation);
+    return [earth = EarthMotion(*orientation, span)](const Epoch& t) { return earth.rotation(t).matrix(); };
+  }
+  if (!orbit) throw BadInput(given + ", a frame of the orbit; missing: " + words.orbit);
+  return [orbit, reference](const Epoch& t) { return of_orbit(reference, orbit(t)); };
+}
+
+void turn_to_gcrf(AttitudeRecord& record, const FlownOrbit& orbit,
+                  const std::optional<EarthOrientation>& orientation, const ReferenceWords& words) {
+  if (inertial(record.reference)) return;
+  const auto motion =
+      reference_motion(record.file, record.reference, from_until(record.times.front(), record.times.back()),
+                       orbit, orientation, words);
+  for (const Epoch& t : record.times) record.gcrf_from_stated.emplace_back(motion(t));
+  record.stated_reference = record.reference;
+  record.reference = "GCRF";
+}
+
+}  // namespace vectrix::cli
