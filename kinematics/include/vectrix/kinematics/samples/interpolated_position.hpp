@@ -61,8 +61,9 @@ inline Interpolation checked_interpolation(const std::string& place, const Inter
 /// SampledPosition the axes of q are parallel to those of a. The polynomials of two steps meet at the sample
 /// between them: Lagrange's in position, Hermite's in velocity, too.
 /// The constructor throws BadInput for a degree that the interpolation does not have, times that do not
-/// increase, steps whose power of the degree overflows or underflows, and fewer samples than the degree needs,
-/// also between two gaps longer than `longest_gap`: no polynomial leads over one. A call throws outside the samples and inside such a gap.
+/// increase, steps whose power of the degree overflows or underflows, and fewer samples than the degree
+/// needs, also between two gaps longer than `longest_gap`: no polynomial leads over one. A call throws
+/// outside the samples and inside such a gap.
 template <Frame A, Frame Q, Instant I = Quantity<si::time>> class InterpolatedPosition {
   using S = InstantScalar<I>;
 
