@@ -59,8 +59,7 @@ RC_GTEST_PROP(NamedDcm, DoorsAreThoseOfDcm, ()) {
   RC_ASSERT(refusal([&] { nearest_dcm(b, a, Eigen::Matrix3d(-Eigen::Matrix3d::Identity())); }) ==
             R"(nearest_dcm(to "b", from "a"): the determinant is -1; a rotation is right-handed)");
   const auto infinite = std::numeric_limits<double>::infinity() * si::radian;
-  RC_ASSERT(refusal([&] { turned_z(b, a, infinite); }) ==
-            R"(turned_z(to "b", from "a"): the angle is inf)");
+  RC_ASSERT(refusal([&] { turned_z(b, a, infinite); }) == R"(turned_z(to "b", from "a"): the angle is inf)");
   RC_ASSERT(contains(refusal([&] { quaternion_scalar_first(b, a, 1.0, 1.0, 0.0, 0.0); }),
                      R"(quaternion_scalar_first(to "b", from "a"): the norm differs)"));
   RC_ASSERT(quaternion_scalar_last(b, a, 1.0, 0.0, 0.0, 0.0).eigen().x() == 1.0);
@@ -114,8 +113,8 @@ RC_GTEST_PROP(NamedQuaternion, TheDoorsOfEigenAreThoseOfQuaternion, ()) {
   const NamedQuaternion q_b_from_a = quaternion(b, a, q);
   RC_ASSERT(q_b_from_a.to() == x.b && q_b_from_a.from() == x.a);
   RC_ASSERT(q_b_from_a.eigen().coeffs() == q.coeffs());
-  RC_ASSERT(contains(refusal([&] { quaternion(b, a, far); }),
-                     R"(quaternion(to "b", from "a"): the norm differs)"));
+  RC_ASSERT(
+      contains(refusal([&] { quaternion(b, a, far); }), R"(quaternion(to "b", from "a"): the norm differs)"));
   RC_ASSERT(contains(refusal([&] { quaternion(b, a, far); }), "; nearest_quaternion() projects"));
   const NearestNamedQuaternion nearest = nearest_quaternion(b, a, far);
   const auto expected = nearest_quaternion(to<Body>, from<Gcrf>, far);

@@ -180,8 +180,10 @@ TEST(InterpolatedPosition, IsAnEdgeWithAcceleration) {
 
 TEST(InterpolatedPosition, WrongSamplesAreRefused) {
   const std::string place = detail::samples_place<Itrf, Body>("InterpolatedPosition") + ": ";
+  const auto straight = [](double t) { return power(1, t); };
   const auto said = [&](const std::vector<double>& times, const auto& method, double gap = 100.0) {
-    return message<BadInput>([&] { InterpolatedPosition(sampled(times, smooth), method, gap * si::second); });
+    return message<BadInput>(
+        [&] { InterpolatedPosition(sampled(times, straight), method, gap * si::second); });
   };
   EXPECT_EQ(said({0, 1, 2}, Lagrange{3}),
             place + "samples 0 to 2 are 3; Lagrange interpolation of degree 3 needs 4");
@@ -193,6 +195,16 @@ TEST(InterpolatedPosition, WrongSamplesAreRefused) {
   EXPECT_EQ(said({0, 1, 1, 3}, Lagrange{3}), place + "samples 1 and 2 have one time, 1 s");
   EXPECT_NE(said({0, 2, 1, 3}, Lagrange{3}), "");
   EXPECT_NE(said({}, Lagrange{3}), "");
+  const double short_step = 0x1p-360;  // its cube is below all numbers
+  EXPECT_EQ(said({0, short_step, 2 * short_step, 3 * short_step}, Lagrange{3}),
+            place + "samples 0 and 1 are " + detail::text(short_step) +
+                " s apart; Lagrange interpolation of degree 3 divides by a power of it that no number holds");
+  EXPECT_NE(said({0, 0x1p360, 0x1p361, 0x1.8p361}, Lagrange{3}, 0x1p400), "");
+  // Nothing is divided by a gap: here its 15th power overflows.
+  std::vector<double> around_a_gap;
+  for (const double start : {0.0, 0x1p80})
+    for (int i = 0; i < 16; ++i) around_a_gap.push_back(start + i * 0x1p40);
+  EXPECT_EQ(said(around_a_gap, Lagrange{15}, 0x1p41), "");
   EXPECT_EQ(said(uneven, Lagrange{1}), place + "the degree of Lagrange interpolation is 1; it is 2 to 15");
   EXPECT_NE(said(uneven, Lagrange{16}), "");
   EXPECT_NE(said(uneven, Lagrange{-1}), "");

@@ -153,9 +153,9 @@ EulerAngles<Sequence, A, B, S> euler_angles_of(const Dcm<A, B, S>& R_a_from_b) {
 /// The angles of R_b^a, or of a quaternion q_b^a. The first and third are from -pi to pi, and pi for an exact
 /// half turn; the second is from -pi/2 to pi/2, or from 0 to pi in a proper sequence. None is -0. Each is an
 /// arc tangent of two entries; for the first, the third turn is undone before. Near the singularity rounding
-/// of R spoils the first and third angle, but their sum (or difference) stays accurate. Within eight roundings
-/// of the singularity the third angle is set to zero, and numbers with derivatives throw BadInput, because the
-/// angles have no derivative there. x.distance_from_singularity() gives the distance.
+/// of R spoils the first and third angle, but their sum (or difference) stays accurate. Within eight
+/// roundings of the singularity the third angle is set to zero, and numbers with derivatives throw BadInput,
+/// because the angles have no derivative there. x.distance_from_singularity() gives the distance.
 template <EulerSequence Sequence, class Rotation>
 auto euler_angles(Sequence, const Rotation& R_a_from_b)
     -> decltype(detail::euler_angles_of<Sequence>(detail::as_dcm(R_a_from_b))) {

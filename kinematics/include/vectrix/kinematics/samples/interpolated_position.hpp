@@ -61,8 +61,9 @@ inline Interpolation checked_interpolation(const std::string& place, const Inter
 /// SampledPosition the axes of q are parallel to those of a. The polynomials of two steps meet at the sample
 /// between them: Lagrange's in position, Hermite's in velocity, too.
 /// The constructor throws BadInput for a degree that the interpolation does not have, times that do not
-/// increase, and fewer samples than the degree needs, also between two gaps longer than `longest_gap`: no
-/// polynomial leads over one. A call throws outside the samples and inside such a gap.
+/// increase, steps whose power of the degree overflows or underflows, and fewer samples than the degree
+/// needs, also between two gaps longer than `longest_gap`: no polynomial leads over one. A call throws
+/// outside the samples and inside such a gap.
 template <Frame A, Frame Q, Instant I = Quantity<si::time>> class InterpolatedPosition {
   using S = InstantScalar<I>;
 
@@ -74,6 +75,8 @@ template <Frame A, Frame Q, Instant I = Quantity<si::time>> class InterpolatedPo
       : samples_(std::move(samples)),
         method_(detail::checked_interpolation(place(), detail::interpolation_of(method))),
         steps_(place(), detail::instants_of(samples_), longest_gap.value()) {
+    for (std::size_t i = 0; i < steps_.size(); ++i)
+      if (steps_.duration(i) <= longest_gap.value()) require_power(i);
     firsts_.resize(steps_.size());
     for (std::size_t begin = 0, end = 0; begin < samples_.size(); begin = end) {
       end = begin + 1;
@@ -117,6 +120,18 @@ template <Frame A, Frame Q, Instant I = Quantity<si::time>> class InterpolatedPo
   static std::string place() { return detail::samples_place<A, Q>("InterpolatedPosition"); }
 
   /// The first sample that each step takes, of those between two gaps, [begin, end).
+  // The last difference is divided by as many steps as the degree.
+  void require_power(std::size_t i) const {
+    const S& step = steps_.duration(i);
+    S power(1);
+    for (int k = 0; k < method_.degree; ++k) power = S(power * step);
+    const S inverse = S(1) / power;
+    if (!(power - power == S(0)) || !(inverse - inverse == S(0)))
+      steps_.refuse("samples " + detail::text(i) + " and " + detail::text(i + 1) + " are " +
+                    detail::text(step) + " s apart; " + method_.name + " interpolation of degree " +
+                    detail::text(method_.degree) + " divides by a power of it that no number holds");
+  }
+
   void set_firsts(std::size_t begin, std::size_t end) {
     const std::size_t needed = method_.samples();
     if (end - begin < needed) {

@@ -79,10 +79,10 @@ class VECTRIX_EXPORT EarthOrientation {
   /// reason if a field is no number, a complete row follows an incomplete one, rows are not a day apart,
   /// UT1-TAI jumps as at a leap second that ERFA does not know, the file ends within a line, or fewer than
   /// four rows are complete; if dX and dY change by more than 3 milliarcsec in a day, as where rows of
-  /// another series begin; and if they are not clearly nearer to zero than to the offsets from IAU 1980, which
-  /// finals.all has in the same columns. From 1979 to 1990 both may be a few milliarcsec, as are the errors of
-  /// that time. Rows of those years may not tell, in a short excerpt or in a long one that begins in 1980, and
-  /// are then refused, unless you say what they are: read(file, offsets_from_iau_2006).
+  /// another series begin; and if they are not clearly nearer to zero than to the offsets from IAU 1980,
+  /// which finals.all has in the same columns. From 1979 to 1990 both may be a few milliarcsec, as are the
+  /// errors of that time. Rows of those years may not tell, in a short excerpt or in a long one that begins
+  /// in 1980, and are then refused, unless you say what they are: read(file, offsets_from_iau_2006).
   static EarthOrientation read(const std::filesystem::path& finals2000A);
   static EarthOrientation read(const std::filesystem::path& finals2000A, OffsetsFromIau2006);
 
