@@ -3,6 +3,8 @@
 #include <concepts>
 #include <cstddef>
 #include <memory>
+#include <tuple>
+#include <type_traits>
 #include <utility>
 #include <vectrix/dynamics/craft/shape.hpp>
 
@@ -52,15 +54,13 @@ template <class C, class B> void lower(LoweredParts& to, const MountPart<C, B>& 
   to.add(part.numbers);
 }
 
-template <class Fault, class Hub, class Tuple> struct CraftWith;
-template <class Fault, class Hub, class... Parts>
-struct CraftWith<Fault, Hub, std::tuple<Parts...>> : MadeUnless<Fault, Spacecraft> {
-  template <class Made> using craft = typename Made::template type<Hub, Parts...>;
-};
+template <class Tuple> struct CraftWith;
+template <class... HubAndParts>
+struct CraftWith<std::tuple<HubAndParts...>> : std::type_identity<Spacecraft<HubAndParts...>> {};
+template <class... HubAndParts>
+using MadeCraft = typename CraftWith<typename FlatList<HubAndParts...>::type>::type;
 template <class Hub, class... Parts>
-using MadeCraft = CraftWith<CraftFault<Hub, Parts...>, Hub, typename FlatList<Parts...>::type>;
-template <class Hub, class... Parts>
-using CraftOf = typename MadeCraft<Hub, Parts...>::template craft<MadeCraft<Hub, Parts...>>;
+using CraftOf = typename MadeUnless<CraftFault<Hub, Parts...>, MadeCraft>::template type<Hub, Parts...>;
 
 }  // namespace detail
 

@@ -165,10 +165,11 @@ template <CraftType C, class On, class Effort, class Speed, class Damping> struc
 /// effort M_s, also by a jump of another load; it then slips in the direction of the effort. The speed that
 /// is left at the rounded time at which it comes to rest is set to zero, and the momentum loses it. Whether
 /// it sticks is the held value StickSlip<On>; the zeros are events of the run. Where the motion is
-/// prescribed, friction does not stick: it only loads the drive, with the sign of the speed, and with zero
-/// where the speed is exactly zero and stays so, where any effort up to M_s would do. A locked joint stays
-/// locked whatever its friction. Coulomb's law alone has M_s = M_c and any u_s. Throws BadInput for a number
-/// that is not finite, negative, or 0 for M_s or u_s, and if M_s < M_c.
+/// prescribed, friction does not stick: it only loads the drive, with the sign of the speed in the state. A
+/// drive at rest may have any effort up to M_s of it: it is zero if that speed is exactly zero, M_s if
+/// rounding has left some. A locked joint stays locked whatever its friction. Coulomb's law alone has M_s =
+/// M_c and any u_s. Throws BadInput for a number that is not finite, negative, or 0 for M_s or u_s, and if
+/// M_s < M_c.
 template <CraftType C, class On, class Effort, class Speed, class Damping>
   requires(detail::is_friction<C, On, Effort, Speed, Damping>())
 JointFriction<C, On, Effort, Speed, Damping> friction(const C&, Of<On>, const Quantity<Effort>& coulomb,
