@@ -78,8 +78,8 @@ std::string table(const Scenario& scenario, const Flight& flight, const std::vec
   std::string text = "# " + scenario.title + "\n";
   for (std::size_t i = 0; i < measures.size(); ++i)
     text += "# " + scenario.measures[i].name + ": " + measures[i].what + "\n";
-  text += "# Attitude of " + flight.attitude.body + " relative to " + flight.attitude.reference + " from " +
-          flight.attitude.file +
+  text += "# Attitude of " + flight.attitude.body + " relative to " + flight.attitude.reference_of_file() +
+          " from " + flight.attitude.file +
           ". Times in UTC, angles in degrees; hidden: 1 if the Earth hides the target.\ntime_utc";
   for (std::size_t i = 0; i < measures.size(); ++i) {
     text += "," + scenario.measures[i].name + "_deg";
@@ -136,7 +136,7 @@ bool replay(const ReplayOptions& options, Progress& progress, std::ostream& out)
 
   out << scenario.title << '\n'
       << counted(flight.attitude.size(), scenario.step ? "instant" : "sample") << " of "
-      << flight.attitude.body << " relative to " << flight.attitude.reference << ", "
+      << flight.attitude.body << " relative to " << flight.attitude.reference_of_file() << ", "
       << range(flight.attitude) << '\n';
   if (const std::string missing = without_attitude(scenario, flight); !missing.empty())
     out << "Without attitude, not judged: " << missing << '\n';

@@ -10,6 +10,7 @@
 #include "frames.hpp"
 #include "pointing.hpp"
 #include "pointing_error.hpp"
+#include "replay.hpp"
 #include "says.hpp"
 #include "scenario/replayed.hpp"
 #include "table_text.hpp"
@@ -205,6 +206,10 @@ TEST_F(RelativeTo, LvlhIsOneFrameEverywhere) {
             "FILE: the attitude is relative to LVLH, a frame of the orbit; missing: [orbit]");
 
   const auto scenario = folder.written("s.toml", text);
+  Progress silent(nullptr);
+  out.str("");
+  EXPECT_TRUE(replay({.file = scenario}, silent, out));
+  EXPECT_TRUE(says(out.str(), "of SC_BODY_1 relative to LVLH, 2023"));
   out.str("");
   frames({scenario, "SC_BODY_1", "GCRF", ""}, out);
   EXPECT_TRUE(says(out.str(), "R1: v_LVLH = R1 v_SC_BODY_1; attitude, between the samples of "));

@@ -192,7 +192,7 @@ void add_convert(CLI::App& app, ConvertWords& words) {
   orbit.add("--velocity", words.orbit.velocity, three_columns, "x, y and z of the velocity");
   orbit.choose("--unit", words.orbit.unit, {"m", "km"}, "of the position; of the velocity m/s or km/s");
   output.add("--frame", words.options.frame, "EME2000|GCRF", "relative to this instead");
-  Options turn(convert, "An attitude relative to ITRF or a frame of the orbit, for --frame");
+  Options turn(convert, "Orbit and Earth, for --frame");
   add_orbit(turn, words.options.orbit);
   turn.add("--orientation", words.options.orientation, a_file,
            "how the Earth turns, for ITRF: finals2000A of the IERS");

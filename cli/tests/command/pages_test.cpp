@@ -38,8 +38,9 @@ TEST(Described, IsWhatTheParserHas) {
   };
   const CommandDescription convert = find(program.commands, "convert");
   EXPECT_EQ(usage_of(convert), "file out [options]");
-  EXPECT_EQ(convert.groups(), (std::vector<std::string>{"Options", "A kernel of SPICE", "A table",
-                                                        "A table of an orbit", "A message"}));
+  EXPECT_EQ(convert.groups(),
+            (std::vector<std::string>{"Options", "A kernel of SPICE", "A table", "A table of an orbit",
+                                      "Orbit and Earth, for --frame", "A message"}));
   const OptionDescription out = find(convert.options, "out"), scale = find(convert.options, "--scale"),
                           force = find(convert.options, "--force"), help = find(convert.options, "--help");
   EXPECT_TRUE(out.is_argument() && out.is_file() && out.is_needed);

@@ -43,6 +43,7 @@ class MeasuredTarget : public ::testing::Test {
   MeasuredTarget()
       : flight{{record(), BodyFrames("body", {})},
                record(),
+               record(),
                record().size(),
                [](const Epoch& t) { return circular_orbit<Gcrf>((t - at(0.0)).value()); },
                {},
