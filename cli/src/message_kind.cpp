@@ -93,10 +93,13 @@ Message the_one(const std::filesystem::path& file, const char* wanted,
 
 bool is_message(const std::filesystem::path& file) {
   const std::string word = first_word(file);
-  if (word.empty()) throw BadInput(file.string() + ": is empty");
   if ((word.starts_with("\xff\xfe") || word.starts_with("\xfe\xff")) && !is_xml(word))
     throw BadInput(file.string() + ": is UTF-16, and no XML; a table or a message in keywords is UTF-8");
   return word.starts_with("CCSDS_") || is_xml(word) || word == "COMMENT";
+}
+
+void require_content(const std::filesystem::path& file) {
+  if (first_word(file).empty()) throw BadInput(file.string() + ": is empty");
 }
 
 bool is_orbit_message(const std::filesystem::path& file) {
@@ -109,9 +112,13 @@ bool is_orbit_message(const std::filesystem::path& file) {
 bool is_mean_elements_message(const std::filesystem::path& file) {
   const std::string kind = kind_of_message(file);
   if (kind != "ndm") return kind == "omm";
-  const auto all = NavigationDataMessage::read(file);
-  return all.attitude_ephemerides.empty() && all.orbit_ephemerides.empty() &&
-         !all.orbit_mean_elements.empty();
+  try {
+    const auto all = NavigationDataMessage::read(file);
+    return all.attitude_ephemerides.empty() && all.orbit_ephemerides.empty() &&
+           !all.orbit_mean_elements.empty();
+  } catch (const BadInput&) {
+    return false;  // who reads it says why
+  }
 }
 
 AttitudeEphemerisMessage read_attitude_message(const std::filesystem::path& file) {

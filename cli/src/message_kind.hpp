@@ -8,8 +8,10 @@
 namespace vectrix::cli {
 
 /// Whether the file begins as a message of CCSDS does, or else is a table. Throws BadInput if it cannot be
-/// read, is empty, and for UTF-16 that is not XML.
+/// read, and for UTF-16 that is not XML.
 bool is_message(const std::filesystem::path& file);
+/// Throws BadInput for a file without a word.
+void require_content(const std::filesystem::path& file);
 /// Whether it is an orbit ephemeris message, or a combined one with such and without an attitude. Throws
 /// BadInput if it cannot be read.
 bool is_orbit_message(const std::filesystem::path& file);

@@ -46,7 +46,7 @@ double milliarcseconds(const char* option, const std::string& text) {
 // Nothing if it is not said how the star moves.
 std::optional<StarMotion> motion_of(const TargetWords& words) {
   const Words needed{{"--proper-motion MAS,MAS", words.proper_motion},
-                     {"--cos-declination included|'not included'", words.cos_declination},
+                     {"--cos-declination included|not_included", words.cos_declination},
                      {"--epoch TIME", words.epoch}};
   const std::string missing = missing_of(needed);
   const auto is_empty = [](const Word& word) { return word.text.empty(); };

@@ -11,7 +11,7 @@ namespace vectrix::cli {
 struct TargetWords {
   std::string axis{}, target{};
   std::string right_ascension{}, declination{};  // of a star, degrees
-  // How it moves: "-798.58,10328.12", milliarcsec in a Julian year, "included" or "not included",
+  // How it moves: "-798.58,10328.12", milliarcsec in a Julian year, "included" or "not_included",
   // milliarcsec.
   std::string proper_motion{}, cos_declination{}, epoch{}, parallax{};
   std::string latitude{}, longitude{}, height{};  // of a station, degrees and metres

@@ -129,6 +129,7 @@ AttitudeSource attitude_source(const AttitudeWords& words, bool writes_kernel) {
   }
   if (!writes_kernel)
     refuse(only_of_kernels(words), words.file.string() + ": is no kernel of SPICE; ", " is of one");
+  require_content(words.file);
   if (is_message(words.file) || is_stored_result(words.file)) {
     refuse_columns_of_message(words);
   } else {

@@ -77,7 +77,7 @@ TEST_F(CombinedMessage, IsRefusedWithoutOrWithSeveral) {
 
 TEST_F(CombinedMessage, IsNoEmptyFile) {
   const auto empty = folder.written("empty", " \n");
-  EXPECT_EQ(complaint([&] { (void)is_message(empty); }, empty), "FILE: is empty");
+  EXPECT_EQ(complaint([&] { require_content(empty); }, empty), "FILE: is empty");
 }
 
 }  // namespace

@@ -86,7 +86,7 @@ TEST(TargetWords, SayHowAStarMoves) {
       barnard.name,
       "the star at right ascension 279.2347 deg, declination -38.7837 deg at 2000-01-01T12:00:00 TT, with "
       "its proper motion");
-  words.cos_declination = "not included";
+  words.cos_declination = "not_included";
   words.parallax = "547.45";
   const auto other = std::get<StarTarget>(target_of(words));
   EXPECT_FALSE(other.motion->proper.has_cos_declination());
@@ -103,7 +103,7 @@ TEST(TargetWords, OfTheMotionOfAStarAreAllAndNumbers) {
   EXPECT_EQ(refusal(&TargetWords::proper_motion, ""),
             "the motion of the star is not all; missing: --proper-motion MAS,MAS");
   EXPECT_EQ(refusal(&TargetWords::cos_declination, ""),
-            "the motion of the star is not all; missing: --cos-declination included|'not included'");
+            "the motion of the star is not all; missing: --cos-declination included|not_included");
   EXPECT_EQ(refusal(&TargetWords::proper_motion, "1"),
             "--proper-motion 1 has 1 fields between commas, not 2");
   EXPECT_EQ(refusal(&TargetWords::proper_motion, "1,nan"),
@@ -114,7 +114,7 @@ TEST(TargetWords, OfTheMotionOfAStarAreAllAndNumbers) {
   only.parallax = "10";
   EXPECT_EQ(complaint([&] { (void)target_of(only); }),
             "the motion of the star is not all; missing: --proper-motion MAS,MAS, --cos-declination "
-            "included|'not included', --epoch TIME");
+            "included|not_included, --epoch TIME");
   TargetWords of_sun;
   of_sun.target = "sun";
   of_sun.epoch = "2000-01-01T12:00:00 TT";

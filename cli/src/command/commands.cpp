@@ -145,7 +145,7 @@ void add_pointing(CLI::App& app, PointingWords& words) {
   star.add("--proper-motion", words.target.proper_motion, "MAS,MAS",
            "of right ascension and declination, milliarcsec in a year; without it the star stands still. Its "
            "radial velocity is taken as zero");
-  star.choose("--cos-declination", words.target.cos_declination, {"included", "not included"},
+  star.choose("--cos-declination", words.target.cos_declination, {"included", "not_included"},
               "whether the first has the factor cos(declination) in it, as in Hipparcos and Gaia");
   star.add("--epoch", words.target.epoch, "TIME",
            "of the catalogue, when the star was at this place: '2000-01-01T12:00:00 TT'");
