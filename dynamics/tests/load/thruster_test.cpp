@@ -68,23 +68,25 @@ TEST(Thruster, ALongTrainIsBookedThroughEvents) {
   const Sat sat;
   constexpr int pulses = 200;
   constexpr double end = 20.0, constant = 0.05;
-  std::vector<FiringInterval> train;
+  std::vector<FiringInterval> pulse_train;
   double on = 0.0;
   for (int i = 0; i < pulses; ++i) {
     const double begin = 0.07 * i + 0.003 * (i % 5), length = 0.01 + 0.004 * (i % 9);
-    train.push_back({begin * s, (begin + length) * s});
-    on += (train.back().end - train.back().start).value();
+    pulse_train.push_back({begin * s, (begin + length) * s});
+    on += (pulse_train.back().end - pulse_train.back().start).value();
   }
   struct Sampled {
     int count;
   };
   const auto swings = [](const Now<Sat>& now) { return now.speed(of<Panel>); };
   const auto flight = propagate(
-      scenario(sat, thruster(sat, of<Hub>, F * N * unit_y(in<Inertial>), {constant * s, constant * s}, train),
-               spring(sat, of<Panel>, 20.0 * N_m / rad, 0.0 * rad), held(Sampled{0}),
-               every(0.13 * s, [](const Now<Sat>&, const Sampled& last) { return Sampled{last.count + 1}; }),
-               when("the panel turns back", swings, ode::Direction::any,
-                    [](const Now<Sat>&, const Sampled& last) { return Sampled{last.count + 1}; })),
+      scenario(
+          sat,
+          thruster(sat, of<Hub>, F * N * unit_y(in<Inertial>), {constant * s, constant * s}, pulse_train),
+          spring(sat, of<Panel>, 20.0 * N_m / rad, 0.0 * rad), held(Sampled{0}),
+          every(0.13 * s, [](const Now<Sat>&, const Sampled& last) { return Sampled{last.count + 1}; }),
+          when("the panel turns back", swings, ode::Direction::any,
+               [](const Now<Sat>&, const Sampled& last) { return Sampled{last.count + 1}; })),
       start_of(sat, {.angle = 0.3}), until(end));
   EXPECT_GT(flight.events().size(), 20U);
   // Each switch rounds a time and a sum of times.
