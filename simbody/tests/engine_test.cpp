@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <stdexcept>
 #include <utility>
@@ -19,6 +20,9 @@ constexpr double rounding = 1e-11;
 struct Both {
   std::vector<double> ours, theirs;
 };
+bool stands(multibody::Hold held) {
+  return held == multibody::Hold::locked || held == multibody::Hold::sticks;
+}
 /// `held`: the links and rotors that are held, and how, as a function of their number.
 Both accelerations(unsigned long seed, double time_scale, multibody::Hold (*held)(std::size_t)) {
   RandomCraft random(seed);
@@ -50,14 +54,14 @@ Both accelerations(unsigned long seed, double time_scale, multibody::Hold (*held
   const auto& layout = tree.layout();
   for (std::size_t i = 0; i < applied.held.size(); ++i) {
     applied.held[i] = held(i);
-    if (applied.held[i] != multibody::Hold::locked) continue;
+    if (!stands(applied.held[i])) continue;
     const std::size_t next = i + 1 < applied.held.size() ? layout.speed_at[i + 1] : layout.rotors_begin();
     for (std::size_t k = layout.speed_at[i]; k < next; ++k) applied.given[k - layout.speeds_begin()] = 0.0;
   }
   draw(applied.given_spins);
   for (std::size_t i = 0; i < applied.held_rotors.size(); ++i) {
     applied.held_rotors[i] = held(i);
-    if (applied.held_rotors[i] == multibody::Hold::locked) applied.given_spins[i] = 0.0;
+    if (stands(applied.held_rotors[i])) applied.given_spins[i] = 0.0;
   }
   applied.hub.f = column();
   applied.hub.n = column();
@@ -109,7 +113,12 @@ TEST(SimbodyEngine, locks_and_drives_what_ours_does) {
           accelerations(seed, unit, [](std::size_t i) { return i % 2 == 0 ? Hold::driven : Hold::none; }));
       expect_same(
           accelerations(seed, unit, [](std::size_t i) { return i % 2 == 1 ? Hold::driven : Hold::none; }));
-      expect_same(accelerations(seed, unit, [](std::size_t i) { return Hold(i % 3); }));
+      expect_same(accelerations(seed, unit, [](std::size_t i) {
+        return std::array{Hold::none, Hold::sticks, Hold::locked, Hold::driven}[i % 4];
+      }));
+      expect_same(accelerations(seed, unit, [](std::size_t i) {
+        return std::array{Hold::none, Hold::locked, Hold::driven}[i % 3];
+      }));
     }
 }
 

@@ -106,12 +106,20 @@ class ResultReader {
     return all;
   }
 
+  template <class Time> auto dated(const std::string& path, const Time& time) const {
+    try {
+      return time();
+    } catch (const BadInput& error) {
+      file_.refuse(path, "holds a time that has no date: " + std::string(error.what()));
+    }
+  }
   [[nodiscard]] std::vector<Epoch> times(const std::string& path) const {
     const auto dates = file_.numbers(path, result_entry(path).columns);
     if (dates.size() < 4) file_.refuse(path, "has fewer than two rows");
     std::vector<Epoch> all;
     for (std::size_t i = 0; i < dates.size() / 2; ++i) {
-      all.push_back(Epoch::from_julian_date(scale::tai, dates[2 * i], dates[2 * i + 1]));
+      all.push_back(
+          dated(path, [&] { return Epoch::from_julian_date(scale::tai, dates[2 * i], dates[2 * i + 1]); }));
       if (i > 0 && !(all[i - 1] < all[i]))
         file_.refuse(path, "has in " + row_text(i) + " a time that is not after the row before");
     }
@@ -121,12 +129,7 @@ class ResultReader {
   }
   void require_leap_seconds(const std::string& path, const std::string& name, const Epoch& t) const {
     const double there = file_.number(path, name);
-    double here = 0.0;
-    try {
-      here = t.tai_minus_utc().value();
-    } catch (const BadInput& error) {
-      file_.refuse(path, "holds a time that has no date: " + std::string(error.what()));
-    }
+    const double here = dated(path, [&] { return t.tai_minus_utc().value(); });
     if (here != there)
       file_.refuse(path, "was written with " + detail::text(there) +
                              " s from UTC to TAI, where this program has " + detail::text(here) +

@@ -110,8 +110,9 @@ TEST_F(DamagedResult, HasNumbers) {
             "FILE: /attitude/tai has in row 4 a time that is not after the row before");
   EXPECT_EQ(with_value("/orbit/geodetic", 0, 91.0),
             "FILE: /orbit/geodetic has in row 1 a place that is not on the Earth");
-  EXPECT_TRUE(
-      says(with_value("/attitude/tai", 0, 1e5), "FILE: /attitude/tai holds a time that has no date: "));
+  for (const double no_date : {1e5, 2436000.5})  // before the year 0; before 1960
+    EXPECT_TRUE(
+        says(with_value("/attitude/tai", 0, no_date), "FILE: /attitude/tai holds a time that has no date: "));
   EXPECT_TRUE(
       says(after([](const PlainHdf5& file) { file.set_number("/attitude/tai", "tai_minus_utc_last", 38.0); }),
            "FILE: /attitude/tai was written with 38 s from UTC to TAI, where this program has 37 s"));

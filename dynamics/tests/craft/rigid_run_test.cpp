@@ -134,7 +134,7 @@ TEST_P(RigidRun, tiny_bodies_turn_as_large_ones_until_the_torque_underflows) {
       expect_said(failure, "underflows, J w^2 = ");
     }
   };
-  underflows(-500, -300);
+  underflows(-250, -430);
   underflows(0, -545);  // w^2 itself does
 }
 

@@ -99,10 +99,9 @@ class Words {
 
   static std::string with_names(std::string text) {
     for (const auto& [type, name] :
-         {std::pair(frame_name<A>(), "\"a\""), std::pair(frame_name<B>(), "\"b\""),
-          std::pair(frame_name<C>(), "\"c\""), std::pair(frame_name<D>(), "\"d\""),
-          std::pair(frame_name<P>(), "\"p\""), std::pair(frame_name<Q>(), "\"q\"")})
-      detail::replace_all(text, type, name);
+         {std::pair(frame_name<A>(), "a"), std::pair(frame_name<B>(), "b"), std::pair(frame_name<C>(), "c"),
+          std::pair(frame_name<D>(), "d"), std::pair(frame_name<P>(), "p"), std::pair(frame_name<Q>(), "q")})
+      detail::put_name(text, type, name);
     return text;
   }
   template <class... Xs, class... Typed>

@@ -3,6 +3,7 @@
 #include <array>
 #include <concepts>
 #include <cstddef>
+#include <vectrix/dynamics/craft/craft_numbers.hpp>
 #include <vectrix/dynamics/craft/spacecraft.hpp>
 #include <vectrix/kinematics/points/moving_transform.hpp>
 
