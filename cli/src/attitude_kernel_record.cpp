@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <fstream>
+#include <map>
 #include <set>
+
+#include "figures.hpp"
 
 namespace vectrix::cli {
 namespace {
@@ -34,6 +37,16 @@ std::int32_t frame_of(const DafFile& file, const KernelWords& words, const Frame
                    (named.empty() ? "missing: " + words.frame_word : key + " is " + named));
   }
   return wanted;
+}
+
+std::string hidden_segments(const AttitudeKernel& kernel, const std::vector<HiddenAttitude>& hidden) {
+  std::map<std::size_t, double> seconds;
+  for (const auto& [segment, span] : hidden) seconds[segment] += (span.end() - span.start()).value();
+  std::string text;
+  for (const auto& [segment, sum] : seconds)
+    text += (text.empty() ? "segment " : ", segment ") + detail::text(segment + 1) + " '" +
+            kernel.segments()[segment].name + "' for " + shown(sum) + " s";
+  return text;
 }
 
 }  // namespace
@@ -100,6 +113,8 @@ AttitudeRecord read_kernel(const std::filesystem::path& file, const KernelWords&
     record.numbers.push_back({q.w(), q.x(), q.y(), q.z()});
   }
   record.interval_starts = kernel.interval_starts(of<Body>, relative_to<Reference>, span, body, reference);
+  record.hidden_segments =
+      hidden_segments(kernel, kernel.hidden(of<Body>, relative_to<Reference>, span, body, reference));
   const auto& segments = kernel.segments();
   if (std::all_of(segments.begin(), segments.end(),
                   [&](const auto& segment) { return segment.has_rates || segment.frame != frame; })) {

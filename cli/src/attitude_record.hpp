@@ -54,6 +54,8 @@ struct AttitudeRecord {
   TimeScale time_scale = scale::utc;     // in which the file has the times
   std::optional<MessageText> message{};  // of a message
   std::vector<Epoch> interval_starts{};  // of a kernel: to these samples nothing leads from the one before
+  // Of a kernel, what later segments of the same time hide: "segment 1 'A' for 20 s, segment 2 'B' for 3 s".
+  std::string hidden_segments{};
   std::optional<double> longest_step{};  // s: a longer one is a gap; by default three times the median
   // By turn_to_gcrf(): the reference of the file, and at every sample its attitude; empty without it.
   std::string stated_reference{};

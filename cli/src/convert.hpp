@@ -37,9 +37,8 @@ void convert(const OrbitFile& orbit, const ConvertOptions& options, std::ostream
 struct ElementFile {
   std::filesystem::path file;
 };
-/// Whether the file has two-line elements or is an orbit mean-elements message. Throws BadInput if it cannot
-/// be read.
-bool is_elements(const std::filesystem::path& file);
+/// Whether the file has two-line elements. Throws BadInput if it cannot be read.
+bool has_two_lines(const std::filesystem::path& file);
 /// Writes elements as orbit mean-elements messages, each number with the digits that it has.
 void convert(const ElementFile& elements, const ConvertOptions& options, std::ostream& out);
 

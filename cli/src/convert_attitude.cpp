@@ -130,7 +130,9 @@ void convert(const AttitudeSource& source, const ConvertOptions& options, std::o
   for (const std::string& what : attitude.computed) out << "  not to the last digit: " << what << '\n';
   if (const std::size_t breaks = faults_of(record).breaks.count; breaks > 0)
     out << "  left out: " << counted(breaks, "end")
-        << " of intervals, behind which the kernel has no attitude\n";
+        << " of intervals, behind which nothing is interpolated\n";
+  if (!record.hidden_segments.empty())
+    out << "  left out, for later segments of the kernel hide it: " << record.hidden_segments << '\n';
   if (const std::size_t gaps = is_for_viewer ? faults_of(record).gaps.count : 0; gaps > 0)
     out << "  not marked: " << counted(gaps, "gap") << ", over which a viewer turns\n";
 }

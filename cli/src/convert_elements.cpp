@@ -38,9 +38,7 @@ std::vector<OrbitMeanElementsMessage> messages_of(const std::vector<TwoLineEleme
 
 }  // namespace
 
-bool is_elements(const std::filesystem::path& file) {
-  if (is_kernel(file)) return false;
-  if (is_message(file)) return is_mean_elements_message(file);
+bool has_two_lines(const std::filesystem::path& file) {
   std::ifstream in(file);
   constexpr std::size_t columns = 68;
   constexpr int most = 2;  // line 1 of a set, or a title before it

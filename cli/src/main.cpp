@@ -69,20 +69,21 @@ bool run_pointing(PointingWords& words) {
 
 bool run_convert(ConvertWords& words) {
   words.options.text.creation_date = now();
-  if (is_elements(words.attitude.file)) {
+  const Content content = content_of(words.attitude, words.orbit, words.kind, words.options.out);
+  const bool of_orbit = content.kind == Content::Kind::orbit;
+  if (content.kind != Content::Kind::elements) set_message_words(words.options, words.message, of_orbit);
+  if (content.kind == Content::Kind::elements) {
     const auto file = element_file(words.attitude, words.orbit, words.options, words.message);
     convert(file, words.options, std::cout);
-    return true;
-  }
-  const bool of_orbit = is_orbit(words.attitude, words.orbit);
-  set_message_words(words.options, words.message, of_orbit);
-  if (of_orbit) {
+  } else if (of_orbit) {
     convert(orbit_file(words.attitude, words.orbit), words.options, std::cout);
   } else {
     const bool writes_kernel = is_kernel_name(words.options.out);
     if (writes_kernel) words.options.kernel = words.attitude.kernel;
     convert(attitude_source(words.attitude, writes_kernel), words.options, std::cout);
   }
+  if (!content.left_out.empty())
+    std::cout << "  left out of the combined message: " << content.left_out << '\n';
   return true;
 }
 

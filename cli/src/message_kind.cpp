@@ -1,10 +1,12 @@
 #include "message_kind.hpp"
 
+#include <algorithm>
 #include <fstream>
 #include <set>
 #include <string>
 
 #include "table_text.hpp"
+#include "word.hpp"
 
 namespace vectrix::cli {
 namespace {
@@ -52,11 +54,11 @@ std::string kind_of_message(const std::filesystem::path& file) {
   return is_xml(word) ? first_element(file) : "";
 }
 
-// "OPM, 2 OMM"
-std::string kinds_in(const NavigationDataMessage& all) {
+// "OPM, 2 OMM", without one of them.
+std::string kinds_in(const NavigationDataMessage& all, const std::string& but = "") {
   std::string text;
   const auto add = [&](const std::string& kind, std::size_t count) {
-    if (count > 0)
+    if (count > 0 && kind != but)
       text += (text.empty() ? "" : ", ") + (count > 1 ? std::to_string(count) + " " : "") + capitals(kind);
   };
   add("aem", all.attitude_ephemerides.size());
@@ -65,22 +67,40 @@ std::string kinds_in(const NavigationDataMessage& all) {
   add("opm", all.orbit_parameters.size());
   add("omm", all.orbit_mean_elements.size());
   for (const UnreadMessage& each : all.unread) add(each.element, 1);
-  return text.empty() ? "nothing" : text;
+  return text.empty() && but.empty() ? "nothing" : text;
+}
+
+std::string listed(const std::vector<std::string>& kinds, const char* between) {
+  std::string text;
+  for (const std::string& kind : kinds) text += (text.empty() ? "" : between) + capitals(kind);
+  return text;
+}
+
+// What to do with a message that no command takes.
+std::string hint_of(const std::string& kind) {
+  const auto of_one_instant = [&](const char* what, const char* type) {
+    return "; an " + capitals(kind) + " is " + what + " at one instant, which no command takes; in C++ " +
+           type + " reads it";
+  };
+  if (kind == "apm") return of_one_instant("an attitude", "AttitudeParameterMessage");
+  if (kind == "opm") return of_one_instant("an orbit", "OrbitParameterMessage");
+  return "";
 }
 
 // Of a file of another kind, if it is a kind.
-void require_kind(const std::filesystem::path& file, const std::string& kind, const std::string& wanted) {
+void require_kind(const std::filesystem::path& file, const std::string& kind,
+                  const std::vector<std::string>& wanted) {
   static const std::set<std::string> kinds{"acm", "aem", "apm", "cdm", "ocm", "oem", "omm", "opm", "tdm"};
-  if (kind != wanted && kinds.contains(kind))
+  if (std::find(wanted.begin(), wanted.end(), kind) == wanted.end() && kinds.contains(kind))
     throw BadInput(file.string() + ": is a message of the kind " + capitals(kind) + ", not " +
-                   capitals(wanted));
+                   listed(wanted, " or ") + hint_of(kind));
 }
 
 template <class Message>
 Message the_one(const std::filesystem::path& file, const char* wanted,
                 std::vector<Message> NavigationDataMessage::*which) {
   const std::string kind = kind_of_message(file);
-  require_kind(file, kind, wanted);
+  require_kind(file, kind, {wanted});
   if (kind != "ndm") return Message::read(file);
   auto all = NavigationDataMessage::read(file);
   if ((all.*which).size() != 1)
@@ -102,23 +122,36 @@ void require_content(const std::filesystem::path& file) {
   if (first_word(file).empty()) throw BadInput(file.string() + ": is empty");
 }
 
-bool is_orbit_message(const std::filesystem::path& file) {
+KindOfMessage kind_to_convert(const std::filesystem::path& file, const std::string& stated,
+                              const std::filesystem::path& out) {
+  const std::vector<std::string> known{"aem", "oem", "omm"};
   const std::string kind = kind_of_message(file);
-  if (kind != "ndm") return kind == "oem";
-  const auto all = NavigationDataMessage::read(file);
-  return all.attitude_ephemerides.empty() && !all.orbit_ephemerides.empty();
-}
-
-bool is_mean_elements_message(const std::filesystem::path& file) {
-  const std::string kind = kind_of_message(file);
-  if (kind != "ndm") return kind == "omm";
-  try {
-    const auto all = NavigationDataMessage::read(file);
-    return all.attitude_ephemerides.empty() && all.orbit_ephemerides.empty() &&
-           !all.orbit_mean_elements.empty();
-  } catch (const BadInput&) {
-    return false;  // who reads it says why
+  if (kind != "ndm") {
+    if (!stated.empty()) throw BadInput(file.string() + ": is one message; --kind is of a combined one");
+    require_kind(file, kind, known);
+    return {kind, ""};
   }
+  const auto all = NavigationDataMessage::read(file);
+  const std::string has = file.string() + ": is a combined message; it has " + kinds_in(all);
+  std::vector<std::string> there;
+  if (!all.attitude_ephemerides.empty()) there.emplace_back("aem");
+  if (!all.orbit_ephemerides.empty()) there.emplace_back("oem");
+  if (!all.orbit_mean_elements.empty()) there.emplace_back("omm");
+  const auto chosen = [&](const std::string& one) { return KindOfMessage{one, kinds_in(all, one)}; };
+  const auto is_there = [&](const std::string& one) {
+    return std::find(there.begin(), there.end(), one) != there.end();
+  };
+  if (there.empty()) throw BadInput(has + ", none of " + listed(known, ", "));
+  if (!stated.empty()) {
+    if (!is_there(stated)) throw BadInput(has + "; --kind is " + stated);
+    return chosen(stated);
+  }
+  const std::string name = out.extension().string();
+  const std::string of_name =
+      name == ".bc" || name == ".a" ? "aem" : name.substr(std::min<std::size_t>(name.size(), 1));
+  if (is_there(of_name)) return chosen(of_name);
+  if (there.size() > 1) throw BadInput(has + "; missing: --kind " + joined(there, "|"));
+  return chosen(there.front());
 }
 
 AttitudeEphemerisMessage read_attitude_message(const std::filesystem::path& file) {
@@ -131,7 +164,7 @@ OrbitEphemerisMessage read_orbit_message(const std::filesystem::path& file) {
 
 std::vector<OrbitMeanElementsMessage> read_mean_elements_messages(const std::filesystem::path& file) {
   const std::string kind = kind_of_message(file);
-  require_kind(file, kind, "omm");
+  require_kind(file, kind, {"omm"});
   if (kind != "ndm") return OrbitMeanElementsMessage::read(file);
   auto all = NavigationDataMessage::read(file);
   if (all.orbit_mean_elements.empty())

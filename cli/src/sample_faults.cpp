@@ -52,8 +52,8 @@ void write_faults(const AttitudeRecord& record, const SampleFaults& faults, std:
       record.longest_step ? shown(*record.longest_step) + " s" : "three times the usual one";
   line(faults.gaps, "gap, a step longer than " + longer, "gaps, steps longer than " + longer,
        shown(faults.gaps.largest) + " s, which ends");
-  line(faults.breaks, "step over which the kernel has no attitude, the end of an interval",
-       "steps over which the kernel has no attitude, the ends of intervals", "");
+  line(faults.breaks, "step from one interval of the kernel to another, over which nothing is interpolated",
+       "steps from one interval of the kernel to another, over which nothing is interpolated", "");
   line(faults.sign_flips, "change from q to -q: the attitude is one, its numbers are not",
        "changes from q to -q: the attitude is one, its numbers are not", "");
   line(faults.half_turns, "step near half a turn: rates must say which way it turned",
@@ -70,6 +70,8 @@ void write_faults(const AttitudeRecord& record, const SampleFaults& faults, std:
           faults.jumps.count + faults.norm_errors.count ==
       0)
     out << "  no gaps, changes of sign, half turns, jumps or differing norms\n";
+  if (!record.hidden_segments.empty())
+    out << "  hidden by later segments of the kernel: " << record.hidden_segments << '\n';
   out << '\n';
 }
 

@@ -39,7 +39,7 @@ struct SampleFaults {
 
   double median_step;   // s
   Extreme gaps;         // steps longer than longest_step, s
-  Extreme breaks;       // shorter ones over which a kernel has no attitude
+  Extreme breaks;       // shorter ones from one interval of a kernel to another
   Extreme sign_flips;   // q and -q are one attitude, but not to who interpolates the numbers
   Extreme half_turns;   // steps that turn by more than 0.9 of half a turn, rad: which way is not known
   Extreme jumps;        // steps more than ten times as fast as the median and 0.5 deg, rad

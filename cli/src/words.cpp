@@ -176,21 +176,28 @@ ElementFile element_file(const AttitudeWords& words, const OrbitWords& orbit, Co
   return {words.file};
 }
 
-bool is_orbit(const AttitudeWords& words, const OrbitWords& orbit) {
-  if (is_kernel(words.file)) {
-    refuse(only_of_orbits(orbit), words.file.string() + ": is a kernel and says itself what its data are; ",
+Content content_of(const AttitudeWords& words, const OrbitWords& orbit, const std::string& kind,
+                   const std::filesystem::path& out) {
+  using Kind = Content::Kind;
+  const std::string file = words.file.string();
+  const bool of_kernel = is_kernel(words.file);
+  if (!of_kernel && is_message(words.file)) {
+    const auto [found, others] = kind_to_convert(words.file, kind, out);
+    if (found == "omm") return {Kind::elements, others};
+    refuse(only_of_orbits(orbit), file + ": is a message and says itself what its data are; ",
            " is of a table");
-    return false;
+    return {found == "oem" ? Kind::orbit : Kind::attitude, others};
   }
-  if (is_message(words.file)) {
-    refuse(only_of_orbits(orbit), words.file.string() + ": is a message and says itself what its data are; ",
+  refuse({{"--kind", kind}}, file + ": is no message; ", " is of a combined one");
+  if (of_kernel) {
+    refuse(only_of_orbits(orbit), file + ": is a kernel and says itself what its data are; ",
            " is of a table");
-    return is_orbit_message(words.file);
+    return {Kind::attitude};
   }
-  if (!orbit.position.empty() || !orbit.velocity.empty()) return true;
-  refuse({{"--unit", orbit.unit}}, words.file.string() + ": ",
-         " is of an orbit; missing: --position and --velocity");
-  return false;
+  if (has_two_lines(words.file)) return {Kind::elements};
+  if (!orbit.position.empty() || !orbit.velocity.empty()) return {Kind::orbit};
+  refuse({{"--unit", orbit.unit}}, file + ": ", " is of an orbit; missing: --position and --velocity");
+  return {Kind::attitude};
 }
 
 void refuse_orbit_words(const ConvertOptions& options) {

@@ -42,8 +42,16 @@ OrbitFile orbit_file(const AttitudeWords& words, const OrbitWords& orbit);
 ElementFile element_file(const AttitudeWords& words, const OrbitWords& orbit, ConvertOptions& options,
                          const MessageWords& message);
 
-/// What is to be converted: of a table, --position and --velocity say that it is an orbit.
-bool is_orbit(const AttitudeWords& words, const OrbitWords& orbit);
+/// What is to be converted, and what a combined message has besides, "OEM, 2 APM".
+struct Content {
+  enum class Kind { attitude, orbit, elements };
+  Kind kind;
+  std::string left_out{};
+};
+/// Of a table, --position and --velocity say that it is an orbit; of a combined message, `kind` or `out` says
+/// it. Throws BadInput as kind_to_convert(), and for an option that is not of such a file.
+Content content_of(const AttitudeWords& words, const OrbitWords& orbit, const std::string& kind,
+                   const std::filesystem::path& out);
 /// Throws BadInput for an orbit or an orientation, which only an attitude can need.
 void refuse_orbit_words(const ConvertOptions& options);
 /// Throws BadInput for an option that what is to be written has not.

@@ -2,8 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <sstream>
 #include <string>
+#include <vector>
 
+#include "sample_faults.hpp"
 #include "space/tests/files/daf_text.hpp"
 #include "space/tests/temporary_file.hpp"
 
@@ -61,6 +64,29 @@ TEST(AttitudeKernelRecord, HasTheRatesOfItsFrame) {
   ASSERT_EQ(rates("-152950000").size(), 2U);
   EXPECT_EQ(rates("-152950000").front(), Eigen::Vector3d(0.001, 0.002, 0.003));
   EXPECT_TRUE(rates("-152950001").empty());
+}
+
+// The second segment begins in the middle of the first one, and is turned from it.
+TEST(AttitudeKernelRecord, SaysWhatLaterSegmentsHide) {
+  constexpr double half = 5000.0;
+  DafTestArray later = segment(-152950000, false);
+  later.name = "LATER";
+  later.doubles = {first + half, last + half};
+  later.numbers = {0.8, 0.6, 0.0, 0.0, 0.8, 0.6, 0.0, 0.0, first + half, last + half, first + half, 1.0, 2.0};
+  const TemporaryFile file(daf_bytes("CK", {segment(-152950000, false), later}));
+  const auto record = read_kernel(file.path(), {.clock = clock_file}, {});
+  ASSERT_EQ(record.size(), 3U);
+  EXPECT_NEAR((record.times[1] - record.times[0]).value(), 5.0, 1e-6);  // s; a tick is 1e-3 s
+  EXPECT_DOUBLE_EQ(record.numbers[0][0], 1.0);
+  EXPECT_DOUBLE_EQ(record.numbers[1][0], 0.8);
+  EXPECT_EQ(record.interval_starts, (std::vector{record.times[0], record.times[1]}));
+  EXPECT_EQ(record.hidden_segments, "segment 1 'S' for 5 s");
+  std::ostringstream out;
+  write_samples(record, out);
+  EXPECT_NE(out.str().find("hidden by later segments of the kernel: segment 1 'S' for 5 s\n"),
+            std::string::npos);
+  const TemporaryFile one(daf_bytes("CK", {later}));
+  EXPECT_EQ(read_kernel(one.path(), {.clock = clock_file}, {}).hidden_segments, "");
 }
 
 }  // namespace

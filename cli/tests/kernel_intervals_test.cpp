@@ -42,8 +42,9 @@ TEST(KernelIntervals, AreSaid) {
   AttitudeRecord record = two_intervals();
   std::ostringstream out;
   write_samples(record, out);
-  EXPECT_TRUE(says(
-      out.str(), "1 step over which the kernel has no attitude, the end of an interval, first at sample 4"));
+  EXPECT_TRUE(says(out.str(),
+                   "1 step from one interval of the kernel to another, over which nothing is interpolated, "
+                   "first at sample 4"));
   record.interval_starts = {record.times[0]};
   EXPECT_EQ(faults_of(record).breaks.count, 0U);
 }

@@ -55,7 +55,6 @@ TEST_F(CombinedMessage, IsReadForTheOneMessageOfTheKindThatIsAskedFor) {
   for (const std::string& messages : {aem() + oem(), oem() + aem()}) {
     const auto both = file(messages);
     EXPECT_TRUE(is_message(both));
-    EXPECT_FALSE(is_orbit_message(both));  // what is converted is the attitude
     EXPECT_EQ(read_message(both, {}).body, "SC_BODY_1");
     EXPECT_EQ(read_orbit_message(both).segments()[0].ref_frame(), "ICRF");
     const auto t = Epoch::from_utc("2026-11-29T00:00:05");
@@ -63,7 +62,52 @@ TEST_F(CombinedMessage, IsReadForTheOneMessageOfTheKindThatIsAskedFor) {
         orbit_of_message(both, from_until(t, t + 1.0 * si::second), {Interpolation{"LAGRANGE", 2}});
     EXPECT_DOUBLE_EQ(orbit(t).position.coordinates().x(), 7e6);
   }
-  EXPECT_TRUE(is_orbit_message(file(oem())));
+}
+
+TEST_F(CombinedMessage, IsConvertedInOneKindThatIsStated) {
+  const auto found = [&](const std::string& messages, const char* stated, const char* out) {
+    const auto [kind, others] = kind_to_convert(file(messages), stated, out);
+    return kind + ", without " + others;
+  };
+  const auto refused = [&](const std::string& messages, const char* stated, const char* out) {
+    return refusal(messages, [&](const auto& path) { return kind_to_convert(path, stated, out); });
+  };
+  for (const char* const out : {"out.xml", "out.csv", "out.czml"}) {
+    EXPECT_EQ(refused(aem() + oem() + oem(), "", out),
+              "FILE: is a combined message; it has AEM, 2 OEM; missing: --kind aem|oem");
+    EXPECT_EQ(found(aem() + oem(), "oem", out), "oem, without AEM");
+    EXPECT_EQ(found(aem() + oem(), "aem", out), "aem, without OEM");
+    EXPECT_EQ(found(oem(), "", out), "oem, without ");
+  }
+  for (const char* const out : {"out.aem", "out.bc", "out.a"})
+    EXPECT_EQ(found(aem() + oem(), "", out), "aem, without OEM");
+  EXPECT_EQ(found(oem() + aem(), "", "out.oem"), "oem, without AEM");
+  EXPECT_EQ(refused(aem() + oem(), "omm", "out.omm"),
+            "FILE: is a combined message; it has AEM, OEM; --kind is omm");
+  EXPECT_EQ(refused("", "", "out.xml"), "FILE: is a combined message; it has nothing, none of AEM, OEM, OMM");
+}
+
+// It is said what reads them.
+TEST_F(CombinedMessage, IsNoMessageOfOneInstant) {
+  for (const auto& [kind, hint] :
+       {std::pair{"APM",
+                  "; an APM is an attitude at one instant, which no command takes; in C++ "
+                  "AttitudeParameterMessage reads it"},
+        {"OPM",
+         "; an OPM is an orbit at one instant, which no command takes; in C++ OrbitParameterMessage "
+         "reads it"},
+        {"TDM", ""}}) {
+    const auto one = folder.written("one.txt", "CCSDS_" + std::string(kind) + "_VERS = 2.0\n");
+    const std::string is = std::string("FILE: is a message of the kind ") + kind + ", not ";
+    EXPECT_EQ(complaint([&] { (void)kind_to_convert(one, "", "out.csv"); }, one),
+              is + "AEM or OEM or OMM" + hint);
+    EXPECT_EQ(complaint([&] { (void)read_attitude_message(one); }, one), is + "AEM" + hint);
+    EXPECT_EQ(complaint([&] { (void)read_orbit_message(one); }, one), is + "OEM" + hint);
+    EXPECT_EQ(complaint([&] { (void)read_mean_elements_messages(one); }, one), is + "OMM" + hint);
+  }
+  const auto aem_alone = folder.written("a.aem", "CCSDS_AEM_VERS = 2.0\n");
+  EXPECT_EQ(complaint([&] { (void)kind_to_convert(aem_alone, "aem", "out.csv"); }, aem_alone),
+            "FILE: is one message; --kind is of a combined one");
 }
 
 TEST_F(CombinedMessage, IsRefusedWithoutOrWithSeveral) {

@@ -107,6 +107,9 @@ TEST(ViewerText, AnOrbitOfCzml) {
 TEST(ViewerText, AMessageInXmlIsKnownByItsFirstElement) {
   TemporaryFolder folder;
   const std::string oem = "<!-- <aem> -->\n<ndm:oem xmlns:ndm=\"x\" version=\"2.0\"/>";
+  const auto is_orbit_message = [](const std::filesystem::path& file) {
+    return kind_to_convert(file, "", "out.a").kind == "oem";
+  };
   EXPECT_TRUE(is_message(folder.written("a", oem)) && is_orbit_message(folder.written("a", oem)));
   EXPECT_TRUE(is_orbit_message(folder.written("b", "<?xml version=\"1.0\"?><oem/>")));
   EXPECT_FALSE(is_orbit_message(folder.written("c", "<?xml version=\"1.0\"?>\n<aem>\n<oem/></aem>")));

@@ -131,10 +131,15 @@ TEST(Words, OfAnOrbitAreNotThoseOfAnAttitude) {
   TemporaryFolder folder;
   const auto csv = folder.written("t.csv", table), message = folder.written("a.aem", aem),
              orbit_message = folder.written("o.oem", oem);
+  const auto is_orbit = [](const AttitudeWords& words, const OrbitWords& of_orbit) {
+    return content_of(words, of_orbit, "", "out.csv").kind == Content::Kind::orbit;
+  };
   EXPECT_TRUE(is_orbit({csv}, orbit));
   EXPECT_FALSE(is_orbit({csv}, {}));
   EXPECT_FALSE(is_orbit({message}, {}));
   EXPECT_TRUE(is_orbit({orbit_message}, {}));
+  EXPECT_EQ(complaint([&] { (void)content_of({csv}, orbit, "oem", "out.csv"); }, csv),
+            "FILE: is no message; --kind is of a combined one");
   EXPECT_TRUE(is_orbit({folder.written("marked.oem", std::string("\xef\xbb\xbf") + oem)}, {}));
   // No message begins so, but it is none of a table either: its reader says what is wrong.
   EXPECT_FALSE(attitude_source({folder.written("c.aem", std::string("COMMENT first\n") + aem)}).columns);

@@ -178,7 +178,8 @@ void add_convert(CLI::App& app, ConvertWords& words) {
       "Exit code: 0, or 2 if the input is wrong; then nothing is written.\n\n"
       "  vectrix convert attitude.aem attitude.csv --frame GCRF");
   add_attitude(convert, words.attitude,
-               "CCSDS AEM, OEM or OMM (KVN or XML), a kernel of SPICE (CK), two-line elements, or a table "
+               "CCSDS AEM, OEM or OMM (KVN or XML, also in an NDM), a kernel of SPICE (CK), two-line "
+               "elements, or a table "
                "with a header line");
   Options output(convert);
   output
@@ -187,6 +188,9 @@ void add_convert(CLI::App& app, ConvertWords& words) {
            "a .bc for a kernel of SPICE (CK, with --sclk and --ck-frame), a .csv for a table, a .czml for "
            "Cesium, an attitude.a for STK")
       .required();
+  output.choose(
+      "--kind", words.kind, {"aem", "oem", "omm"},
+      "which message of a combined one (NDM), if the name of the file to be written does not say it");
   Options orbit(convert, "A table of an orbit");
   orbit.add("--position", words.orbit.position, three_columns, "x, y and z of the position");
   orbit.add("--velocity", words.orbit.velocity, three_columns, "x, y and z of the velocity");

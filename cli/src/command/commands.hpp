@@ -33,6 +33,7 @@ struct ConvertWords {
   AttitudeWords attitude;
   OrbitWords orbit;
   MessageWords message;
+  std::string kind;  // of a combined message
   ConvertOptions options;
 };
 

@@ -8,6 +8,7 @@
 #include <vectrix/frames/errors.hpp>
 
 #include "../time/date.hpp"
+#include "attitude_priority.hpp"
 #include "attitude_records.hpp"
 #include "frame_claim.hpp"
 #include "kernel_names.hpp"
@@ -116,8 +117,8 @@ TimeSpan AttitudeKernel::span() const {
   return from_until(start, end);
 }
 
-std::vector<std::size_t> AttitudeKernel::segments_of(const detail::FrameClaim& b,
-                                                     const detail::FrameClaim& a) const {
+std::vector<std::size_t> AttitudeKernel::segments_of(const detail::FrameClaim& b, const detail::FrameClaim& a,
+                                                     const TimeSpan& span) const {
   const std::int32_t frame = frames_.attitude_id_of(b), reference = frames_.id_of(a);
   std::vector<std::size_t> found;
   std::set<std::string> others;
@@ -137,6 +138,14 @@ std::vector<std::size_t> AttitudeKernel::segments_of(const detail::FrameClaim& b
                    ": it has " + list + "; asked for " + frames_.shown(frame) + " (" + b.type +
                    ") relative to " + frames_.shown(reference) + " (" + a.type + ")");
   }
+  const std::size_t first = found.front();
+  std::erase_if(found, [&](std::size_t i) {
+    return segments_[i].end < span.start() || span.end() < segments_[i].start;
+  });
+  if (found.empty())
+    throw BadInput(place_of(first) + ": it goes from " + detail::shown(segments_[first].start) + " to " +
+                   detail::shown(segments_[first].end) + "; asked for " + detail::shown(span.start()) +
+                   " to " + detail::shown(span.end()));
   return found;
 }
 
@@ -147,7 +156,6 @@ std::vector<detail::AttitudeRecords> AttitudeKernel::load(const std::vector<std:
     // Of instants outside the clock's time the segment has nothing.
     const AttitudeKernelSegment& segment = segments_[i];
     const DafFile::Array& array = file_.arrays()[i];
-    if (segment.end < span.start() || span.end() < segment.start) continue;
     if (!is_read_attitude(segment.type))
       throw BadInput(place_of(i) + ": it is of type " + detail::text(segment.type) +
                      "; the types 1, 2 and 3 are read");
@@ -155,18 +163,12 @@ std::vector<detail::AttitudeRecords> AttitudeKernel::load(const std::vector<std:
     const double last = segment.end <= span.end() ? array.doubles[1] : clock_.ticks(span.end()).count;
     all.emplace_back(place_of(i), file_, array, first, last, clock_.rounding(detail::trusted, last));
   }
-  if (all.empty()) {
-    const AttitudeKernelSegment& segment = segments_[segments.front()];
-    throw BadInput(place_of(segments.front()) + ": it goes from " + detail::shown(segment.start) + " to " +
-                   detail::shown(segment.end) + "; asked for " + detail::shown(span.start()) + " to " +
-                   detail::shown(span.end()));
-  }
   return all;
 }
 
 detail::KernelTurns AttitudeKernel::turns(const detail::FrameClaim& b, const detail::FrameClaim& a,
                                           const TimeSpan& span) const {
-  auto all = load(segments_of(b, a), span);
+  auto all = load(segments_of(b, a, span), span);
   for (const detail::AttitudeRecords& records : all) {
     if (records.type() == 1)
       throw BadInput(records.place() +
@@ -182,43 +184,27 @@ detail::KernelTurns AttitudeKernel::turns(const detail::FrameClaim& b, const det
 std::vector<detail::KernelAttitudeRecord> AttitudeKernel::records(const detail::FrameClaim& b,
                                                                   const detail::FrameClaim& a,
                                                                   const TimeSpan& span) const {
-  const auto all = load(segments_of(b, a), span);
-  std::vector<const detail::AttitudeRecords*> sorted;  // their addresses are in the order of the file
-  for (const detail::AttitudeRecords& segment : all) sorted.push_back(&segment);
-  std::stable_sort(sorted.begin(), sorted.end(),
-                   [](const auto* x, const auto* y) { return x->first() < y->first(); });
+  const auto all = load(segments_of(b, a, span), span);
   std::vector<detail::KernelAttitudeRecord> records;
-  const detail::AttitudeRecords* before = nullptr;
-  double last = 0.0;
-  for (const detail::AttitudeRecords* const one : sorted) {
-    const detail::AttitudeRecords& segment = *one;
-    const auto add = [&](double ticks, const Eigen::Quaterniond& q_a_from_b, std::size_t i, bool begins) {
-      const double rounding = clock_.rounding(detail::trusted, ticks);
-      if (ticks < segment.first() - rounding || ticks > segment.last() + rounding) return;
-      if (before && before != &segment && ticks == last) {  // where two meet, the last in the file counts
-        if (&segment < before) return;
-        begins = records.back().begins;
-        records.pop_back();
-      } else if (before && before != &segment && ticks < last) {
-        throw BadInput(segment.place() + ": it overlaps with another segment, " + before->place() +
-                       "; attitude() takes the last one");
-      }
-      records.push_back({clock_.epoch({ticks}), q_a_from_b,
-                         segment.has_rates() ? std::optional{segment.w_ab_a(i)} : std::nullopt, begins});
-      before = &segment;
-      last = ticks;
-    };
-    for (std::size_t i = 0; i < segment.size(); ++i) {
-      if (segment.type() == 2) {
-        for (const double ticks : segment.ticks_of_interval(i))
-          add(ticks, segment.at({i, ticks - segment.ticks(i)}, 0.0).q_a_from_b, i,
-              segment.begins(i) && ticks == segment.ticks(i));
-      } else {
-        add(segment.ticks(i), segment.q_a_from_b(i), i, segment.begins(i));
-      }
-    }
+  for (const detail::CountingRecord& one : detail::by_priority(all).records) {
+    const detail::AttitudeRecords& segment = *one.segment;
+    records.push_back({clock_.epoch({one.ticks}), one.q_a_from_b(),
+                       segment.has_rates() ? std::optional{segment.w_ab_a(one.record)} : std::nullopt,
+                       one.begins});
   }
   return records;
+}
+
+std::vector<HiddenAttitude> AttitudeKernel::hidden_of(const detail::FrameClaim& b,
+                                                      const detail::FrameClaim& a,
+                                                      const TimeSpan& span) const {
+  const auto segments = segments_of(b, a, span);
+  const auto all = load(segments, span);
+  std::vector<HiddenAttitude> hidden;
+  for (const detail::HiddenTicks& one : detail::by_priority(all).hidden)
+    hidden.push_back(
+        {segments[one.segment], from_until(clock_.epoch({one.ticks.from}), clock_.epoch({one.ticks.to}))});
+  return hidden;
 }
 
 detail::KernelAttitudeRecord AttitudeKernel::nearest(const detail::FrameClaim& b, const detail::FrameClaim& a,

@@ -209,6 +209,23 @@ std::vector<double> AttitudeRecords::ticks_of_interval(std::size_t i) const {
   return all;
 }
 
+std::vector<TickSpan> AttitudeRecords::intervals() const {
+  std::vector<TickSpan> all;
+  for (std::size_t i = 0; i < size(); ++i) {
+    const double end = layout_.type == 2 ? stops_[i] : ticks_[i];
+    if (i == 0 || begins(i)) {
+      all.push_back({ticks_[i], end});
+    } else {
+      all.back().to = end;
+    }
+  }
+  std::vector<TickSpan> within;
+  for (const TickSpan& span : all)
+    if (span.to >= first_ - rounding_ && span.from <= last_ + rounding_)
+      within.push_back({std::max(span.from, first_), std::min(span.to, last_)});
+  return within;
+}
+
 Eigen::Quaterniond AttitudeRecords::q_a_from_b(std::size_t i) const {
   // v^b = R(q) v^a. The norm is in the range of doubles, its square may not be.
   const double* const x = &records_[i * layout_.stride];

@@ -22,6 +22,11 @@ struct AttitudeLayout {
 /// Throws BadInput, which begins with `place`, if the counts do not fit the size of the segment.
 AttitudeLayout attitude_layout(const DafFile& file, const DafFile::Array& array, const std::string& place);
 
+/// From one instant to another, ticks.
+struct TickSpan {
+  double from, to;
+};
+
 /// The part of a segment that a span needs, checked.
 class AttitudeRecords {
  public:
@@ -34,6 +39,7 @@ class AttitudeRecords {
   [[nodiscard]] bool has_rates() const { return layout_.stride > 4; }
   [[nodiscard]] double first() const { return first_; }
   [[nodiscard]] double last() const { return last_; }
+  [[nodiscard]] double rounding() const { return rounding_; }
   [[nodiscard]] std::size_t size() const { return ticks_.size(); }
   [[nodiscard]] double ticks(std::size_t i) const { return ticks_[i]; }
 
@@ -44,6 +50,8 @@ class AttitudeRecords {
   /// Of type 2: the begin of an interval, its end if the next one does not begin there, and between them
   /// steps of at most a quarter of a turn.
   [[nodiscard]] std::vector<double> ticks_of_interval(std::size_t i) const;
+  /// The intervals, within first() and last(); of type 1 all from its first record to its last.
+  [[nodiscard]] std::vector<TickSpan> intervals() const;
   /// Where `ticks` is in an interval: the record before it, and the part of the way to the next, 0 to 1; of
   /// type 2 the ticks since the record. Nothing outside of the intervals.
   struct Place {

@@ -193,14 +193,6 @@ TEST(AttitudeKernel, TheLastSegmentThatKnowsAnInstantCounts) {
         << t;
     EXPECT_LT(first_body(narrow, wide, t).angularDistance(steady(t / 100.0).q), 1e-7) << t;
   }
-  const auto kernel = written({wide, narrow});
-  EXPECT_THROW(
-      static_cast<void>(kernel.samples(of<Body>, relative_to<Gcrf>, kernel.span(), called<Body>("-77001"))),
-      BadInput);
-  // Where one ends and the next begins they share an instant.
-  const auto joined = written(
-      {steady_segment("A", {0.0, 100.0}, true, {0.0}), steady_segment("B", {100.0, 200.0}, true, {100.0})});
-  EXPECT_EQ(joined.samples(of<Body>, relative_to<Gcrf>, joined.span(), called<Body>("-77001")).size(), 3U);
 }
 
 }  // namespace

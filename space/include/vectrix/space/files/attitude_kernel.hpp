@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -88,6 +89,12 @@ struct AttitudeKernelSegment {
   bool has_rates;
   Epoch start, end;
 };
+/// What of a segment, counted from 0, does not count: a later one in the file knows the attitude of that
+/// time.
+struct HiddenAttitude {
+  std::size_t segment;
+  TimeSpan span;
+};
 
 /// An attitude kernel of SPICE (CK) of the types 1, 2 and 3, binary in either byte order or as transfer file.
 ///     const auto clock = SpacecraftClock::read("ctim_clock.tsc", -152950);
@@ -127,7 +134,8 @@ class VECTRIX_EXPORT AttitudeKernel {
 
   /// The records of types 1 and 3 within the span, in the order of time. Of type 2, which has rotations at
   /// constant rate: the begin of each, its end if the next one does not begin there, and between them steps
-  /// of at most a quarter of a turn. BadInput if two segments overlap.
+  /// of at most a quarter of a turn. Where two segments know the attitude, those of the later one in the
+  /// file; one of type 1 counts from its first record to its last.
   template <Frame B, Frame A, class... Given>
   [[nodiscard]] detail::ClaimedPair<A, B, std::vector<AttitudeSample<A, B, Epoch>>, Given...> samples(
       Of<B>, RelativeTo<A>, const TimeSpan& span, const Given&... called) const {
@@ -157,8 +165,8 @@ class VECTRIX_EXPORT AttitudeKernel {
       Of<B>, RelativeTo<A>, const TimeSpan&, const Given&...) const
       -> detail::UnclaimedPair<A, B, Given...> = delete;
 
-  /// When intervals begin: the times of those samples to which nothing leads from the one before. Type 1 has
-  /// no intervals.
+  /// When intervals begin: the times of those samples to which nothing leads from the one before, within one
+  /// segment or to another one with the same attitude there. Type 1 has no intervals, but where it is hidden.
   template <Frame B, Frame A, class... Given>
   [[nodiscard]] detail::ClaimedPair<A, B, std::vector<Epoch>, Given...> interval_starts(
       Of<B>, RelativeTo<A>, const TimeSpan& span, const Given&... called) const {
@@ -171,6 +179,17 @@ class VECTRIX_EXPORT AttitudeKernel {
   template <class B, class A, class... Given>
   auto
   interval_starts(  // of<B>, relative_to<A>, span; if F has no standard name in a file: called<F>("NAME")
+      Of<B>, RelativeTo<A>, const TimeSpan&, const Given&...) const
+      -> detail::UnclaimedPair<A, B, Given...> = delete;
+
+  /// The stretches of segments whose samples do not count, in the order of the file.
+  template <Frame B, Frame A, class... Given>
+  [[nodiscard]] detail::ClaimedPair<A, B, std::vector<HiddenAttitude>, Given...> hidden(
+      Of<B>, RelativeTo<A>, const TimeSpan& span, const Given&... called) const {
+    return hidden_of(detail::claim_among<B>(called...), detail::claim_among<A>(called...), span);
+  }
+  template <class B, class A, class... Given>
+  auto hidden(  // of<B>, relative_to<A>, span; if F has no standard name in a file: called<F>("NAME")
       Of<B>, RelativeTo<A>, const TimeSpan&, const Given&...) const
       -> detail::UnclaimedPair<A, B, Given...> = delete;
 
@@ -200,9 +219,12 @@ class VECTRIX_EXPORT AttitudeKernel {
                                                      const Epoch& t,
                                                      const Quantity<si::time>& tolerance) const;
   [[nodiscard]] const Eigen::Vector3d& rate_of(const detail::KernelAttitudeRecord& record) const;
-  /// The segments of b relative to a, in the order of the file. BadInput if there are none.
-  [[nodiscard]] std::vector<std::size_t> segments_of(const detail::FrameClaim& b,
-                                                     const detail::FrameClaim& a) const;
+  [[nodiscard]] std::vector<HiddenAttitude> hidden_of(const detail::FrameClaim& b,
+                                                      const detail::FrameClaim& a,
+                                                      const TimeSpan& span) const;
+  /// The segments of b relative to a within the span, in the order of the file. BadInput if there are none.
+  [[nodiscard]] std::vector<std::size_t> segments_of(const detail::FrameClaim& b, const detail::FrameClaim& a,
+                                                     const TimeSpan& span) const;
   [[nodiscard]] std::vector<detail::AttitudeRecords> load(const std::vector<std::size_t>& segments,
                                                           const TimeSpan& span) const;
   [[nodiscard]] std::string place_of(std::size_t segment) const;
