@@ -103,7 +103,7 @@ OrbitNumbers moved_by_periapsis(const OrbitNumbers& start, const UniversalOrbit&
 }
 
 // Phi is symplectic: Phi^-1 = -J Phi^T J, J = [0 1; -1 0].
-StateTransition inverse(const StateTransition& Phi) {
+StateTransition symplectic_inverse(const StateTransition& Phi) {
   StateTransition result;
   result << Phi.bottomRightCorner<3, 3>().transpose(), -Phi.topRightCorner<3, 3>().transpose(),
       -Phi.bottomLeftCorner<3, 3>().transpose(), Phi.topLeftCorner<3, 3>().transpose();
@@ -115,7 +115,7 @@ StateTransition inverse(const StateTransition& Phi) {
 StateTransition inbound_transition(const OrbitNumbers& end, const UniversalOrbit& orbit, double dt) {
   StateTransition outbound;
   moved(end, universal_orbit(orbit.mu, orbit.beta, end), -dt, &outbound);
-  return inverse(outbound);
+  return symplectic_inverse(outbound);
 }
 
 }  // namespace
