@@ -59,6 +59,9 @@ Motion motion(const double* cell, double time) {
   return {low + square * upper, Numbers::Zero(), Numbers::Zero()};
 }
 
+// UT1-TAI may be that of EarthOrientation::unobserved over a long span.
+constexpr bool may_be_held = true;
+
 // At midnight, in days; and the locators, which the angle has in it.
 struct Midnight {
   Node node;
@@ -67,7 +70,7 @@ struct Midnight {
 };
 Midnight midnight(const Epoch& epoch, const Eigen::Matrix<double, 5, 3>& observed) {
   const JulianDate tt = epoch.tt_date();
-  const JulianDate ut1 = epoch.julian_date(scale::Ut1::minus_tai(observed(2, 0) * si::second));
+  const JulianDate ut1 = detail::ut1_date(epoch, observed(2, 0) * si::second, may_be_held);
   const auto [X, Y, s] = detail::celestial_pole(tt);
   const double turned = eraSp00(tt.day, tt.fraction);  // changes by 1e-19 rad/s
   const double rate = detail::earth_rotation_rate, sidereal = detail::sidereal_rate(ut1);
@@ -187,7 +190,7 @@ EarthMotion::EarthMotion(const EarthOrientation& orientation, const TimeSpan& sp
     : span_(span), first_day_(span.start().tai().day), cells_of_a_day_(with_tides ? 16 : 1) {
   for (const Epoch& end : {span.start(), span.end()}) {
     orientation.require(end);
-    detail::ut1_date(end, orientation.curves(end)(2, 0) * si::second);  // throws
+    detail::ut1_date(end, orientation.curves(end)(2, 0) * si::second, may_be_held);  // throws
   }
   const auto days = static_cast<std::size_t>(span.end().tai().day - first_day_) + 1;
   std::vector<double> cells(days * static_cast<std::size_t>(cells_of_a_day_ * cell_size));

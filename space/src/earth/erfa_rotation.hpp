@@ -19,11 +19,14 @@ inline RowMajor matrix_of(const Rows& rows) {
 }
 
 /// Throws BadInput if UT1-TAI is none; see ut1_fault.
-inline JulianDate<scale::Ut1> ut1_date(const Epoch& epoch, const Quantity<si::time>& ut1_minus_tai) {
+inline JulianDate<scale::Ut1> ut1_date(const Epoch& epoch, const Quantity<si::time>& ut1_minus_tai,
+                                       bool held_for_years = false) {
   const auto& tai = epoch.tai();
-  if (const auto fault = ut1_fault({tai.day, tai.fraction}, ut1_minus_tai.value()); !fault.empty())
+  const double difference = ut1_minus_tai.value();
+  if (const auto fault = ut1_fault({tai.day, tai.fraction}, difference, held_for_years); !fault.empty())
     throw BadInput("Earth orientation at " + epoch.utc() + " UTC: " + fault);
-  return epoch.julian_date(scale::Ut1::minus_tai(ut1_minus_tai));
+  const Date ut1 = normalised(tai.day, tai.fraction + difference / ERFA_DAYSEC);
+  return {ut1.day, ut1.fraction, scale::Ut1::minus_tai(ut1_minus_tai)};
 }
 
 /// A hundred times what has been observed of x, y, dX and dY: in other units they would be more.

@@ -26,6 +26,10 @@ constexpr std::array<Field, 5> parameter_fields{
 // table lacks.
 constexpr Quantity<si::time> largest_change_in_a_day = 0.01 * si::second;
 
+// Arcseconds. No row of finals2000A, from 1973 to 2026, differs from the row before by more than 0.0054 in x
+// and 0.0046 in y.
+constexpr double largest_change_of_pole = 0.015;
+
 // From 1979 to 1990 both kinds of offsets may be as small as the errors of that time. Of the square sums of
 // any four neighbouring rows of finals2000A, shifted by what makes them those of finals.all, the ratio is
 // 0.014 at least.
@@ -84,9 +88,11 @@ class Finals2000AReader {
     return value;
   }
 
-  void row(const std::string& line) {
+  // Without a line end, a line is whole if it has all columns that are read.
+  void row(const std::string& line, bool has_end) {
     ++line_;
     if (line.starts_with('#')) return;
+    if (!has_end && line.size() < parameter_fields.back().last) fail(truncated);
     const auto day = number(line, mjd);
     if (!day) fail(mjd, "the field is blank");
     if (*day != std::floor(*day) || std::abs(*day) > 1e6) fail(mjd, text(*day) + " is not a whole day");
@@ -130,17 +136,38 @@ class Finals2000AReader {
     }
   }
 
+  [[nodiscard]] Epoch midnight(int day) const {
+    try {
+      return Epoch::from_utc_mjd(day);
+    } catch (const BadInput& error) {
+      fail(mjd, error.what());
+    }
+  }
+
+  void require_small_change_of_pole(const std::array<double, parameter_fields.size()>& found) const {
+    for (const std::size_t i : {0U, 1U}) {
+      const double change = 1e-6 * std::round(1e6 * (found[i] - pole_before_[i]));  // as it is written
+      if (std::abs(change) > largest_change_of_pole) {
+        fail(parameter_fields[i], text(found[i]) + " arcsec changes by " + text(change) +
+                                      " from the row before; the pole moves by at most " +
+                                      text(largest_change_of_pole) + " in a day");
+      }
+    }
+  }
+
   void add(int day, const std::array<double, parameter_fields.size()>& found) {
-    const Epoch epoch = Epoch::from_utc_mjd(day);
+    const Epoch epoch = midnight(day);
     const auto arcseconds = [](double angle) { return convert<si::angle>(angle * si::arcsecond); };
     const auto ut1_minus_tai = found[2] * si::second - epoch.tai_minus_utc();
     if (!rows_.empty()) {
+      require_small_change_of_pole(found);
       const auto change = ut1_minus_tai - rows_.back().ut1_minus_tai;
       if (std::abs(change.value()) > largest_change_in_a_day.value()) {
         fail(parameter_fields[2], std::string{"UT1-TAI changes by "} + text(change.value()) +
                                       " s in a day; is there a leap second missing?");
       }
     }
+    pole_before_ = {found[0], found[1]};
     days_.push_back({day, line_, {found[3], found[4]}});
     epochs_.push_back(epoch);
     EarthOrientationParameters row{};
@@ -227,6 +254,7 @@ class Finals2000AReader {
   std::optional<double> last_day_;
   std::size_t incomplete_line_ = 0;
   const Field* incomplete_field_ = nullptr;
+  std::array<double, 2> pole_before_{};
   std::vector<Day> days_;
   std::vector<Epoch> epochs_;
   std::vector<EarthOrientationParameters> rows_;
@@ -239,8 +267,9 @@ std::pair<std::vector<Epoch>, std::vector<EarthOrientationParameters>> read_fina
   Finals2000AReader reader{file, offsets_are_from_iau_2006};
   const auto content = read_lines(file);
   if (!content) reader.fail("cannot be read");
-  for (const std::string& line : content->lines) reader.row(line);
-  if (!content->whole) reader.fail(truncated);
+  for (std::size_t i = 0; i < content->lines.size(); ++i) {
+    reader.row(content->lines[i], content->whole || i + 1 < content->lines.size());
+  }
   return reader.result();
 }
 

@@ -15,6 +15,12 @@
 namespace vectrix::detail {
 namespace {
 
+// Around the -4.8416e-4 of the Earth, with and without the permanent tide, which makes 4e-9, and of all
+// years. Without normalization it is 5^1/2 times as much.
+constexpr double least_oblateness = -4.85e-4, most_oblateness = -4.83e-4;
+// By 0.1 m from the centre of mass: C10 = z/(3^1/2 a). The motion of the geocentre is a tenth of that.
+constexpr double largest_of_degree_1 = 1e-8;
+
 std::vector<std::string> words_of(const std::string& line) {
   std::istringstream in(line);
   std::vector<std::string> words;
@@ -33,6 +39,8 @@ class IcgemReader {
     bool in_head = true;
     for (const std::string& line : content->lines) {
       ++line_;
+      const bool has_end = content->whole || line_ < content->lines.size();
+      if (!has_end && !ends_with_its_line(line, line_ > 1 ? content->lines[line_ - 2] : "")) fail(truncated);
       const std::vector<std::string> words = words_of(line);
       if (words.empty()) continue;
       if (!in_head) {
@@ -45,11 +53,18 @@ class IcgemReader {
       }
     }
     if (in_head) fail("there is no end_of_head");
-    if (!content->whole) fail(truncated);
     return {*mu_, *radius_, all_coefficients()};
   }
 
  private:
+  // A line without a line end is whole if its end is no digit of S, which is read, but the last of the errors
+  // that the line before has too.
+  [[nodiscard]] static bool ends_with_its_line(const std::string& line, const std::string& before) {
+    constexpr std::size_t up_to_S = 5;
+    const std::size_t words = words_of(line).size();
+    return words > up_to_S && words == words_of(before).size();
+  }
+
   [[noreturn]] void fail(const std::string& reason) const {
     throw BadInput("Gravity field " + file_.string() + (line_ > 0 ? ", line " + text(line_) : "") + ": " +
                    reason);
@@ -127,6 +142,14 @@ class IcgemReader {
     if (n == 0 && !(C > 0.999 && C < 1.001)) fail("C of degree 0 is " + text(C) + ", not 1");
     if (n > 0 && !(std::abs(C) < 1.0 && std::abs(S) < 1.0)) {
       fail("the coefficients " + text(C) + " and " + text(S) + " of degree " + text(n) + " are not below 1");
+    }
+    if (n == 2 && m == 0 && !(C >= least_oblateness && C <= most_oblateness)) {
+      fail("C of degree 2 and order 0 is " + text(C) + ", that of the Earth, fully normalized, is from " +
+           text(least_oblateness) + " to " + text(most_oblateness));
+    }
+    if (n == 1 && !(std::abs(C) <= largest_of_degree_1 && std::abs(S) <= largest_of_degree_1)) {
+      fail("the coefficients " + text(C) + " and " + text(S) + " of degree 1 are more than " +
+           text(largest_of_degree_1) + ": the origin is not the centre of mass");
     }
     if (n > degree_) return;
     if (!found_.insert({{n, m}, {C, S}}).second) {

@@ -12,7 +12,8 @@ struct Conic {
   Eigen::Vector3d normal;
   double e_cos_nu, e_sin_nu;
 };
-/// Throws BadInput if mu is not positive or the motion has no plane.
+/// Throws BadInput if mu is not positive, the motion has no plane, or p/r is so small that the elements would
+/// not give r back.
 Conic conic_of(const Caller& name, double mu, const OrbitNumbers& orbit);
 
 /// The motion r = radius (cosine P + sine Q), v = (mu/p)^1/2 (x P + y Q) in the plane of the unit vectors P

@@ -80,17 +80,19 @@ OrbitNumbers moved(const OrbitNumbers& start, const UniversalOrbit& orbit, doubl
   return {end.f * start.r + end.g * start.v, end.fdot * start.r + end.gdot * start.v};
 }
 
-// Past the periapsis of a hyperbola, in the axes P to periapsis and Q along the velocity there:
+// To or past the periapsis of a hyperbola, in the axes P to periapsis and Q along the velocity there:
 //     r = (q - mu G_2) P + h G_1 Q,  v = (-mu G_1 P + (1 - beta G_2) h Q)/|r|,  |r| = q + mu e G_2
 // Without a difference that cancels, where f and g would be as large as r^2.
-OrbitNumbers moved_past_periapsis(const OrbitNumbers& start, const UniversalOrbit& orbit, double dt) {
+OrbitNumbers moved_by_periapsis(const OrbitNumbers& start, const UniversalOrbit& orbit, double dt) {
   const double mu = orbit.mu, beta = orbit.beta, h2 = orbit.h2, h = std::sqrt(h2);
   const double e = std::sqrt(1.0 - beta * h2 / (mu * mu)), q = h2 / (mu * (1.0 + e));
   const UniversalOrbit from_periapsis{mu, q, 0.0, beta, mu * e, h2};
-  const double root = std::sqrt(-beta), s_start = std::asinh(orbit.eta * root / (mu * e)) / root;
-  const auto at_start = universal_functions(beta, s_start);
-  const double since_periapsis = q * s_start + mu * e * at_start.G3;
-  const double x = q - mu * at_start.G2, y = h * at_start.G1, size = std::hypot(x, y);
+  // e sinh F = r . v (-beta)^1/2/mu. Where F is small, e sinh F - F by G_3.
+  const double root = std::sqrt(-beta), e_sinh = orbit.eta * root / mu, F = std::asinh(e_sinh / e);
+  const double since_periapsis = std::abs(F) > 1.0
+                                     ? mu * (e_sinh - F) / (-beta * root)
+                                     : (q * F + mu * e * universal_functions(-1.0, F).G3 / -beta) / root;
+  const double x = (h2 / mu - orbit.r) / e, y = h * orbit.eta / (mu * e), size = std::hypot(x, y);
   const Eigen::Vector3d radial = start.r / orbit.r;
   const Eigen::Vector3d across = start.r.cross(start.v).cross(radial) / h;
   const Eigen::Vector3d P = (x * radial - y * across) / size, Q = (y * radial + x * across) / size;
@@ -98,6 +100,22 @@ OrbitNumbers moved_past_periapsis(const OrbitNumbers& start, const UniversalOrbi
   const auto G = universal_functions(beta, universal_anomaly(from_periapsis, dt + since_periapsis));
   const double r = q + mu * e * G.G2;
   return {(q - mu * G.G2) * P + h * G.G1 * Q, -mu * G.G1 / r * P + (1.0 - beta * G.G2) * h / r * Q};
+}
+
+// Phi is symplectic: Phi^-1 = -J Phi^T J, J = [0 1; -1 0].
+StateTransition symplectic_inverse(const StateTransition& Phi) {
+  StateTransition result;
+  result << Phi.bottomRightCorner<3, 3>().transpose(), -Phi.topRightCorner<3, 3>().transpose(),
+      -Phi.bottomLeftCorner<3, 3>().transpose(), Phi.topLeftCorner<3, 3>().transpose();
+  return result;
+}
+
+// The transition from start to end, a time dt later on the same orbit, by the way outbound from end: inbound
+// its terms would cancel.
+StateTransition inbound_transition(const OrbitNumbers& end, const UniversalOrbit& orbit, double dt) {
+  StateTransition outbound;
+  moved(end, universal_orbit(orbit.mu, orbit.beta, end), -dt, &outbound);
+  return symplectic_inverse(outbound);
 }
 
 }  // namespace
@@ -117,13 +135,14 @@ OrbitNumbers propagated(const Caller& name, double mu, const OrbitNumbers& start
                    text(period_of(orbit)) + " s");
   OrbitNumbers end;
   const double to_periapsis = orbit.beta < 0.0 && orbit.h2 > 0.0 ? -time_since_periapsis(orbit) : 0.0;
-  if (to_periapsis * dt > 0.0 && std::abs(to_periapsis) < std::abs(dt)) {
-    end = moved_past_periapsis(start, orbit, dt);
-    if (transition) {
-      const OrbitNumbers periapsis = moved(start, orbit, to_periapsis, transition);
-      StateTransition second;
-      moved(periapsis, universal_orbit(mu, orbit.beta, periapsis), dt - to_periapsis, &second);
-      *transition = second * *transition;
+  if (to_periapsis * dt > 0.0 && std::abs(to_periapsis) < 2.0 * std::abs(dt)) {
+    end = moved_by_periapsis(start, orbit, dt);
+    if (transition && std::abs(dt) <= std::abs(to_periapsis)) {
+      *transition = inbound_transition(end, orbit, dt);
+    } else if (transition) {
+      const OrbitNumbers periapsis = moved_by_periapsis(start, orbit, to_periapsis);
+      moved(periapsis, universal_orbit(mu, orbit.beta, periapsis), dt - to_periapsis, transition);
+      *transition *= inbound_transition(periapsis, orbit, to_periapsis);
     }
   } else {
     end = moved(start, orbit, dt, transition);

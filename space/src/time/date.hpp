@@ -28,10 +28,11 @@ bool has_whole_day(const TimeScale& scale, double day);
 /// The date in the scale of an instant of TAI.
 Date date_of(const TimeScale& scale, const Date& tai);
 bool before_utc(const Date& tai);
-/// What is wrong with UT1-TAI, s; empty if nothing. Since 1972 leap seconds keep UT1-UTC within 0.9 s, so
-/// that UT1-UTC in its place, or nothing, is off by 10 s or more. In the future of the table some seconds may
-/// be missing.
-std::string ut1_fault(const Date& tai, double ut1_minus_tai);
+/// What is wrong with UT1-TAI, s; empty if nothing. Since 1972 leap seconds keep UT1-UTC within 0.9 s. Where
+/// they are known it may have 1.1 s, so that one second too many is refused, and 0 for a UT1-UTC that is not
+/// known may cross one leap second. In the future of the table some may be missing: there, and if
+/// `held_for_years`, it may have 5 s.
+std::string ut1_fault(const Date& tai, double ut1_minus_tai, bool held_for_years = false);
 /// TAI - UTC, s, at a date of UTC.
 double tai_minus_utc(const Date& utc);
 /// Throws BadInput, which begins with `what`, before 1960.

@@ -1,4 +1,5 @@
 #include <erfa.h>
+#include <erfaextra.h>
 #include <erfam.h>
 
 #include <cmath>
@@ -43,6 +44,25 @@ bool in_leap_second(const Date& utc) {
   constexpr double clock_rounding = 1e-10;  // s
   const UtcDay day = utc_day(utc.day);
   return day.step > 0.0 && utc.fraction * day.length() > ERFA_DAYSEC - clock_rounding;
+}
+
+// The year of the release of ERFA: eraDat doubts dates more than five years later.
+int erfa_release() {
+  constexpr int trusted = 5, last_row = 2017, far = 2100;
+  double seconds = 0.0;
+  int year = last_row;
+  while (year < far && eraDat(year + trusted + 1, 1, 1, 0.0, &seconds) == 0) ++year;
+  return year;
+}
+
+// The table has all leap seconds until its last one, and until the release of ERFA.
+bool leap_seconds_are_known(const Date& utc) {
+  static const int release = erfa_release();
+  eraLEAPSECOND* rows = nullptr;
+  const int count = eraGetLeapSeconds(&rows);
+  const eraLEAPSECOND& last = rows[count - 1];
+  const Calendar on = calendar_of(utc.day);
+  return on.year < release || 12 * on.year + on.month < 12 * last.iyear + last.month;
 }
 
 // TDB - TT, s, at the centre of the Earth. The date may be in either.
@@ -133,14 +153,18 @@ bool before_utc(const Date& tai) {
   return tai < first;
 }
 
-std::string ut1_fault(const Date& tai, double ut1_minus_tai) {
+std::string ut1_fault(const Date& tai, double ut1_minus_tai, bool held_for_years) {
   static const Date leap_seconds_begin = tai_of_utc({2441317.5, 0.0}, "1972 January 1");
-  constexpr double largest_ut1_minus_utc = 5.0;  // s
+  constexpr double of_one_source = 1.1, of_many_leap_seconds = 5.0;  // s
   if (tai < leap_seconds_begin) return {};
-  const double ut1_minus_utc = ut1_minus_tai + tai_minus_utc(utc_of(tai));
-  if (std::abs(ut1_minus_utc) <= largest_ut1_minus_utc) return {};
+  const Date utc = utc_of(tai);
+  const double ut1_minus_utc = ut1_minus_tai + tai_minus_utc(utc);
+  const bool is_wide = held_for_years || !leap_seconds_are_known(utc);
+  const double largest = is_wide ? of_many_leap_seconds : of_one_source;
+  if (std::abs(ut1_minus_utc) <= largest) return {};
   return "UT1-TAI is " + text(ut1_minus_tai) + " s, so UT1-UTC " + text(ut1_minus_utc) +
-         " s, which must be less than 0.9 s; UT1-TAI = (UT1-UTC) - (TAI-UTC)";
+         " s; it must be within " + text(largest) + " s (UTC keeps it below 0.9 s" +
+         (is_wide ? ", leap seconds may be missing" : "") + "); UT1-TAI = (UT1-UTC) - (TAI-UTC)";
 }
 
 double tai_minus_utc(const Date& utc) {

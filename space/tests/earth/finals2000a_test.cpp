@@ -120,9 +120,39 @@ TEST_F(Finals2000A, AJumpOfTheOffsetsIsRefused) {
   EXPECT_EQ(refusal(), "nothing was thrown");
 }
 
+// A digit of x or y that was damaged moves the ground: 3 arcsec by 93 m.
+TEST_F(Finals2000A, AJumpOfThePoleIsRefused) {
+  const auto whole = lines;
+  write(4, 19, " 3");
+  const auto said = refusal();
+  EXPECT_TRUE(said.starts_with("Earth orientation FILE, line 4: columns 19-27 (x): 3")) << said;
+  EXPECT_TRUE(said.ends_with(" from the row before; the pole moves by at most 0.015 in a day")) << said;
+  // From one row to the next it moves by less than 2 milliarcsec in this file.
+  const auto moved = [&](std::size_t line, std::size_t column, double by) {
+    lines = whole;
+    std::ostringstream number;
+    number << std::fixed << std::setprecision(6) << std::setw(9)
+           << std::stod(lines[line - 1].substr(column - 1, 9)) + by;
+    write(line, column, number.str());
+    return refusal();
+  };
+  EXPECT_NE(moved(1, 19, 0.02).find("line 2: columns 19-27 (x): "), std::string::npos);
+  EXPECT_NE(moved(7, 38, -0.02).find("line 7: columns 38-46 (y): "), std::string::npos);
+  EXPECT_EQ(moved(7, 38, -0.01), "nothing was thrown");  // unusual, not impossible
+}
+
+// As where the lines of an excerpt lost their first character.
+TEST_F(Finals2000A, ADayBeforeUtcIsRefusedWithItsLine) {
+  int day = 9680;
+  for (auto& line : lines) line.replace(7, 8, " " + std::to_string(day++) + ".00");
+  EXPECT_EQ(refusal(),
+            "Earth orientation FILE, line 1: columns 8-15 (MJD): Epoch::from_utc_mjd(9680, 0): UTC is "
+            "not known before 1960");
+}
+
 // Rows on a cubic, to the microarcsecond of the file, give the cubic, also in the first day and the last.
 TEST_F(Finals2000A, RowsOnACubicGiveTheCubic) {
-  const auto pole = [](double day) { return 0.05 + day * (0.02 + day * (-0.005 + day * 0.0008)); };
+  const auto pole = [](double day) { return 0.05 + day * (0.004 + day * (-0.001 + day * 0.00016)); };
   for (std::size_t i = 0; i < lines.size(); ++i) {
     std::ostringstream field;
     field << std::fixed << std::setprecision(6) << std::setw(9) << pole(static_cast<double>(i));
@@ -216,6 +246,13 @@ TEST_F(Finals2000A, RefusesATruncatedFile) {
   const std::string whole = content();
   EXPECT_EQ(refusal(whole.substr(0, whole.size() - 100)),
             "Earth orientation FILE, line 7: the file stops within this line; it was truncated");
+  // Columns 117 to 125 are the last that are read.
+  const auto cut_after = [&](std::size_t column) {
+    return refusal(whole.substr(0, whole.size() - lines.back().size() - 1 + column));
+  };
+  EXPECT_EQ(cut_after(124),
+            "Earth orientation FILE, line 7: the file stops within this line; it was truncated");
+  EXPECT_EQ(cut_after(125), "nothing was thrown");
 }
 
 }  // namespace

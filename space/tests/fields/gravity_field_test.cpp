@@ -32,7 +32,7 @@ struct Model {
         if (n < 2) {
           coefficients.push_back({n == 0 ? 1.0 : 0.0, 0.0});
         } else {
-          const double C = number(random), S = number(random);
+          const double C = n == 2 && m == 0 ? -4.8416e-4 : number(random), S = number(random);
           coefficients.push_back({C, m == 0 ? 0.0 : S});
         }
       }
@@ -226,6 +226,22 @@ TEST(GravityField, RefusesWrongFilesWithTheLine) {
             ", line 6: the radius is 6378.1363, that of the Earth is from 6350000 to 6390000 m");
   EXPECT_EQ(refusal(with(good, "radius ", "radius 6378136.3\nradius "), 3), ", line 7: radius stands twice");
   EXPECT_EQ(refusal(with(good, "product_type", "a product"), 3), ", line 9: the head has no product_type");
+  // Not the Earth's: of wrong sign, not normalized, not about the centre of mass.
+  for (const char* oblateness : {"4.84165e-4", "-1.0826e-3"}) {
+    EXPECT_EQ(refusal(with(good, "gfc 2 0 ", std::string{"gfc 2 0 "} + oblateness + " 0 "), 0).substr(0, 14),
+              ", line 13: C o")
+        << oblateness;
+  }
+  EXPECT_EQ(
+      refusal(with(good, "gfc 2 0 ", "gfc 2 0 -1.0826e-3 0 "), 3),
+      ", line 13: C of degree 2 and order 0 is -0.0010826, that of the Earth, fully normalized, is from "
+      "-0.000485 to -0.000483");
+  EXPECT_EQ(
+      refusal(with(good, "gfc 1 0 ", "gfc 1 0 0.1 0 "), 3),
+      ", line 11: the coefficients 0.1 and 0 of degree 1 are more than 1e-08: the origin is not the centre "
+      "of mass");
+  EXPECT_EQ(refusal(with(good, "gfc 1 1 ", "gfc 1 1 0 -2e-8 "), 3).substr(0, 28),
+            ", line 12: the coefficients ");
   EXPECT_EQ(refusal(with(good, "gfc 2 0 ", "gfc 2 0 9e305 0 "), 3),
             ", line 13: the coefficients 9e+305 and 0 of degree 2 are not below 1");
   EXPECT_EQ(refusal(with(good, "end_of_head", "end"), 3), ", line 19: there is no end_of_head");
@@ -236,8 +252,11 @@ TEST(GravityField, RefusesWrongFilesWithTheLine) {
   EXPECT_EQ(refusal(with(good, "gfc 3 3", "gfc 4 3"), 3), ", line 19: the degree 4 exceeds max_degree");
   EXPECT_EQ(refusal(good.substr(0, good.find("gfc 3 1")), 3),
             ": the coefficients of degree 3 and order 1 are missing");
-  EXPECT_EQ(refusal(good.substr(0, good.size() - 3), 3),
-            ", line 19: the file stops within this line; it was truncated");
+  // The last line, "gfc 3 3 C S 0 0", may lack its line end alone.
+  const std::string cut = ", line 19: the file stops within this line; it was truncated";
+  EXPECT_EQ(refusal(good.substr(0, good.size() - 1), 3), "nothing was thrown");
+  EXPECT_EQ(refusal(good.substr(0, good.size() - 3), 3), cut);
+  EXPECT_EQ(refusal(good.substr(0, good.size() - 6), 3), cut);
   EXPECT_EQ(refusal(with(good, "gfc 2 0 ", "gfc 2 0 x"), 3).substr(0, 13), ", line 13: 'x");
   EXPECT_EQ(refusal(with(good, "gfc 2 0 ", "gfc 2 0 nan "), 3), ", line 13: 'nan' is not a finite number");
   EXPECT_EQ(refusal("", 3), ": there is no end_of_head");

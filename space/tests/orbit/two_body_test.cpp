@@ -16,6 +16,7 @@ namespace {
 
 using Eigen::Vector3d;
 using Vector6 = Eigen::Matrix<double, 6, 1>;
+using StateTransition = Eigen::Matrix<double, 6, 6>;
 
 struct Gcrf : inertial_frame {};
 struct Ship : moving_frame {};
@@ -44,7 +45,7 @@ constexpr double times_sensitivity = 2.0;
 TEST(TwoBody, SixtyDigits) {
   const auto table = CsvTable::read(VECTRIX_SOURCE_DIR "/space/tests/data/two_body_60_digits.csv",
                                     {"e", "mu", "x", "dt", "end_x", "end_vx", "sens_r", "sens_v"});
-  ASSERT_EQ(table.rows(), 72u);
+  ASSERT_EQ(table.rows(), 84u);
   for (std::size_t i = 0; i < table.rows(); ++i) {
     const auto at = [&](const char* column) { return table.number(i, column); };
     const Orbit end =
@@ -135,6 +136,27 @@ TEST(TwoBody, TransitionIsTheDerivative) {
       EXPECT_LE((Phi.col(k) - difference).norm(), difference_tolerance * (1.0 + Phi.squaredNorm()))
           << "column " << k << ", dt " << dt;
     }
+  }
+}
+
+// Far out on a hyperbola and back: the way back has the inverse matrix. Rounding far away, epsilon T, acts
+// near periapsis over the distance 1, and as much on the matrix; some of its terms are ten times as large.
+TEST(TwoBody, TheWayBackFromFarHasTheInverseTransition) {
+  constexpr double T = 1e6, inverse_tolerance = 100 * epsilon * T;
+  Vector6 near_periapsis;
+  near_periapsis << 1.0, 0.0, 0.0, 0.1, 1.6, 0.4;
+  for (const double before : {0.0, -1.0, 0.5}) {
+    const Orbit start = two_body(unit_mu, orbit(near_periapsis), before * si::second);
+    const auto [far, out] = two_body_transition(unit_mu, start, T * si::second);
+    const auto [end, back] = two_body_transition(unit_mu, far, -T * si::second);
+    EXPECT_LE((numbers(end) - numbers(start)).norm(), inverse_tolerance) << before;
+    const auto inverse_of = [](const StateTransition& Phi) {
+      StateTransition result;
+      result << Phi.bottomRightCorner<3, 3>().transpose(), -Phi.topRightCorner<3, 3>().transpose(),
+          -Phi.bottomLeftCorner<3, 3>().transpose(), Phi.topLeftCorner<3, 3>().transpose();
+      return result;
+    };
+    EXPECT_LE((back - inverse_of(out)).norm(), inverse_tolerance * out.norm()) << before;
   }
 }
 

@@ -82,6 +82,11 @@ TEST_F(LeapSeconds, FromTheFileOfTheIers) {
             "leap seconds FILE, line 2, column 34: five numbers are expected");
   EXPECT_EQ(refusal("    41317.0    1  1 1972       10"),
             "leap seconds FILE, line 2: the file stops within this line; it was truncated");
+  // One second from the row before, it is whole.
+  const std::string first = "    41317.0    1  1 1972       10\n", next = "    41499.0    1  7 1972       11";
+  EXPECT_EQ(refusal(first + next), "nothing was thrown");
+  EXPECT_EQ(refusal(first + next.substr(0, next.size() - 1)),
+            "leap seconds FILE, line 3: the file stops within this line; it was truncated");
   EXPECT_EQ(refusal(""), "leap seconds FILE: there are no rows");
   const TemporaryFile empty("");
   EXPECT_EQ(complaint([&] { (void)read_leap_seconds(empty.path()); }, empty.path()),

@@ -234,23 +234,31 @@ TEST(TimeScale, Ut1OfAnotherSourceIsRefused) {
 // UT1-UTC for UT1-TAI is 37 s off, and says so in every way in and out.
 TEST(TimeScale, Ut1MinusUtcGivenAsUt1MinusTaiIsRefused) {
   const auto wrong = scale::Ut1::minus_tai(-0.1 * si::second);
-  const auto t = Epoch::from_utc("2022-04-14T10:22:11");
+  const auto t = Epoch::from_utc("2018-04-14T10:22:11");
   const std::string reason =
-      "UT1-TAI is -0.1 s, so UT1-UTC 36.9 s, which must be less than 0.9 s; UT1-TAI = (UT1-UTC) - (TAI-UTC)";
-  EXPECT_EQ(complaint([&] { Epoch::from(wrong, "2022-04-14T10:22:11.4"); }),
-            "epoch '2022-04-14T10:22:11.4' in UT1: " + reason);
+      "UT1-TAI is -0.1 s, so UT1-UTC 36.9 s; it must be within 1.1 s (UTC keeps it below 0.9 s); UT1-TAI = "
+      "(UT1-UTC) - (TAI-UTC)";
+  EXPECT_EQ(complaint([&] { Epoch::from(wrong, "2018-04-14T10:22:11.4"); }),
+            "epoch '2018-04-14T10:22:11.4' in UT1: " + reason);
   EXPECT_EQ(complaint([&] {
-              Epoch::from_julian_date(JulianDate<scale::Ut1>{2459683.5, 0.25, wrong});
+              Epoch::from_julian_date(JulianDate<scale::Ut1>{2458222.5, 0.25, wrong});
             }),
-            "Julian date 2459683.5 + 0.25 in UT1: " + reason);
-  EXPECT_EQ(complaint([&] { (void)t.text(wrong); }), "Epoch 2022-04-14T10:22:48.000000 TAI: " + reason);
+            "Julian date 2458222.5 + 0.25 in UT1: " + reason);
+  EXPECT_EQ(complaint([&] { (void)t.text(wrong); }), "Epoch 2018-04-14T10:22:48.000000 TAI: " + reason);
   EXPECT_THROW((void)t.day_of_year_text(wrong), BadInput);
   EXPECT_THROW((void)exact_text(t, wrong), BadInput);
   EXPECT_THROW((void)t.julian_date(wrong), BadInput);
-  EXPECT_THROW(Epoch::from_modified_julian_date(wrong, 59683.0), BadInput);
-  // Five leap seconds may be missing in the table; before 1972 UTC kept to UT1 by other steps.
-  EXPECT_NO_THROW((void)t.text(scale::Ut1::minus_tai(-41.9 * si::second)));
-  EXPECT_THROW((void)t.text(scale::Ut1::minus_tai(-42.1 * si::second)), BadInput);
+  EXPECT_THROW(Epoch::from_modified_julian_date(wrong, 58222.0), BadInput);
+  // A leap second too many where all are known. Later five may be missing in the table; before 1972 UTC kept
+  // to UT1 by other steps.
+  EXPECT_NO_THROW((void)t.text(scale::Ut1::minus_tai(-36.9 * si::second)));
+  EXPECT_THROW((void)t.text(scale::Ut1::minus_tai(-38.2 * si::second)), BadInput);
+  const auto later = Epoch::from_utc("2060-04-14T10:22:11");
+  EXPECT_NO_THROW((void)later.text(scale::Ut1::minus_tai(-41.9 * si::second)));
+  EXPECT_EQ(
+      complaint([&] { (void)later.text(scale::Ut1::minus_tai(-42.5 * si::second)); }),
+      "Epoch 2060-04-14T10:22:48.000000 TAI: UT1-TAI is -42.5 s, so UT1-UTC -5.5 s; it must be within 5 "
+      "s (UTC keeps it below 0.9 s, leap seconds may be missing); UT1-TAI = (UT1-UTC) - (TAI-UTC)");
   EXPECT_NO_THROW((void)Epoch::from_utc("1971-12-31T23:59:59").text(wrong));
   EXPECT_THROW((void)Epoch::from_utc("1972-01-01T00:00:00").text(wrong), BadInput);
 }

@@ -44,7 +44,8 @@ inline constexpr OffsetsFromIau2006 offsets_from_iau_2006{};
 /// The observed parameters of the Earth's orientation at an instant (IERS Conventions 2010, chapter 5), and
 /// their derivatives by TAI. The functions that take them throw BadInput for one that is not finite, and for
 /// a pole or an offset of more than 60 arcsec, a hundred times what has been observed, more than that in a
-/// day, or a gain of UT1 beyond 1e-6, twenty times as much: d(UT1-TAI)/dTAI, not the ratio of the two clocks.
+/// day, a gain of UT1 beyond 1e-6, twenty times as much: d(UT1-TAI)/dTAI, not the ratio of the two clocks; or
+/// a UT1-TAI that makes |UT1-UTC| more than 1.1 s, as scale::Ut1 says.
 struct EarthOrientationParameters {
   Quantity<si::angle> pole_x, pole_y;    ///< polar motion
   Quantity<si::time> ut1_minus_tai;      ///< UT1-UTC minus the leap seconds, so that it has no jumps
@@ -77,20 +78,22 @@ class VECTRIX_EXPORT EarthOrientation {
   /// (milliarcsec). Lines that begin with '#' are comments. The series ends with predictions without all
   /// values: rows after the last complete one are not used. Throws BadInput with file, line, columns and
   /// reason if a field is no number, a complete row follows an incomplete one, rows are not a day apart,
-  /// UT1-TAI jumps as at a leap second that ERFA does not know, the file ends within a line, or fewer than
-  /// four rows are complete; if dX and dY change by more than 3 milliarcsec in a day, as where rows of
-  /// another series begin; and if they are not clearly nearer to zero than to the offsets from IAU 1980,
-  /// which finals.all has in the same columns. From 1979 to 1990 both may be a few milliarcsec, as are the
-  /// errors of that time. Rows of those years may not tell, in a short excerpt or in a long one that begins
-  /// in 1980, and are then refused, unless you say what they are: read(file, offsets_from_iau_2006).
+  /// UT1-TAI jumps as at a leap second that ERFA does not know, the file ends within the columns of a line,
+  /// or fewer than four rows are complete; if x or y changes by more than 15 milliarcsec in a day, three
+  /// times as much as it did since 1973, or dX and dY by more than 3, as where rows of another series begin;
+  /// and if they are not clearly nearer to zero than to the offsets from IAU 1980, which finals.all has in
+  /// the same columns. From 1979 to 1990 both may be a few milliarcsec, as are the errors of that time. Rows
+  /// of those years may not tell, in a short excerpt or in a long one that begins in 1980, and are then
+  /// refused, unless you say what they are: read(file, offsets_from_iau_2006).
   static EarthOrientation read(const std::filesystem::path& finals2000A);
   static EarthOrientation read(const std::filesystem::path& finals2000A, OffsetsFromIau2006);
 
   /// A word for spans without data: the pole at x = y = dX = dY = 0, and UT1-TAI at its value at the start of
   /// the span, where UT1-UTC is given. From 1973 to 2026 x, y reach 0.6 arcsec, 19 m on the ground, and dX,
   /// dY 10 milliarcsec, since 2000 1; UT1 drifts by up to 4.1 ms a day, 1.9 m on the equator, since 2000 2.5
-  /// ms. 0 for UT1-UTC is off by up to 0.9 s, 420 m. Throws BadInput if |UT1-UTC| exceeds 1 s, or the span
-  /// has no duration, has more than 100 years, or starts before 1960.
+  /// ms. 0 for UT1-UTC is off by up to 0.9 s, 420 m, and by a second more with each leap second: at() then
+  /// refuses |UT1-UTC| of more than 1.1 s, EarthMotion of more than 5 s. Throws BadInput if |UT1-UTC| exceeds
+  /// 1 s, or the span has no duration, has more than 100 years, or starts before 1960.
   static EarthOrientation unobserved(const TimeSpan& span, const Quantity<si::time>& ut1_minus_utc);
 
   [[nodiscard]] const Epoch& first() const { return data_->epochs.front(); }

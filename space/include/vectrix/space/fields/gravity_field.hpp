@@ -20,7 +20,8 @@ class VECTRIX_EXPORT GravityField {
   /// From a file in the format of the International Centre for Global Earth Models (*.gfc), up to the given
   /// degree. Throws BadInput with file, line and reason if it is not the gravity field of a fully normalized
   /// model of the Earth, in m^3/s^2 and m, depends on time, ends at a lower degree, lacks a coefficient or a
-  /// word of its head, or has one twice.
+  /// word of its head, or has one twice; if C20 is not from -4.85e-4 to -4.83e-4, as where it has the other
+  /// sign or is not normalized, or a coefficient of degree 1 is above 1e-8: 0.1 m from the centre of mass.
   static GravityField read(const std::filesystem::path& gfc, int degree);
 
   [[nodiscard]] int degree() const;

@@ -34,7 +34,8 @@ VECTRIX_EXPORT Eigen::Matrix3d perifocal_axes(const KeplerianNumbers& elements);
 ///     1.  in the plane of x and y the node is at x: its right ascension is 0; if i = pi, angles go backwards
 ///     2.  on a circle periapsis is at the node
 /// Near those orbits two angles are poorly defined, but their sum (or difference) is accurate, and so is the
-/// way back. Made by keplerian_elements().
+/// way back: |r| = p/(1 + e cos nu) to about epsilon (1 + e) |r|/p of it, epsilon = 2.2e-16. That is more
+/// than rounding far from the focus of a long, narrow orbit. Made by keplerian_elements().
 template <Point P, Point Q, Frame A> class KeplerianElements {
  public:
   explicit KeplerianElements(detail::Trusted, const detail::KeplerianNumbers& numbers) : numbers_(numbers) {}
@@ -84,7 +85,8 @@ detail::IfInertial<A, detail::OfTwo<P, Q, KeplerianElements<P, Q, A>>> keplerian
 
 /// The elements of a motion, angles in [-pi, pi], from e cos nu = h^2/(mu r) - 1, e sin nu = h (r . v)/(mu r)
 /// and arc tangents of two arguments: to rounding in every case above. Throws BadInput if mu is not positive
-/// and finite, or distance_from_singularity() is below nearly_rectilinear.
+/// and finite, r or v is zero, distance_from_singularity() is below nearly_rectilinear, or
+/// epsilon (1 + e) |r|/p is above 1e-6: they would not give |r| back.
 template <class P, class Q, class A>
 detail::IfInertial<A, KeplerianElements<P, Q, A>> keplerian_elements(
     const Quantity<si::gravitational_parameter>& mu, const PointMotion<P, Q, A>& motion) {

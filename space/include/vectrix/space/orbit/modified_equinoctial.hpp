@@ -77,7 +77,7 @@ detail::IfInertial<A, detail::OfTwo<P, Q, ModifiedEquinoctial<P, Q, A, Sense>>> 
 }
 
 /// The elements of a motion, L in [-pi, pi]. Throws BadInput if mu is not positive and finite, at the
-/// singularity, or if distance_from_singularity() of r and v is below nearly_rectilinear.
+/// singularity, and where keplerian_elements() does. The way back has the same error.
 template <OrbitSense Sense, class P, class Q, class A>
 detail::IfInertial<A, ModifiedEquinoctial<P, Q, A, Sense>> modified_equinoctial(
     Sense, const Quantity<si::gravitational_parameter>& mu, const PointMotion<P, Q, A>& motion) {

@@ -29,8 +29,8 @@ VECTRIX_EXPORT void use_leap_seconds(const std::vector<LeapSecond>& table);
 /// Reads the file Leap_Second.dat of the IERS:
 ///     41317.0    1  1 1972       10          modified Julian day, day, month, year, TAI-UTC in s
 /// Lines that begin with '#' are comments. Throws BadInput with file, line, column and what was found there;
-/// also if the file cannot be read, has no rows, or its last line has no line end. use_leap_seconds() checks
-/// the order.
+/// also if the file cannot be read, has no rows, or stops within its last line. use_leap_seconds() checks the
+/// order.
 VECTRIX_EXPORT std::vector<LeapSecond> read_leap_seconds(const std::filesystem::path& file);
 
 }  // namespace vectrix

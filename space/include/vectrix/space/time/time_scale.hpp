@@ -67,9 +67,9 @@ struct Gps : TimeScale {
 class Ut1 : public TimeScale {
  public:
   Ut1() = delete;  // UT1 needs UT1-TAI: scale::Ut1::minus_tai(...)
-  /// Throws BadInput if the difference is not finite. Since 1972 an Epoch throws BadInput where UT1-UTC would
-  /// exceed 5 s, as with UT1-UTC in the place of UT1-TAI; UTC keeps it below 0.9 s, but future leap seconds
-  /// may be missing.
+  /// Throws BadInput if the difference is not finite. UTC keeps UT1-UTC below 0.9 s. Since 1972 an Epoch
+  /// throws BadInput where it would exceed 1.1 s, as with UT1-UTC in the place of UT1-TAI, or a leap second
+  /// too many; after the release of ERFA and the last row of leap_seconds(), 5 s, for some may be missing.
   VECTRIX_EXPORT static Ut1 minus_tai(const Quantity<si::time>& difference);
   /// A leap second changes the difference by 1 s, so this fits one instant: UTC = UT1 - (UT1-UTC), which is
   /// never in a leap second. An Epoch in one throws BadInput, for it would be read as the second after it.
