@@ -392,3 +392,18 @@ auto motion(const PointMotion<Gcrf, Ship, Itrf>& m, const MovingDcm<Gcrf, Itrf>&
   return PointMotion<Gcrf, Ship, Gcrf>{R_gcrf_from_itrf * m.position, R_gcrf_from_itrf * v_itrf};
 }
 }  // namespace velocity_seen_from_the_earth_taken_for_inertial
+
+namespace mean_anomaly_of_two_lines_for_a_true_one {
+// mistake: the mean anomaly of two-line elements taken for a true one
+// expect: MeanAnomaly
+// expect: no other anomaly
+auto anomaly(const Quantity<si::gravitational_parameter>& mu, const MeanElements& elements) {
+#ifdef REPAIRED
+  const Sgp4<Ship> orbit(elements, at_most(72.0 * si::hour));
+  return keplerian_elements(mu, orbit.at(elements.epoch)).true_anomaly();
+#else
+  static_cast<void>(mu);
+  return TrueAnomaly{elements.mean_anomaly};
+#endif
+}
+}  // namespace mean_anomaly_of_two_lines_for_a_true_one
