@@ -363,3 +363,14 @@ auto load(const Vector<Body, si::torque>& tau_body, const Vector<Body, si::lengt
 #endif
 }
 }  // namespace vector_torque_plus_force
+
+namespace vector_type_of_kilometres {
+// mistake: a type of vectors in kilometres: vectors are in the units of SI
+// expect: kilometre_unit
+// expect: VectorUnit
+#ifdef REPAIRED
+using Position = Vector<Gcrf, si::length>;
+#else
+using Position = Vector<Gcrf, si::kilometre_unit>;
+#endif
+}  // namespace vector_type_of_kilometres

@@ -198,3 +198,35 @@ auto sight(const Dcm<Gcrf, Body>& R_gcrf_from_body) {
 #endif
 }
 }  // namespace graph_edge_asks_for_rate_of_static_edge
+
+namespace graph_velocity_without_an_observer {
+// mistake: a velocity that does not say from which frame it is seen
+// expect: of<Q>, relative_to<P>, observed_from<A>, in<C>
+// expect: Q = Camera
+AcceleratingTransform<Gcrf, Camera> orbit(Quantity<si::time> t);
+
+auto motion(const Quantity<si::time>& t) {
+  const auto graph = frame_graph(edge(orbit));
+#ifdef REPAIRED
+  return graph.at(t).velocity(of<Camera>, relative_to<Gcrf>, observed_from<Gcrf>, in<Gcrf>);
+#else
+  return graph.at(t).velocity(of<Camera>, relative_to<Gcrf>, in<Gcrf>);
+#endif
+}
+}  // namespace graph_velocity_without_an_observer
+
+namespace graph_acceleration_without_an_observer {
+// mistake: an acceleration that does not say from which frame it is seen
+// expect: of<Q>, relative_to<P>, observed_from<A>, in<C>
+// expect: Q = Camera
+AcceleratingTransform<Gcrf, Camera> orbit(Quantity<si::time> t);
+
+auto motion(const Quantity<si::time>& t) {
+  const auto graph = frame_graph(edge(orbit));
+#ifdef REPAIRED
+  return graph.at(t).acceleration(of<Camera>, relative_to<Gcrf>, observed_from<Gcrf>, in<Gcrf>);
+#else
+  return graph.at(t).acceleration(of<Camera>, relative_to<Gcrf>, in<Gcrf>);
+#endif
+}
+}  // namespace graph_acceleration_without_an_observer

@@ -224,7 +224,7 @@ auto motion(const Velocity<Body, Camera, ObservedFrom<Gcrf>, In<Body>>& v_bc,
 namespace velocity_taken_for_another_observer {
 // mistake: the rotating observer's velocity taken for the inertial one's
 // expect: Velocity<Gcrf, Tip, (vectrix::)?ObservedFrom<Body>
-// expect: Velocity<Gcrf, Tip, (vectrix::)?ObservedFrom<Gcrf>
+// expect: Velocity<(Gcrf, Tip|\[2 \* ...\]), (vectrix::)?ObservedFrom<Gcrf>
 Velocity<Gcrf, Tip, ObservedFrom<Gcrf>, In<Body>> motion(
     const Velocity<Gcrf, Tip, ObservedFrom<Body>, In<Body>>& v_b,
     const Displacement<Gcrf, Tip, In<Body>>& r_b, const AngularVelocity<Gcrf, Body, In<Body>>& w_ib_b) {

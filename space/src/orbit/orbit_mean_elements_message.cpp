@@ -83,7 +83,7 @@ class OrbitMeanElementsReader {
     OrbitMeanElementsMessage message(
         {entries_.epoch(entries_.line("EPOCH"), scale::utc), detail::mean_motion(revolutions), e,
          degrees("INCLINATION", 180.0), degrees("RA_OF_ASC_NODE", 360.0), degrees("ARG_OF_PERICENTER", 360.0),
-         degrees("MEAN_ANOMALY", 360.0),
+         MeanAnomaly(degrees("MEAN_ANOMALY", 360.0)),
          within(entries_.line("BSTAR"), "1/ER", detail::largest_bstar) * bstar_unit});
     // As published, or the derivatives themselves.
     if (const KvnLine* rate = entries_.find("MEAN_MOTION_DOT"))

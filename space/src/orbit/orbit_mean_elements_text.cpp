@@ -95,7 +95,7 @@ std::string keywords_of(const MessageHeader& header, const std::string& object_n
       {"INCLINATION", in_degrees(elements.inclination)},
       {"RA_OF_ASC_NODE", in_degrees(elements.ascending_node)},
       {"ARG_OF_PERICENTER", in_degrees(elements.argument_of_perigee)},
-      {"MEAN_ANOMALY", in_degrees(elements.mean_anomaly)},
+      {"MEAN_ANOMALY", in_degrees(elements.mean_anomaly.angle)},
       {"BSTAR", shortest(elements.bstar.value() / bstar_unit.value(), elements.bstar.value(), drag)}};
   for (const auto& [keyword, value] : entries) detail::write_line(out, keyword, value);
   for (const auto& [keyword, value] : more) {

@@ -302,7 +302,7 @@ Elements checked(const std::string& name, const MeanElements& x) {
   };
   finite("ascending node", x.ascending_node.value(), " rad");
   finite("argument of perigee", x.argument_of_perigee.value(), " rad");
-  finite("mean anomaly", x.mean_anomaly.value(), " rad");
+  finite("mean anomaly", x.mean_anomaly.angle.value(), " rad");
   const double bstar = x.bstar / bstar_unit;
   require(std::abs(bstar) <= largest_bstar, name, "B*", bstar, " per Earth radius, not in [-100, 100]");
   const double a = sgp4::semi_major_axis(n), kilometres = a * earth_radius;
@@ -316,7 +316,7 @@ Elements checked(const std::string& name, const MeanElements& x) {
           i,
           in_one_turn(std::remainder(x.ascending_node.value(), 2.0 * std::numbers::pi)),
           x.argument_of_perigee.value(),
-          x.mean_anomaly.value()};
+          x.mean_anomaly.angle.value()};
 }
 
 Sgp4Theory theory_of(const Elements& x, const MeanElements& elements) {

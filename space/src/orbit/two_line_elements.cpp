@@ -81,7 +81,7 @@ TwoLineElements TwoLineElements::of(std::string_view title, const ElementLine& f
   TwoLineElements set(
       title, {epoch_of(first), detail::mean_motion(revolutions), second.decimals(line2::eccentricity),
               degrees(line2::inclination, 180.0), degrees(line2::node, 360.0), degrees(line2::perigee, 360.0),
-              degrees(line2::mean_anomaly, 360.0),
+              MeanAnomaly(degrees(line2::mean_anomaly, 360.0)),
               first.with_exponent(line1::bstar, detail::largest_bstar) * bstar_unit});
   set.catalogue_number_ = number;
   set.classification_ = secrecy;

@@ -37,7 +37,7 @@ ProperMotion proper_motion_without_cos_declination(const Quantity<si::angular_ve
   return {false, right_ascension, declination};
 }
 
-Star::Star(In<earth::Gcrf>, const RightAscensionDeclination& place, const ProperMotion& motion,
+Star::Star(detail::InIcrs, const RightAscensionDeclination& place, const ProperMotion& motion,
            const Quantity<si::angle>& parallax, const Quantity<si::velocity>& radial_velocity,
            const Epoch& epoch)
     : place_(detail::direction_of({"Star"}, place)),

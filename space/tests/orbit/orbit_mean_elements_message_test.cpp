@@ -81,7 +81,7 @@ TEST(OrbitMeanElementsMessage, ValuesOfTheIss) {
   near(x.inclination.value(), 51.6316 * degree);
   near(x.ascending_node.value(), 131.8443 * degree);
   near(x.argument_of_perigee.value(), 320.6461 * degree);
-  near(x.mean_anomaly.value(), 39.4029 * degree);
+  near(x.mean_anomaly.angle.value(), 39.4029 * degree);
   near(x.bstar.value() * 6378135.0, 0.11479289e-3);
 }
 
@@ -109,7 +109,7 @@ TEST(OrbitMeanElementsMessage, IsTheMotionOfTheTwoLines) {
         "\nINCLINATION = " + number(x.inclination.value() / degree) +
         " [deg]\nRA_OF_ASC_NODE = " + number(x.ascending_node.value() / degree) +
         " [deg]\nARG_OF_PERICENTER = " + number(x.argument_of_perigee.value() / degree) +
-        " [deg]\nMEAN_ANOMALY = " + number(x.mean_anomaly.value() / degree) +
+        " [deg]\nMEAN_ANOMALY = " + number(x.mean_anomaly.angle.value() / degree) +
         " [deg]\nGM = 398600.8 [km**3/s**2]\nBSTAR = " + number(x.bstar.value() * 6378135.0) + " [1/ER]\n";
     const Sgp4<Ship> by_lines(set, at_most(72.0 * si::hour)),
         by_message(Message::parse(text), at_most(72.0 * si::hour));

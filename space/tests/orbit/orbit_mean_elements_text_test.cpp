@@ -142,7 +142,7 @@ TEST(OrbitMeanElementsText, OfTwoLinesHasTheirElementsToTheLastBit) {
       expect_same_bits(x.inclination.value(), expected.inclination.value());
       expect_same_bits(x.ascending_node.value(), expected.ascending_node.value());
       expect_same_bits(x.argument_of_perigee.value(), expected.argument_of_perigee.value());
-      expect_same_bits(x.mean_anomaly.value(), expected.mean_anomaly.value());
+      expect_same_bits(x.mean_anomaly.angle.value(), expected.mean_anomaly.angle.value());
       expect_same_bits(x.bstar.value(), expected.bstar.value());
       EXPECT_EQ(read.catalogue_number(), set.catalogue_number());
     }

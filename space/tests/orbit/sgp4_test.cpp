@@ -124,7 +124,7 @@ TEST(Sgp4, WholeTurnsChangeNothing) {
     MeanElements node = x, perigee = x, anomaly = x;
     node.ascending_node -= turn;
     perigee.argument_of_perigee += turn;
-    anomaly.mean_anomaly -= 2.0 * turn;
+    anomaly.mean_anomaly.angle -= 2.0 * turn;
     for (double t = -3000.0; t <= 3000.0; t += 500.0) {
       const Vector3d r = Orbit(x, ten_days).at(after(x, t)).position.coordinates();
       for (const MeanElements& same : {node, perigee, anomaly}) {
@@ -321,7 +321,8 @@ TEST(Sgp4, ElementsOutOfRange) {
   EXPECT_NE(refused([&](auto& x) { x.ascending_node = bad * si::radian; }).find("node"), std::string::npos);
   EXPECT_NE(refused([&](auto& x) { x.argument_of_perigee = bad * si::radian; }).find("perigee"),
             std::string::npos);
-  EXPECT_NE(refused([&](auto& x) { x.mean_anomaly = bad * si::radian; }).find("anomaly"), std::string::npos);
+  EXPECT_NE(refused([&](auto& x) { x.mean_anomaly.angle = bad * si::radian; }).find("anomaly"),
+            std::string::npos);
   for (const double wrong : {bad, 1e9, -101.0})
     EXPECT_NE(refused([&](auto& x) { x.bstar = wrong * bstar_unit; }).find("B*"), std::string::npos) << wrong;
   // 15 rev/day written as rad/s, rad/min, rad/h; and a unit too slow.

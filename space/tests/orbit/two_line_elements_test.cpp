@@ -50,7 +50,7 @@ TEST(TwoLineElements, ValuesOfASet) {
   near(x.inclination.value(), degrees(34.2682));
   near(x.ascending_node.value(), degrees(348.7242));
   near(x.argument_of_perigee.value(), degrees(331.7664));
-  near(x.mean_anomaly.value(), degrees(19.3264));
+  near(x.mean_anomaly.angle.value(), degrees(19.3264));
   near(x.mean_motion.value(), 10.82419157 * 2 * pi / 86400.0);
   near(x.bstar.value() * 6378135.0, 0.28098e-4);
   near(set.mean_motion_rate().value(), 2 * 0.00000023 * 2 * pi / 86400.0 / 86400.0);

@@ -92,3 +92,16 @@ auto torque(const Vector<Body, si::magnetic_dipole_moment>& m_body,
 #endif
 }
 }  // namespace magnetic_torque_across_frames
+
+namespace density_at_kilometres {
+// mistake: the density of the atmosphere at a height in kilometres
+// expect: kilometre_unit
+// expect: convert<si::length>
+auto density(const ExponentialAtmosphere& air, const Quantity<si::kilometre_unit>& height) {
+#ifdef REPAIRED
+  return air.density(convert<si::length>(height));
+#else
+  return air.density(height);
+#endif
+}
+}  // namespace density_at_kilometres

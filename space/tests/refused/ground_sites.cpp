@@ -174,3 +174,29 @@ auto place(const Displacement<Itrf, Station, In<Itrf>>& r_station,
 #endif
 }
 }  // namespace place_from_a_station_for_one_from_the_centre
+
+namespace latitude_and_longitude_exchanged {
+// mistake: the longitude first, and the latitude after it
+// expect: the angle of a latitude: latitude.angle
+Geodetic place(const Quantity<si::angle>& latitude, const Quantity<si::angle>& longitude,
+               const Quantity<si::length>& height) {
+#ifdef REPAIRED
+  return Geodetic{GeodeticLatitude(latitude), longitude, height};
+#else
+  return Geodetic{longitude, GeodeticLatitude(latitude), height};
+#endif
+}
+}  // namespace latitude_and_longitude_exchanged
+
+namespace latitude_in_degrees {
+// mistake: a latitude in degrees, which are not the unit of an angle
+// expect: degree_unit
+// expect: GeodeticLatitude\(angle\)
+GeodeticLatitude latitude() {
+#ifdef REPAIRED
+  return GeodeticLatitude(convert<si::angle>(40.0 * si::degree));
+#else
+  return GeodeticLatitude(40.0 * si::degree);
+#endif
+}
+}  // namespace latitude_in_degrees

@@ -341,3 +341,42 @@ bool is_before(const Epoch& t, const std::string& launch_utc) {
 #endif
 }
 }  // namespace epoch_ordered_with_a_text
+
+namespace sum_of_epochs {
+// mistake: adds two epochs, as if one were a duration
+// expect: epochs do not add: an epoch and a duration do
+auto later(const Epoch& t, const Epoch& start, const Epoch& end) {
+#ifdef REPAIRED
+  return t + (end - start);
+#else
+  static_cast<void>(start);
+  return t + end;
+#endif
+}
+}  // namespace sum_of_epochs
+
+namespace epoch_compared_with_a_date {
+// mistake: asks whether an epoch is a Julian date, which is of one scale
+// expect: a date is no instant
+// expect: scale::Tt\b
+bool is_at(const Epoch& t, const JulianDate<scale::Tt>& event) {
+#ifdef REPAIRED
+  return t == Epoch::from_julian_date(event);
+#else
+  return t == event;
+#endif
+}
+}  // namespace epoch_compared_with_a_date
+
+namespace date_ordered_with_an_epoch {
+// mistake: asks whether a Julian date is before an epoch
+// expect: a date is no instant
+// expect: scale::Tt\b
+bool is_before(const JulianDate<scale::Tt>& event, const Epoch& t) {
+#ifdef REPAIRED
+  return Epoch::from_julian_date(event) < t;
+#else
+  return event < t;
+#endif
+}
+}  // namespace date_ordered_with_an_epoch

@@ -334,3 +334,76 @@ auto pull(const Displacement<earth::Gcrf, Ship, In<earth::Gcrf>>& r_ship,
 #endif
 }
 }  // namespace attraction_from_two_origins
+
+namespace attraction_of_a_bare_number {
+// mistake: the attraction of the Moon by a number without a unit
+// expect: Mu = double
+// expect: in an inertial frame
+auto attraction(const Displacement<Gcrf, Ship, In<Gcrf>>& r_ship,
+                const Displacement<Gcrf, sky::Moon, In<Gcrf>>& r_moon) {
+#ifdef REPAIRED
+  const auto mu = sky::moon_mu;
+#else
+  const double mu = 4.9e12;
+#endif
+  return third_body_acceleration(mu, r_ship, r_moon);
+}
+}  // namespace attraction_of_a_bare_number
+
+namespace two_body_acceleration_of_a_bare_number {
+// mistake: the acceleration of an orbit by a number without a unit
+// expect: Mu = double
+// expect: mu in m\^3/s\^2
+auto acceleration(const Displacement<Gcrf, Ship, In<Gcrf>>& r, const GravityField& field) {
+#ifdef REPAIRED
+  const auto mu = field.mu();
+#else
+  const double mu = field.mu().value();
+#endif
+  return two_body_acceleration(mu, r);
+}
+}  // namespace two_body_acceleration_of_a_bare_number
+
+namespace jerk_of_a_bare_number {
+// mistake: the jerk of an orbit by a number without a unit
+// expect: Mu = double
+// expect: mu in m\^3/s\^2
+auto jerk(const PointMotion<Gcrf, Ship, Gcrf>& motion, const GravityField& field) {
+#ifdef REPAIRED
+  const auto mu = field.mu();
+#else
+  const double mu = field.mu().value();
+#endif
+  return two_body_jerk(mu, motion);
+}
+}  // namespace jerk_of_a_bare_number
+
+namespace velocity_seen_from_the_earth_taken_for_inertial {
+// mistake: turns the velocity that is seen from the Earth into the axes of GCRF, and takes it for the inertial one
+// expect: ObservedFrom<Itrf
+// expect: ObservedFrom<Gcrf|A = Gcrf
+auto motion(const PointMotion<Gcrf, Ship, Itrf>& m, const MovingDcm<Gcrf, Itrf>& earth) {
+  const auto& R_gcrf_from_itrf = earth.rotation;
+#ifdef REPAIRED
+  const auto v_itrf = transport(observed_from<Gcrf>, m.velocity, m.position, earth.angular_velocity);
+#else
+  const auto v_itrf = m.velocity;
+#endif
+  return PointMotion<Gcrf, Ship, Gcrf>{R_gcrf_from_itrf * m.position, R_gcrf_from_itrf * v_itrf};
+}
+}  // namespace velocity_seen_from_the_earth_taken_for_inertial
+
+namespace mean_anomaly_of_two_lines_for_a_true_one {
+// mistake: the mean anomaly of two-line elements taken for a true one
+// expect: MeanAnomaly
+// expect: no other anomaly
+auto anomaly(const Quantity<si::gravitational_parameter>& mu, const MeanElements& elements) {
+#ifdef REPAIRED
+  const Sgp4<Ship> orbit(elements, at_most(72.0 * si::hour));
+  return keplerian_elements(mu, orbit.at(elements.epoch)).true_anomaly();
+#else
+  static_cast<void>(mu);
+  return TrueAnomaly{elements.mean_anomaly};
+#endif
+}
+}  // namespace mean_anomaly_of_two_lines_for_a_true_one

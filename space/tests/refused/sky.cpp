@@ -151,3 +151,50 @@ auto place(const Epoch& t) {
 #endif
 }
 }  // namespace place_of_a_body_that_has_no_series
+
+namespace satellite_of_elements_without_the_earth {
+// mistake: where a satellite of two-line elements sees the Sun, of a graph that does not join TEME and GCRF
+// expect: Lacking = (vectrix::)?UnknownFrame<(vectrix::)?(earth::)?Gcrf
+auto to_the_sun(const Ephemeris<Sun>& sun, const EarthOrientation& orientation, const Sgp4<Satellite>& orbit,
+                const Epoch& t) {
+#ifdef REPAIRED
+  const auto graph = frame_graph(edge(orientation), edge(teme(orientation)), edge(orbit));
+#else
+  static_cast<void>(orientation);
+  const auto graph = frame_graph(edge(orbit));
+#endif
+  const auto now = graph.at(t);
+  return sun.direction(now, seen_from<Satellite>, apparent, in<Satellite>);
+}
+}  // namespace satellite_of_elements_without_the_earth
+
+namespace sun_along_the_axes_of_a_frame_apart {
+// mistake: the Sun along the axes of a camera that no edge joins to the satellite
+// expect: Lacking = (vectrix::)?UnknownFrame<Camera
+auto to_the_sun(const Ephemeris<Sun>& sun, const Motion& motion, const Dcm<Camera, Satellite>& mounting,
+                const Epoch& t) {
+  const auto orbit = [=](const Epoch&) { return parallel(motion); };
+#ifdef REPAIRED
+  const auto graph = frame_graph(edge(orbit), static_edge(mounting));
+#else
+  static_cast<void>(mounting);
+  const auto graph = frame_graph(edge(orbit));
+#endif
+  const auto now = graph.at(t);
+  return sun.line_of_sight(now, seen_from<Satellite>, light_time, in<Camera>);
+}
+}  // namespace sun_along_the_axes_of_a_frame_apart
+
+namespace rotation_of_a_planet_at_no_time {
+// mistake: the rotation of Mars without an epoch
+// expect: Of<(vectrix::)?mars::Iau
+// expect: an Epoch
+auto of_mars(const Epoch& t) {
+#ifdef REPAIRED
+  return iau_rotation(of<mars::Iau>, t);
+#else
+  static_cast<void>(t);
+  return iau_rotation(of<mars::Iau>);
+#endif
+}
+}  // namespace rotation_of_a_planet_at_no_time

@@ -39,14 +39,45 @@ namespace star_of_an_old_catalogue {
 // mistake: a place along the axes of EME2000 taken for one along those of the ICRS
 // expect: Eme2000
 // expect: in<earth::Gcrf>
-Star from_the_book(const RightAscensionDeclination& place, const ProperMotion& motion,
-                   const Quantity<si::angle>& parallax, const Quantity<si::velocity>& radial_velocity,
-                   const Epoch& epoch) {
+Star from_the_book(const Quantity<si::angle>& right_ascension, const Quantity<si::angle>& declination,
+                   const ProperMotion& motion, const Quantity<si::angle>& parallax,
+                   const Quantity<si::velocity>& radial_velocity, const Epoch& epoch) {
 #ifdef REPAIRED
-  const auto n_gcrf = inverse(eme2000_from_gcrf()) * direction_at(in<Eme2000>, place);
+  const auto n_gcrf =
+      inverse(eme2000_from_gcrf()) * direction_at(in<Eme2000>, {right_ascension, declination});
   return Star(in<Gcrf>, right_ascension_declination(n_gcrf), motion, parallax, radial_velocity, epoch);
 #else
-  return Star(in<Eme2000>, place, motion, parallax, radial_velocity, epoch);
+  return Star(in<Eme2000>, {right_ascension, declination}, motion, parallax, radial_velocity, epoch);
 #endif
 }
 }  // namespace star_of_an_old_catalogue
+
+namespace star_from_a_place_without_a_velocity {
+// mistake: where a camera sees a star by its motion, of a graph that knows of the camera only where it is
+// expect: Lacking = (vectrix::)?RateOn<(vectrix::)?Link<(vectrix::)?(earth::)?Gcrf, Tracker
+auto to_the_star(const Stars& stars, const Star& star, const Motion& motion, const Epoch& t) {
+#ifdef REPAIRED
+  const auto graph = frame_graph(edge([=](const Epoch&) { return parallel(motion); }));
+#else
+  const auto graph = frame_graph(edge([=](const Epoch&) { return transform_of(parallel(motion)); }));
+#endif
+  const auto now = graph.at(t);
+  return stars.direction(star, now, seen_from<Tracker>, apparent, in<Tracker>);
+}
+}  // namespace star_from_a_place_without_a_velocity
+
+namespace star_with_a_bare_proper_motion {
+// mistake: a star with one rate for its proper motion
+// expect: ProperMotion
+// expect: angular_velocity
+Star from_the_book(const Quantity<si::angle>& right_ascension, const Quantity<si::angle>& declination,
+                   const Rate& rate, const Quantity<si::angle>& parallax,
+                   const Quantity<si::velocity>& radial_velocity, const Epoch& epoch) {
+#ifdef REPAIRED
+  const auto motion = proper_motion_with_cos_declination(rate, 0.0 * (si::radian / si::second));
+#else
+  const auto motion = rate;
+#endif
+  return Star(in<Gcrf>, {right_ascension, declination}, motion, parallax, radial_velocity, epoch);
+}
+}  // namespace star_with_a_bare_proper_motion

@@ -245,6 +245,9 @@ template <class U> constexpr auto without_radian() {
 }
 template <class U> using VectorUnitTag = typename decltype(without_radian<U>())::type;
 
+template <class U> inline constexpr bool is_vector_unit = false;
+template <CoherentUnit U> inline constexpr bool is_vector_unit<U> = std::same_as<VectorUnitTag<U>, U>;
+
 }  // namespace detail
 
 /// Unit of a vector-valued product, the radian counting as 1:
@@ -264,6 +267,6 @@ using unit_of_scaled_vector =
 /// A unit that a vector may have: coherent with SI, and not another vector's up to the radian as the energy,
 /// which is the torque's.
 template <class U>
-concept VectorUnit = detail::CoherentUnit<U> && std::same_as<detail::VectorUnitTag<U>, U>;
+concept VectorUnit = detail::is_vector_unit<U>;
 
 }  // namespace vectrix

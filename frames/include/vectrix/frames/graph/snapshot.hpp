@@ -98,6 +98,9 @@ template <class Instant, class... Edges> class GraphSnapshot {
   template <class Q, class P, class A, class C, class Lacking = Unanswered<AskVelocity<Q, P, A, C>>>
   auto velocity(  // the graph lacks something to answer: see Lacking
       Of<Q>, RelativeTo<P>, ObservedFrom<A>, In<C>) const -> Refused = delete;
+  template <class Q, class P, class C>
+  auto velocity(  // of<Q>, relative_to<P>, observed_from<A>, in<C>
+      Of<Q>, RelativeTo<P>, In<C>) const -> Refused = delete;
 
   /// a_pq|a^c, of q's origin relative to p's, observed from a, expressed in c
   template <class Q, class P, class A, class C, Answered<AskAcceleration<Q, P, A, C>> = 0>
@@ -107,6 +110,9 @@ template <class Instant, class... Edges> class GraphSnapshot {
   template <class Q, class P, class A, class C, class Lacking = Unanswered<AskAcceleration<Q, P, A, C>>>
   auto acceleration(  // the graph lacks something to answer: see Lacking
       Of<Q>, RelativeTo<P>, ObservedFrom<A>, In<C>) const -> Refused = delete;
+  template <class Q, class P, class C>
+  auto acceleration(  // of<Q>, relative_to<P>, observed_from<A>, in<C>
+      Of<Q>, RelativeTo<P>, In<C>) const -> Refused = delete;
 
  private:
   using KeptValues = detail::KeptValues<Instant, Edges...>;

@@ -23,6 +23,9 @@ class Velocity<P, Q, ObservedFrom<A>, In<C>, S> : public detail::RelativeVector<
   template <class D> using Expressed = Velocity<P, Q, ObservedFrom<A>, In<D>, S>;
 
   using detail::RelativeVector<C, si::velocity, S>::RelativeVector;
+  template <class P2, class Q2, class Observer, class ExpressedIn, class S2>
+  Velocity(  // the same points, observer and axes; transport() to another observer
+      const Velocity<P2, Q2, Observer, ExpressedIn, S2>&) = delete;
 
   /// v_qp|a^c = -v_pq|a^c
   Between<Q, P> operator-() const { return Between<Q, P>{detail::trusted, -this->coordinates()}; }

@@ -6,19 +6,28 @@
 #include <vectrix/space/earth/position_in_itrf.hpp>
 
 namespace vectrix {
+namespace detail {
+template <class Given> inline constexpr bool no_latitude = false;
+}
 
 /// The angle between the equatorial plane and the normal of the ellipsoid, in [-pi/2, pi/2], positive north:
 /// the latitude of maps, receivers and surveys. Up to 0.19 deg, 21 km, from the geocentric one.
 struct GeodeticLatitude {
   Quantity<si::angle> angle;
   explicit constexpr GeodeticLatitude(const Quantity<si::angle>& latitude) : angle(latitude) {}
-  template <class Given> GeodeticLatitude(const Given&) = delete;  // an angle: GeodeticLatitude(angle)
+  template <class Given> GeodeticLatitude(const Given&) {
+    static_assert(detail::no_latitude<Given>, "an angle in rad: GeodeticLatitude(angle)");
+  }
+  operator Quantity<si::angle>() const = delete;  // the angle of a latitude: latitude.angle
 };
 /// The angle between the equatorial plane and the line to the centre of the Earth, positive north.
 struct GeocentricLatitude {
   Quantity<si::angle> angle;
   explicit constexpr GeocentricLatitude(const Quantity<si::angle>& latitude) : angle(latitude) {}
-  template <class Given> GeocentricLatitude(const Given&) = delete;  // an angle: GeocentricLatitude(angle)
+  template <class Given> GeocentricLatitude(const Given&) {
+    static_assert(detail::no_latitude<Given>, "an angle in rad: GeocentricLatitude(angle)");
+  }
+  operator Quantity<si::angle>() const = delete;  // the angle of a latitude: latitude.angle
 };
 
 /// Geodetic coordinates: latitude; longitude in (-pi, pi], positive east; height above the ellipsoid.

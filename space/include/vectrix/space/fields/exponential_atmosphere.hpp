@@ -35,6 +35,7 @@ class VECTRIX_EXPORT ExponentialAtmosphere {
     return density(r_eq.vector());
   }
   template <class Given>
+    requires(!detail::is_quantity<Given>)
   auto density(  // of a height in m, or a position in m along the axes of earth::Itrf
       const Given&) const -> Refused = delete;
 

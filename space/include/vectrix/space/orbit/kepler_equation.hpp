@@ -11,6 +11,7 @@ namespace vectrix {
 struct MeanAnomaly {
   Quantity<si::angle> angle;
   explicit constexpr MeanAnomaly(const Quantity<si::angle>& M) : angle(M) {}
+  operator Quantity<si::angle>() const = delete;  // no other anomaly: eccentric_anomaly(M, e)
 };
 /// E of an ellipse; of a hyperbola F, r = a (1 - e cosh F), which is no angle in space.
 struct EccentricAnomaly {

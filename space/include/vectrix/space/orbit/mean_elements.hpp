@@ -1,6 +1,7 @@
 #pragma once
 
 #include <vectrix/frames/units.hpp>
+#include <vectrix/space/orbit/kepler_equation.hpp>
 #include <vectrix/space/time/epoch.hpp>
 
 namespace vectrix {
@@ -13,7 +14,8 @@ struct MeanElements {
   Epoch epoch;
   Quantity<si::angular_velocity> mean_motion;  ///< as in two-line elements (Kozai's)
   double eccentricity;
-  Quantity<si::angle> inclination, ascending_node, argument_of_perigee, mean_anomaly;
+  Quantity<si::angle> inclination, ascending_node, argument_of_perigee;
+  MeanAnomaly mean_anomaly;
   /// B*, rho_0 c_D A/(2 m), in 1/m; two-line elements have it per Earth radius, bstar_unit.
   Quantity<unit_quotient<si::dimensionless, si::length>> bstar;
 };

@@ -39,9 +39,9 @@ detail::IfInertial<A, Acceleration<P, Q, ObservedFrom<A>, In<A>, S>> third_body_
   return Acceleration<P, Q, ObservedFrom<A>, In<A>, S>{detail::trusted,
                                                        detail::Column<S>(-pull * (r + F * s))};
 }
-template <class S, class Position, class Third>
-auto third_body_acceleration(  // mu; r_pq, r_pb: geometric, relative to one p, in an inertial frame
-    const Quantity<si::gravitational_parameter, S>&, const Position&, const Third&) -> Refused = delete;
+template <class Mu, class Position, class Third>
+auto third_body_acceleration(  // mu, m^3/s^2; r_pq, r_pb: geometric, relative to one p, in an inertial frame
+    const Mu&, const Position&, const Third&) -> Refused = delete;
 
 namespace sky {
 

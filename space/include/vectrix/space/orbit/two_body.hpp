@@ -96,11 +96,11 @@ detail::IfInertial<A, Derivative<A, A, si::acceleration, S>> two_body_jerk(
   const S along = S(3) * r.dot(v) / (distance * distance);
   return {detail::trusted, Vector<A, si::jerk, S>{detail::trusted, pull * (along * r - v)}};
 }
-template <class S, class Position>
+template <class Mu, class Position>
 auto two_body_acceleration(  // mu in m^3/s^2; r relative to the centre, in an inertial frame
-    const Quantity<si::gravitational_parameter, S>&, const Position&) -> Refused = delete;
-template <class S, class Motion>
+    const Mu&, const Position&) -> Refused = delete;
+template <class Mu, class Motion>
 auto two_body_jerk(  // mu in m^3/s^2; a PointMotion observed from an inertial frame
-    const Quantity<si::gravitational_parameter, S>&, const Motion&) -> Refused = delete;
+    const Mu&, const Motion&) -> Refused = delete;
 
 }  // namespace vectrix

@@ -40,10 +40,10 @@ template <SkyBody B> class Ephemeris {
   [[nodiscard]] detail::LineOf<B, Given...> line_of_sight(const Given&... given) const {
     return detail::line_of_sight(of<B>, table_, given...);
   }
-  template <class... Given>
+  template <class... Given, class Lacking = detail::SightLack<Given...>>
     requires(!detail::HasLine<B, Given...>)
   auto
-  line_of_sight(  // with a correction: (now, seen_from<P>, apparent, in<A>), or (epoch, motion, apparent)
+  line_of_sight(  // with a correction: (now, seen_from<P>, apparent, in<A>), (t, motion, ...); see Lacking
       const Given&...) const -> Refused = delete;
 
   /// The unit vector along the line of sight.
@@ -51,9 +51,9 @@ template <SkyBody B> class Ephemeris {
   [[nodiscard]] detail::DirectionOf<detail::LineOf<B, Given...>> direction(const Given&... given) const {
     return vectrix::direction(line_of_sight(given...).vector());
   }
-  template <class... Given>
+  template <class... Given, class Lacking = detail::SightLack<Given...>>
     requires(!detail::HasLine<B, Given...>)
-  auto direction(  // with a correction: (now, seen_from<P>, apparent, in<A>), or (epoch, motion, apparent)
+  auto direction(  // with a correction: (now, seen_from<P>, apparent, in<A>), (t, motion, ...); see Lacking
       const Given&...) const -> Refused = delete;
 
  private:

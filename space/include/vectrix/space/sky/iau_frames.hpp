@@ -95,10 +95,9 @@ template <IauFrame F> AcceleratingDcm<earth::Gcrf, F> iau_rotation(Of<F>, const 
   const SecondParameterRate<Angles> xddot{detail::trusted, plain.second_rates};
   return {dcm(x), angular_velocity_from(x, xdot, in<F>), angular_acceleration_from(x, xdot, xddot, in<F>)};
 }
-template <class F>
-  requires(!IauFrame<F>)
-auto iau_rotation(  // of<mars::Iau>, a frame fixed to a body, not its centre
-    Of<F>, const Epoch&) -> Refused = delete;
+template <class OfFrame, class... Given>
+auto iau_rotation(  // of<mars::Iau>, a frame fixed to a body, not its centre; an Epoch
+    OfFrame, const Given&...) -> Refused = delete;
 
 /// The same with the place and the velocity of the body, geometric, from its ephemeris: the frame and its
 /// origin relative to earth::Gcrf. An edge for spacecraft at the body, and for places on it, with an

@@ -29,6 +29,7 @@ LineOfSight<B, P, C> line_of_sight(Of<B> body, const EphemerisTable& table, cons
 }
 
 template <class B, class P, class... Edges, Correction C, class A>
+  requires(std::same_as<SightLack<GraphSnapshot<Epoch, Edges...>, SeenFrom<P>, C, In<A>>, Nothing>)
 Displacement<P, Seen<B, C>, In<A>> line_of_sight(Of<B>, const EphemerisTable& table,
                                                  const GraphSnapshot<Epoch, Edges...>& now, SeenFrom<P>,
                                                  C correction, In<A>) {

@@ -7,6 +7,17 @@
 #include <vectrix/space/time/epoch.hpp>
 
 namespace vectrix {
+namespace detail {
+
+/// in<earth::Gcrf>, and a short message for another frame, also if the next arguments are in braces.
+struct InIcrs {
+  constexpr InIcrs(In<earth::Gcrf>) {}
+  template <class F>
+  InIcrs(  // in<earth::Gcrf>, whose axes are those of the ICRS
+      In<F>) = delete;
+};
+
+}  // namespace detail
 
 /// The year of proper motions, 365.25 days.
 inline constexpr Quantity<si::time> julian_year = 31557600.0 * si::second;
@@ -21,6 +32,9 @@ class ProperMotion {
   template <class Any>
   ProperMotion(  // proper_motion_with_cos_declination or proper_motion_without_cos_declination
       const Quantity<si::angular_velocity>&, const Any&) = delete;
+  template <class Any>
+  ProperMotion(  // proper_motion_with_cos_declination or proper_motion_without_cos_declination
+      const Any&) = delete;
 
   [[nodiscard]] const Quantity<si::angular_velocity>& right_ascension() const { return right_ascension_; }
   [[nodiscard]] const Quantity<si::angular_velocity>& declination() const { return declination_; }
@@ -55,12 +69,9 @@ VECTRIX_EXPORT ProperMotion proper_motion_without_cos_declination(
 /// for them.
 class VECTRIX_EXPORT Star {
  public:
-  Star(In<earth::Gcrf>, const RightAscensionDeclination& place, const ProperMotion& motion,
+  Star(detail::InIcrs, const RightAscensionDeclination& place, const ProperMotion& motion,
        const Quantity<si::angle>& parallax, const Quantity<si::velocity>& radial_velocity,
        const Epoch& epoch);
-  template <class Frame, class... Given>
-  Star(  // in<earth::Gcrf>, place, ProperMotion, parallax, radial velocity, Epoch
-      In<Frame>, const Given&...) = delete;
 
   /// n(t), as seen from the barycentre of the solar system.
   [[nodiscard]] Vector<earth::Gcrf, si::dimensionless> direction_from_barycentre(const Epoch& epoch) const;

@@ -44,6 +44,7 @@ StarDirection star_direction(const StarSight& sight, const Star& star, const Epo
                                    motion.velocity.coordinates())};
 }
 template <class... Edges, class P, class A>
+  requires(std::same_as<SightLack<GraphSnapshot<Epoch, Edges...>, SeenFrom<P>, LightTime, In<A>>, Nothing>)
 Vector<A, si::dimensionless> star_direction(const StarSight& sight, const Star& star,
                                             const GraphSnapshot<Epoch, Edges...>& now, SeenFrom<P>, LightTime,
                                             In<A>) {
@@ -51,6 +52,7 @@ Vector<A, si::dimensionless> star_direction(const StarSight& sight, const Star& 
   return seen_in(in<A>, now, StarDirection{trusted, sight.direction(light_time, star, now.instant(), r)});
 }
 template <class... Edges, class P, class A>
+  requires(std::same_as<SightLack<GraphSnapshot<Epoch, Edges...>, SeenFrom<P>, Apparent, In<A>>, Nothing>)
 Vector<A, si::dimensionless> star_direction(const StarSight& sight, const Star& star,
                                             const GraphSnapshot<Epoch, Edges...>& now, SeenFrom<P>, Apparent,
                                             In<A>) {
@@ -88,10 +90,10 @@ class Stars {
   [[nodiscard]] detail::StarDirectionOf<Given...> direction(const Given&... given) const {
     return detail::star_direction(sight_, given...);
   }
-  template <class... Given>
-    requires(!detail::HasStarDirection<Given...>)
-  auto direction(  // light_time or apparent: (star, now, seen_from<P>, apparent, in<A>)
-      const Given&...) const -> Refused = delete;
+  template <class Given, class... More, class Lacking = detail::SightLack<More...>>
+    requires(!detail::HasStarDirection<Given, More...>)
+  auto direction(  // light_time or apparent: (star, now, seen_from<P>, apparent, in<A>); else see Lacking
+      const Given&, const More&...) const -> Refused = delete;
 
  private:
   detail::StarSight sight_;

@@ -30,6 +30,9 @@ class VECTRIX_EXPORT Epoch {
   template <class Given>
   explicit Epoch(  // Epoch::from_utc(text), from(scale, text), from_julian_date(scale, day, fraction), ...
       const Given&) = delete;
+  template <class Scale>
+  Epoch(  // a date is no instant, and no operand of one: Epoch::from_julian_date(date)
+      const JulianDate<Scale>&) = delete;
 
   /// From "2022-04-14T10:22:11.874999" or, by the day of the year, "2022-104T10:22:11.874999", with 0 to 12
   /// decimals; the name of the scale may follow, " UTC", " TT", or in UTC a 'Z'. The second 60 is accepted
@@ -129,6 +132,10 @@ class VECTRIX_EXPORT Epoch {
   }
   template <detail::TextLike Text> friend Refused operator-(const Text&, const Epoch&) {
     static_assert(detail::no_instant<Text>, "a text is no instant: subtract the epochs");
+    return {};
+  }
+  template <std::same_as<Epoch> Other> friend Refused operator+(const Epoch&, const Other&) {
+    static_assert(detail::no_instant<Other>, "epochs do not add: an epoch and a duration do");
     return {};
   }
 

@@ -7,6 +7,8 @@
 
 namespace vectrix {
 
+class Epoch;
+
 /// A Julian date in two parts, in one scale: `day` ends in .5 (midnight), `fraction` is in [0, 1) day. A
 /// double of a whole Julian date would be rounded to 40 microseconds; the two parts are rounded to 1e-11 s.
 /// It is no instant: dates of two scales do not compare, and a difference of dates is no duration.
@@ -21,10 +23,10 @@ template <std::derived_from<TimeScale> Scale> struct JulianDate {
   bool operator==(const JulianDate& other) const = default;
   std::partial_ordering operator<=>(const JulianDate& other) const = default;
   template <class Other>
-    requires(!std::same_as<Other, JulianDate>)
+    requires(!std::same_as<Other, JulianDate> && !std::same_as<Other, Epoch>)
   auto operator==(const Other&) const -> bool = delete;  // dates of one scale compare; else the epochs
   template <class Other>
-    requires(!std::same_as<Other, JulianDate>)
+    requires(!std::same_as<Other, JulianDate> && !std::same_as<Other, Epoch>)
   auto operator<=>(const Other&) const  // dates of one scale compare; else the epochs
       -> std::partial_ordering = delete;
 };
@@ -43,8 +45,10 @@ template <> struct JulianDate<scale::Ut1> {
   [[nodiscard]] constexpr double modified_day() const { return day - 2400000.5; }
 
   template <class Other>
+    requires(!std::same_as<Other, Epoch>)
   auto operator==(const Other&) const -> bool = delete;  // UT1 is as its table has it: compare the epochs
   template <class Other>
+    requires(!std::same_as<Other, Epoch>)
   auto operator<=>(const Other&) const  // UT1 is as its table has it: compare the epochs
       -> std::partial_ordering = delete;
 };
