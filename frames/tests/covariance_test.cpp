@@ -163,6 +163,54 @@ TEST(Covariance, WhatIsNoneIsRefused) {
   EXPECT_EQ(said(Matrix3d::Zero()), "");
 }
 
+// Relative to the largest entry, and to the largest variance, at every size.
+TEST(Covariance, ItsTolerancesHoldOnBothSides) {
+  const auto said = [](const Matrix3d& P) {
+    return message<BadInput>([&] { covariance<si::length>(in<Body>, P); });
+  };
+  for (const double size : {1e-20, 1.0, 1e20}) {
+    for (int least = 0; least < 3; ++least) {
+      Vector3d variances(2.0 * size, 9.0 * size, 2.0 * size);
+      variances(least) = 0.0;
+      const double bound = covariance_tolerance * variances.maxCoeff();
+      variances(least) = -0.999 * bound;
+      EXPECT_EQ(said(variances.asDiagonal()), "") << size;
+      variances(least) = -1.001 * bound;
+      EXPECT_TRUE(contains(said(variances.asDiagonal()), "are not all positive or zero")) << size;
+    }
+    for (const double sign : {-1.0, 1.0}) {
+      Matrix3d P = size * generic().matrix();
+      const double bound = sign * covariance_tolerance * 9.0 * size;
+      P(0, 1) += 0.99 * bound;  // the rounding of an entry is 1e-4 of the bound
+      EXPECT_EQ(said(P), "") << size;
+      P(0, 1) += 0.02 * bound;
+      EXPECT_TRUE(contains(said(P), "is not symmetric")) << size;
+    }
+  }
+}
+
+TEST(Covariance, ADirectionIsOneToItsTolerance) {
+  const auto said = [](double length) {
+    return message<BadInput>([&] { variance_along(generic(), length * unit_x(in<Body>)); });
+  };
+  for (const double sign : {-1.0, 1.0}) {
+    EXPECT_EQ(said(1.0 + sign * 0.999 * orthonormality_tolerance), "");
+    EXPECT_NE(said(1.0 + sign * 1.001 * orthonormality_tolerance), "");
+  }
+}
+
+// The share of a variance that the other axes leave open, of a correlation r, is 1 - r^2.
+TEST(MahalanobisDistance, RefusesAShareBelowItsTolerance) {
+  const auto r = vector(in<Body>, 1.0 * si::metre, 1.0 * si::metre, 1.0 * si::metre);
+  const auto said = [&](double share) {
+    Matrix3d P = Matrix3d::Identity();
+    P(0, 1) = P(1, 0) = std::sqrt(1.0 - share);
+    return message<BadInput>([&] { mahalanobis_distance(covariance<si::length>(in<Body>, P), r); });
+  };
+  EXPECT_EQ(said(1.01 * covariance_tolerance), "");
+  EXPECT_TRUE(contains(said(0.99 * covariance_tolerance), "the covariance is singular"));
+}
+
 TEST(Covariance, WhatIsNoDeviationOrDirectionIsRefused) {
   const auto said = [](double x) {
     return message<BadInput>([&] {

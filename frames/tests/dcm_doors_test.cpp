@@ -81,6 +81,33 @@ TEST(DcmDoors, TheToleranceIsThatOfTenPrintedDigits) {
   EXPECT_NE(refused(matrix), "");
 }
 
+TEST(DcmDoors, TheToleranceHoldsForEveryEntryAndBothSigns) {
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 3; ++column) {
+      const double most = row == column ? orthonormality_tolerance / 2 : orthonormality_tolerance;
+      for (const double sign : {-1.0, 1.0}) {
+        Eigen::Matrix3d matrix = Eigen::Matrix3d::Identity();
+        matrix(row, column) += sign * 0.999 * most;
+        EXPECT_EQ(refused(matrix), "") << row << column;
+        matrix(row, column) += sign * 0.002 * most;
+        EXPECT_NE(refused(matrix), "") << row << column;
+      }
+    }
+  }
+}
+
+// Kept as given, factors at the tolerance make a product beyond it.
+TEST(DcmDoors, ErrorsOfFactorsAddInAProduct) {
+  Eigen::Matrix3d matrix = Eigen::Matrix3d::Identity();
+  matrix(0, 1) = 0.9 * orthonormality_tolerance;
+  const auto R = dcm(to<Body>, from<Gcrf>, matrix);
+  EXPECT_EQ(R.matrix(), matrix);
+  const Dcm<Body, Body> again = R * inverse(R);
+  EXPECT_TRUE(contains(refused(again.matrix()), "nearest_dcm() projects"));
+  EXPECT_NEAR(nearest_dcm(to<Body>, from<Gcrf>, again.matrix()).distance, std::sqrt(2.0) * matrix(0, 1),
+              1e-3 * orthonormality_tolerance);
+}
+
 TEST(DcmDoors, AReflectionIsNoRotation) {
   const Eigen::Matrix3d mirror = Eigen::Vector3d(1, 1, -1).asDiagonal();
   EXPECT_TRUE(contains(refused(mirror), "the determinant is -1; a rotation is right-handed"))

@@ -75,8 +75,14 @@ RC_GTEST_PROP(Vector, AngleBetweenFollowsTheLengthsAndTheFrame, ()) {
 }
 
 TEST(Vector, NoAngleToTheZeroVector) {
-  EXPECT_TRUE(contains(message<BadInput>([] { angle_between(unit_x(in<Body>), zero<si::length>(in<Body>)); }),
-                       "a zero vector has no direction"));
+  EXPECT_TRUE(
+      contains(message<BadInput>([] { angle_between(unit_x(in<Body>), zero<si::length>(in<Body>)); }),
+               "angle_between(vector in " + frame_name<Body>() + "): |r| is 0; a zero vector has no"));
+  const auto overflown = 1e200 * vector<si::length>(in<Body>, Eigen::Vector3d(1e200, 0, 0));
+  EXPECT_TRUE(contains(message<BadInput>([&] { angle_between(overflown, unit_x(in<Body>)); }),
+                       "angle_between(vector in " + frame_name<Body>() + "): the coordinates (inf, 0, 0)"));
+  EXPECT_TRUE(contains(message<BadInput>([] { direction(zero<si::length>(in<Body>)); }),
+                       "direction(vector in " + frame_name<Body>() + "): |r| is 0"));
 }
 
 TEST(Vector, TakesAPartOfALongerColumn) {
@@ -87,6 +93,25 @@ TEST(Vector, TakesAPartOfALongerColumn) {
             Eigen::Vector3d(4, 5, 6));
   EXPECT_TRUE(contains(message<BadInput>([&] { vector<si::velocity>(in<Body>, state.segment(2, 4)); }),
                        "vector(in<" + frame_name<Body>() + ">): the matrix has 4 x 1 entries, not 3 x 1"));
+}
+
+TEST(Vector, TakesAPartOfAMatrixAndARow) {
+  Eigen::MatrixXd poses(3, 4);
+  poses << 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12;
+  const Eigen::Index one = 1, two = 2, three = 3;
+  EXPECT_EQ(vector<si::length>(in<Body>, poses.block(0, three, three, one)).coordinates(),
+            Eigen::Vector3d(4, 8, 12));
+  EXPECT_EQ(vector<si::length>(in<Body>, poses.row(two).segment(one, three)).coordinates(),
+            Eigen::Vector3d(10, 11, 12));
+  EXPECT_EQ(vector<si::length>(in<Body>, poses.col(0).segment(0, three).transpose()).coordinates(),
+            Eigen::Vector3d(1, 5, 9));
+  const std::string door = "vector(in<" + frame_name<Body>() + ">): the matrix has ";
+  const auto said = [](const auto& part) {
+    return message<BadInput>([&] { vector<si::length>(in<Body>, part); });
+  };
+  EXPECT_TRUE(contains(said(poses.block(0, 0, one, three)), door + "1 x 3 entries, not 3 x 1"));
+  EXPECT_TRUE(contains(said(poses.block(0, 0, three, two)), door + "3 x 2 entries, not 3 x 1"));
+  EXPECT_TRUE(contains(said(poses.row(0)), door + "1 x 4 entries, not 1 x 3"));
 }
 
 TEST(Vector, NormOfEverySize) {

@@ -271,6 +271,10 @@ TEST(NamedSpacecraft, RefusesWhatNoCraftHas) {
   refused([](auto& craft) { craft.bodies[1].axes_b[0] *= 0.0; },
           "\"boom\": the axis (0, 0, 0) is not a unit vector, its norm is 0");
   refused([](auto& craft) { craft.bodies[1].axes_b[0].x() = nan; }, "not a unit vector");
+  for (const double off : {-unit_norm_tolerance, unit_norm_tolerance}) {
+    EXPECT_EQ(refused_craft([&](auto& craft) { craft.bodies[1].axes_b[0] *= 1.0 + 0.999 * off; }), "");
+    refused([&](auto& craft) { craft.bodies[1].axes_b[0] *= 1.0 + 1.001 * off; }, "not a unit vector");
+  }
   refused([](auto& craft) { craft.bodies[1].axes_b.clear(); }, "a hinge joint has 1 axes, not 0");
   refused([](auto& craft) { craft.bodies[0].axes_b[1] = craft.bodies[0].axes_b[0]; },
           "the axes of the gimbal are parallel");

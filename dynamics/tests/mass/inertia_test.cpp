@@ -155,6 +155,26 @@ TEST(Inertia, what_no_body_has_is_refused) {
       "exceeds the sum of the others by 0.");
 }
 
+// 1e-12 of the largest moment, on both sides.
+TEST(Inertia, the_tolerances_of_its_moments_hold_on_both_sides) {
+  constexpr double bound = 1e-12;
+  for (const double size : {1e-20, 1.0, 1e20}) {
+    const double J = 4.0 * size;
+    EXPECT_NO_THROW(tensor(-0.99 * bound * J, J, J));
+    expect_bad_input([&] { tensor(-1.01 * bound * J, J, J); }, "are positive or zero");
+    EXPECT_NO_THROW(tensor(J / 4, 3 * J / 4, J * (1 + 0.99 * bound)));  // a plate
+    expect_bad_input([&] { tensor(J / 4, 3 * J / 4, J * (1 + 1.01 * bound)); },
+                     "exceeds the sum of the others");
+    for (const double sign : {-1.0, 1.0}) {
+      Matrix3d matrix = J * Matrix3d::Identity();
+      matrix(0, 2) = sign * 0.99 * bound * 2 * J;  // of the sum of the two moments
+      EXPECT_NO_THROW(inertia_from_tensor(in<Body>, matrix));
+      matrix(0, 2) = sign * 1.01 * bound * 2 * J;
+      expect_bad_input([&] { inertia_from_tensor(in<Body>, matrix); }, "of the tensor differ by");
+    }
+  }
+}
+
 // They are parts of a body. Euler's equation, which divides by their moments, refuses them.
 TEST(Inertia, a_plate_a_rod_and_a_point_are_bodies_however_they_lie) {
   EXPECT_NO_THROW(tensor(1.0, 2.0, 3.0));  // a plate in the xy plane: 1 + 2 = 3

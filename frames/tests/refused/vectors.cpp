@@ -1,4 +1,5 @@
 // Vectors and units
+#include <array>
 #include <vectrix/frames.hpp>
 
 using namespace vectrix;
@@ -219,10 +220,24 @@ auto next(const Vector<Gcrf, si::length>& r_gcrf, const Vector<Gcrf, si::velocit
 }
 }  // namespace vector_length_plus_velocity
 
+namespace vector_of_an_array {
+// mistake: three numbers that are not Eigen's
+// expect: U = (vectrix::)?si::length
+// expect: InFrame = (vectrix::)?In<Body>
+// expect: <U>.in<F>, Eigen::Vector3d.
+auto position(const std::array<double, 3>& numbers) {
+#ifdef REPAIRED
+  return vector<si::length>(in<Body>, Eigen::Vector3d::Map(numbers.data()));
+#else
+  return vector<si::length>(in<Body>, numbers);
+#endif
+}
+}  // namespace vector_of_an_array
+
 namespace vector_of_bare_numbers {
 // mistake: three numbers without a unit
-// expect: F = Body
-// expect: X = double
+// expect: InFrame = (vectrix::)?In<Body>
+// expect: Given = .double, double, double
 // expect: one SI vector unit for all: 1.0 . si::metre
 auto position() {
 #ifdef REPAIRED
@@ -248,7 +263,7 @@ auto torque() {
 
 namespace vector_of_kilometres {
 // mistake: kilometres given for metres
-// expect: F = Gcrf
+// expect: InFrame = (vectrix::)?In<Gcrf>
 // expect: one SI vector unit for all: .* or convert<U>
 auto position() {
 #ifdef REPAIRED
@@ -262,7 +277,7 @@ auto position() {
 
 namespace vector_of_mixed_units {
 // mistake: three coordinates with different units
-// expect: F = Body
+// expect: InFrame = (vectrix::)?In<Body>
 // expect: UnitGiven = (vectrix::)?si::length
 // expect: one SI vector unit
 auto position() {
@@ -273,6 +288,62 @@ auto position() {
 #endif
 }
 }  // namespace vector_of_mixed_units
+
+namespace vector_of_four_numbers {
+// mistake: a column of four numbers, as of a quaternion or a homogeneous position
+// expect: U = (vectrix::)?si::length
+// expect: Given = .*Eigen::Matrix<double, 4, 1
+// expect: <U>.in<F>, Eigen::Vector3d.
+auto position(const Eigen::Vector4d& homogeneous) {
+#ifdef REPAIRED
+  return vector<si::length>(in<Body>, homogeneous.head<3>());
+#else
+  return vector<si::length>(in<Body>, homogeneous);
+#endif
+}
+}  // namespace vector_of_four_numbers
+
+namespace vector_of_numbers_in_kilometres {
+// mistake: bare numbers in a unit that is not coherent
+// expect: U = (vectrix::)?si::kilometre_unit
+// expect: InFrame = (vectrix::)?In<Body>
+// expect: one SI vector unit for all: .* or convert<U>
+auto position(const Eigen::Vector3d& kilometres) {
+#ifdef REPAIRED
+  const double metres = convert<si::length>(1.0 * si::kilometre).value();
+  return vector<si::length>(in<Body>, metres * kilometres);
+#else
+  return vector<si::kilometre_unit>(in<Body>, kilometres);
+#endif
+}
+}  // namespace vector_of_numbers_in_kilometres
+
+namespace vector_of_two_quantities {
+// mistake: a coordinate forgotten
+// expect: InFrame = (vectrix::)?In<Body>
+// expect: one SI vector unit for all: 1.0 . si::metre
+auto position() {
+#ifdef REPAIRED
+  return vector(in<Body>, 1.0 * si::metre, 2.0 * si::metre, 0.0 * si::metre);
+#else
+  return vector(in<Body>, 1.0 * si::metre, 2.0 * si::metre);
+#endif
+}
+}  // namespace vector_of_two_quantities
+
+namespace vector_of_two_columns {
+// mistake: the first two columns of a matrix
+// expect: U = (vectrix::)?si::length
+// expect: Eigen::Block
+// expect: <U>.in<F>, Eigen::Vector3d.
+auto position(const Eigen::Matrix3d& columns) {
+#ifdef REPAIRED
+  return vector<si::length>(in<Body>, columns.block<3, 1>(0, 0));
+#else
+  return vector<si::length>(in<Body>, columns.block<3, 2>(0, 0));
+#endif
+}
+}  // namespace vector_of_two_columns
 
 namespace vector_over_vector {
 // mistake: the quotient of two vectors
@@ -287,6 +358,33 @@ double ratio(const Vector<Body, si::length>& r_body, const Vector<Body, si::leng
 #endif
 }
 }  // namespace vector_over_vector
+
+namespace vector_without_frame {
+// mistake: three numbers without the frame of their axes
+// expect: U = (vectrix::)?si::length
+// expect: <U>.in<F>, Eigen::Vector3d.
+auto position(const Eigen::Vector3d& numbers) {
+#ifdef REPAIRED
+  return vector<si::length>(in<Body>, numbers);
+#else
+  return vector<si::length>(numbers);
+#endif
+}
+}  // namespace vector_without_frame
+
+namespace vector_without_unit {
+// mistake: three numbers without their unit
+// expect: U = void
+// expect: InFrame = (vectrix::)?In<Body>
+// expect: <U>.in<F>, Eigen::Vector3d.
+auto position(const Eigen::Vector3d& numbers) {
+#ifdef REPAIRED
+  return vector<si::length>(in<Body>, numbers);
+#else
+  return vector(in<Body>, numbers);
+#endif
+}
+}  // namespace vector_without_unit
 
 namespace vector_passed_across_frames {
 // mistake: a vector of one frame passed to a function that takes another

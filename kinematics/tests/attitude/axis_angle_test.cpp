@@ -90,6 +90,13 @@ TEST(AxisAngle, TheirDoorTakesAUnitVectorAndAFiniteAngle) {
   EXPECT_TRUE(contains(text, "axis_angle(angle and axis of ")) << text;
   EXPECT_TRUE(contains(text, "the square of the axis differs from 1 by 1, tolerance 2.4e-10")) << text;
   EXPECT_TRUE(contains(text, "direction() projects")) << text;
+  for (const double sign : {-1.0, 1.0}) {
+    const auto said = [&](double part) {
+      return message<BadInput>([&] { turn(0.5, {0, 1 + sign * part * unit_norm_tolerance, 0}); });
+    };
+    EXPECT_EQ(said(0.999), "");
+    EXPECT_NE(said(1.001), "");
+  }
   const auto infinite = message<BadInput>([] { turn(std::numeric_limits<double>::infinity(), axes[1]); });
   EXPECT_TRUE(contains(infinite, "the numbers (inf, 0, 0, 1) are not finite")) << infinite;
 }

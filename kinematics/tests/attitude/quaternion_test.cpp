@@ -148,6 +148,7 @@ TEST(Quaternion, TheToleranceIsThatOfTenPrintedDigits) {
   };
   EXPECT_EQ(door(1 + 0.9 * unit_norm_tolerance), "");
   EXPECT_NE(door(1 + 1.1 * unit_norm_tolerance), "");
+  EXPECT_EQ(door(1 - 0.9 * unit_norm_tolerance), "");
   EXPECT_NE(door(1 - 1.1 * unit_norm_tolerance), "");
 }
 
@@ -192,6 +193,31 @@ TEST(Quaternion, WhatItsDoorAcceptsTheDcmDoorAccepts) {
     expect_the_dcm_door_accepts<float>(
         static_cast<float>(part * detail::door_tolerance<float>(unit_norm_tolerance)));
   }
+}
+
+// Kept as given, factors at the tolerance make products beyond it: their numbers need the projecting door,
+// and everything else takes the typed values.
+TEST(Quaternion, ErrorsOfFactorsAddInAProduct) {
+  const double off = 0.9 * unit_norm_tolerance;
+  const Eigen::Quaterniond half_turn(0.0, 0.6 * (1 + off), 0.0, 0.8 * (1 + off));
+  const auto q = quaternion(to<Body>, from<Gcrf>, half_turn);
+  EXPECT_EQ(q.eigen().coeffs(), half_turn.coeffs());
+  const auto again = q * inverse(q);
+  EXPECT_NEAR(again.eigen().norm() - 1, 2 * off, rounding);
+  const auto numbers = again.eigen();
+  EXPECT_TRUE(contains(message<BadInput>([&] { quaternion(to<Body>, from<Camera>, numbers); }),
+                       "nearest_quaternion() projects"));
+  EXPECT_LE(nearest_quaternion(to<Body>, from<Camera>, numbers).distance, 2 * off + rounding);
+
+  auto product = again * q;
+  for (int i = 0; i < 8; ++i) product = product * inverse(q) * q;
+  const auto R = dcm(product);
+  EXPECT_TRUE(
+      contains(message<BadInput>([&] { dcm(to<Body>, from<Gcrf>, R.matrix()); }), "nearest_dcm() projects"));
+  const double error = 8 * 19 * off;  // of R^T R - I
+  EXPECT_LE(nearest_dcm(to<Body>, from<Gcrf>, R.matrix()).distance, error);
+  EXPECT_LE(std::abs(quaternion(R).eigen().norm() - 1), rounding);
+  EXPECT_LE(distance(dcm(quaternion(R)).matrix(), dcm(q).matrix()), error);
 }
 
 TEST(Quaternion, TheProjectingDoorsSayHowFar) {

@@ -78,6 +78,10 @@ TEST(Triad, ParallelDirectionsAreRefused) {
             place + which + frame_name<Body>() + " is 0; parallel directions fix no rotation");
   EXPECT_TRUE(contains(said(x, x, x, y), which + frame_name<Gcrf>() + " is 0"));
   EXPECT_TRUE(contains(said(x, x + 1e-10 * y, x, y), " is 1e-10"));
+  const auto none = zero<si::dimensionless>(in<Body>);
+  EXPECT_EQ(
+      message<BadInput>([&] { triad(to<Body>, from<Gcrf>, measured(x), reference(x), none, reference(y)); }),
+      "triad(vector in " + frame_name<Body>() + "): |r| is 0; a zero vector has no direction");
 }
 
 TEST(Triad, FlowsThroughOtherScalars) {

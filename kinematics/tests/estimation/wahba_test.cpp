@@ -306,11 +306,13 @@ TEST(Observation, WhatIsNoneIsRefused) {
     EXPECT_EQ(message<BadInput>([&] { weighted_observation(x_b, y_a, value); }),
               "weighted_observation" + frames + said);
   }
-  EXPECT_TRUE(contains(message<BadInput>([&] {
-                         observation(zero<si::length>(in<Body>),
-                                     vector<si::length>(in<Gcrf>, Vector3d::UnitX()), rad(1));
-                       }),
-                       "|r| is 0"));
+  const auto none = zero<si::length>(in<Body>);
+  const auto x_a = vector<si::length>(in<Gcrf>, Vector3d::UnitX());
+  const std::string no_direction = "observation(vector in " + frame_name<Body>() + "): |r| is 0";
+  EXPECT_TRUE(message<BadInput>([&] { observation(none, x_a, rad(1)); }).starts_with(no_direction));
+  EXPECT_TRUE(message<BadInput>([&] { observation(none, x_a, rad(1), 2); }).starts_with(no_direction));
+  EXPECT_TRUE(
+      message<BadInput>([&] { weighted_observation(none, x_a, 2); }).starts_with("weighted_" + no_direction));
 }
 
 // Weights of any size: their sum does not overflow.

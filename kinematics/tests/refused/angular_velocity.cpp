@@ -247,7 +247,7 @@ auto rate_of_attitude(const Dcm<Gcrf, Body>& R_gcrf_from_body, const Dcm<Body, C
 
 namespace omega_of_degrees_per_second {
 // mistake: degrees per second given for rad/s
-// expect: F = Body
+// expect: InFrame = (vectrix::)?In<Body>
 // expect: one SI vector unit for all: .* or convert<U>
 auto rate() {
 #ifdef REPAIRED
@@ -310,7 +310,7 @@ auto rate_of_attitude(const Quaternion<Gcrf, Body>& q_gcrf_from_body,
 
 namespace omega_of_revolutions_per_minute {
 // mistake: revolutions per minute given for rad/s
-// expect: F = Wheel<2>
+// expect: InFrame = (vectrix::)?In<Wheel<2> ?>
 // expect: one SI vector unit for all: .* or convert<U>
 template <int I> struct Wheel : moving_frame {};
 

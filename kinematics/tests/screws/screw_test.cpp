@@ -221,6 +221,18 @@ TEST(ScrewAxis, ATranslationHasNone) {
                        "the norm of its direction differs from 1 by 0.41"));
 }
 
+TEST(ScrewAxis, ItsDirectionIsOneToTheTolerance) {
+  const auto said = [](double length) {
+    const ScrewAxis<Gcrf> axis{length * unit_x(in<Gcrf>), zero<si::length>(in<Gcrf>), 1.0 * si::radian,
+                               0.0 * si::metre};
+    return message<BadInput>([&] { screw_along(of<Body>, relative_to<Gcrf>, axis); });
+  };
+  for (const double sign : {-1.0, 1.0}) {
+    EXPECT_EQ(said(1.0 + sign * 0.999 * unit_norm_tolerance), "");
+    EXPECT_NE(said(1.0 + sign * 1.001 * unit_norm_tolerance), "");
+  }
+}
+
 TEST(Screw, PrintsWhatItIs) {
   Six xi;
   xi << 0, 0, 1, 2, 0, 0;

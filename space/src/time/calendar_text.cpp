@@ -1,4 +1,5 @@
 #include <erfa.h>
+#include <erfam.h>
 
 #include <algorithm>
 #include <array>
@@ -136,17 +137,18 @@ const char* EpochReader::fault(const TimeOfDay& time) const {
   if (time.hour > 23) return "there is no such hour";
   if (time.minute > 59) return "there is no such minute";
   const bool is_last = time.hour == 23 && time.minute == 59;
-  return time.second >= 60.0 + (is_last ? day_.step : 0.0) ? "there is no such second" : nullptr;
+  const double more = is_last ? day_.length() - ERFA_DAYSEC : 0.0;
+  return time.second >= 60.0 + more ? "there is no such second" : nullptr;
 }
 
 // Of the day that is kept.
 Epoch EpochReader::epoch_at(const TimeOfDay& time, std::string_view text) const {
   const double seconds = 60 * (60 * time.hour + time.minute) + time.second;
-  const double fraction = seconds / day_.length();
+  const double fraction = seconds / day_.quasi_length();
   const bool in_utc = scale_.kind() == TimeScale::Kind::utc;
-  const Date tai = in_utc && fraction < 1.0 ? tai_of(day_, fraction)
-                                            : tai_of(scale_, normalised(day_.day, fraction),
-                                                     is_known_ ? std::string{} : what(text));
+  const Date tai = in_utc && seconds < day_.length() ? tai_of(day_, fraction)
+                                                     : tai_of(scale_, normalised(day_.day, fraction),
+                                                              is_known_ ? std::string{} : what(text));
   return Epoch{JulianDate<scale::Tai>{tai.day, tai.fraction}};
 }
 
@@ -181,16 +183,16 @@ std::optional<EpochReader::Scanned> EpochReader::scan(const char* at, const char
 
 // The last minute has what the day has more or less. What rounds up to the end of the day is the next one,
 // but at the end of the year 9999, behind which there is no text that is read.
-std::string calendar_text(const Date& date, double day_length, DayStyle style, int decimals) {
+std::string calendar_text(double day, double second_of_day, double day_length, DayStyle style, int decimals) {
   if (decimals < 0 || decimals > 9) {
     throw BadInput("Epoch: asked for " + text(decimals) + " decimals; there can be 0 to 9");
   }
   const double unit = std::pow(10.0, decimals);
-  const auto rounded = std::llround(date.fraction * day_length * unit);
+  const auto rounded = std::llround(second_of_day * unit);
   constexpr double rounding = 0.03;       // of the last digit, of which a day has 10^14
   constexpr double last_day = 5373483.5;  // 9999 December 31
   const bool is_end = static_cast<double>(rounded) > day_length * unit - rounding;
-  const bool is_next = is_end && date.day != last_day;
+  const bool is_next = is_end && day != last_day;
   const auto ticks = is_next ? 0 : is_end ? rounded - 1 : rounded;
   const auto per_second = std::llround(unit);
   const auto second = ticks / per_second;
@@ -203,7 +205,7 @@ std::string calendar_text(const Date& date, double day_length, DayStyle style, i
     const auto used = static_cast<std::size_t>(size);
     std::snprintf(buffer.data() + used, buffer.size() - used, ".%0*lld", decimals, ticks % per_second);
   }
-  return day_text(is_next ? date.day + 1.0 : date.day, style) + buffer.data();
+  return day_text(is_next ? day + 1.0 : day, style) + buffer.data();
 }
 
 }  // namespace vectrix::detail

@@ -33,21 +33,35 @@ bool before_utc(const Date& tai);
 /// known may cross one leap second. In the future of the table some may be missing: there, and if
 /// `held_for_years`, it may have 5 s.
 std::string ut1_fault(const Date& tai, double ut1_minus_tai, bool held_for_years = false);
-/// TAI - UTC, s, at a date of UTC.
-double tai_minus_utc(const Date& utc);
 /// Throws BadInput, which begins with `what`, before 1960.
 void require_known_utc(const Date& utc, const std::string& what);
-/// A day of UTC, from midnight on: TAI - UTC at its beginning, how much it grows until its end (before 1972),
-/// and the step there, a leap second; in s.
+/// A day of UTC, from midnight on: TAI - UTC at its beginning, how much it grows in 86400 s (before 1972),
+/// and the step at its end, a leap second; in s.
 struct UtcDay {
   double day;
   double tai_minus_utc, drift, step;
 
+  /// The length of ERFA's quasi-Julian day, s. A step before 1972 is one of TAI: of UTC it is up to 3 ns
+  /// less.
+  [[nodiscard]] double quasi_length() const;
+  /// How long the day is, in seconds of UTC: TAI of its end is TAI of the next midnight.
   [[nodiscard]] double length() const;
 };
 UtcDay utc_day(double day);
-/// TAI of a fraction of the day in [0, 1).
+/// TAI of a fraction of the quasi-Julian day, from its begin to its end.
 Date tai_of(const UtcDay& utc, double fraction);
+
+/// An instant of UTC. The fraction of the quasi-Julian day passes 1 by up to 4e-14 at a negative step.
+struct UtcTime {
+  UtcDay day;
+  double fraction;
+
+  /// Of UTC, since midnight.
+  [[nodiscard]] double second() const;
+  [[nodiscard]] double tai_minus_utc() const;
+};
+/// Throws BadInput before 1960. A midnight as tai_of() gives it is of the day that it begins.
+UtcTime utc_time(const Date& tai);
 
 /// UTC, TAI, TT, TDB or GPS by its name. Null for any other.
 const TimeScale* scale_named(std::string_view name);
@@ -89,7 +103,7 @@ class EpochReader {
 };
 
 enum class DayStyle { month_and_day, day_of_year };
-/// The text of a date on a day of this length, s.
-std::string calendar_text(const Date& date, double day_length, DayStyle style, int decimals);
+/// The text of a second of a day of this length, s.
+std::string calendar_text(double day, double second, double day_length, DayStyle style, int decimals);
 
 }  // namespace vectrix::detail

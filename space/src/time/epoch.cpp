@@ -44,10 +44,12 @@ Date as_date(const JulianDate<scale::Tai>& tai) {
 }
 
 std::string text_of(const JulianDate<scale::Tai>& tai, const TimeScale& scale, DayStyle style, int decimals) {
+  if (scale.kind() == TimeScale::Kind::utc) {
+    const auto utc = detail::utc_time(as_date(tai));
+    return detail::calendar_text(utc.day.day, utc.second(), utc.day.length(), style, decimals);
+  }
   const Date date = detail::date_of(scale, as_date(tai));
-  const double length =
-      scale.kind() == TimeScale::Kind::utc ? detail::utc_day(date.day).length() : ERFA_DAYSEC;
-  return detail::calendar_text(date, length, style, decimals);
+  return detail::calendar_text(date.day, date.fraction * ERFA_DAYSEC, ERFA_DAYSEC, style, decimals);
 }
 
 std::string difference(const TimeScale& ut1) {
@@ -161,7 +163,7 @@ GpsTime Epoch::gps_time() const {
 }
 
 Quantity<si::time> Epoch::tai_minus_utc() const {
-  return detail::tai_minus_utc(date_in(scale::utc)) * si::second;
+  return detail::utc_time(as_date(tai_)).tai_minus_utc() * si::second;
 }
 
 Quantity<si::time> operator-(const Epoch& end, const Epoch& start) {

@@ -2,7 +2,9 @@
 #include <erfaextra.h>
 #include <erfam.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <vectrix/frames/errors.hpp>
 
@@ -16,13 +18,15 @@ constexpr double modified_julian_zero = 2400000.5;
 constexpr double first_utc_day = 36934.0;  // 1960 January 1, modified Julian
 constexpr double first_gps_day = 44244.0;  // 1980 January 6
 constexpr double gps_minus_tai = -19.0;    // s
+constexpr double below_one = 1.0 - std::numeric_limits<double>::epsilon() / 2;
 
 Date shifted(const Date& date, double seconds) {
   return normalised(date.day, date.fraction + seconds / ERFA_DAYSEC);
 }
 
 std::string tai_text(const Date& tai) {
-  return "Epoch " + calendar_text(tai, ERFA_DAYSEC, DayStyle::month_and_day, 6) + " TAI";
+  return "Epoch " +
+         calendar_text(tai.day, tai.fraction * ERFA_DAYSEC, ERFA_DAYSEC, DayStyle::month_and_day, 6) + " TAI";
 }
 
 Date tai_of_utc(const Date& utc, const std::string& what) {
@@ -30,20 +34,19 @@ Date tai_of_utc(const Date& utc, const std::string& what) {
   return tai_of(utc_day(utc.day), utc.fraction);
 }
 
-Date utc_of(const Date& tai) {
-  if (before_utc(tai)) throw BadInput(tai_text(tai) + ": UTC is not known before 1960");
-  double day = 0.0;
-  double fraction = 0.0;
-  if (eraTaiutc(tai.day, tai.fraction, &day, &fraction) < 0)
-    throw BadInput(tai_text(tai) + ": ERFA has no UTC of this date");
-  return normalised(day, fraction);
+// TAI - UTC, s. The part of the day is of 86400 s.
+double table_of_erfa(double day, double part) {
+  const Calendar on = calendar_of(day);
+  double seconds = 0.0;
+  eraDat(on.year, on.month, on.day, part, &seconds);
+  return seconds;
 }
 
 // Also what the clock's rounding may put into it: UT1 - (UT1-UTC) is read as the second after it.
-bool in_leap_second(const Date& utc) {
-  constexpr double clock_rounding = 1e-10;  // s
-  const UtcDay day = utc_day(utc.day);
-  return day.step > 0.0 && utc.fraction * day.length() > ERFA_DAYSEC - clock_rounding;
+constexpr double clock_rounding = 1e-10;  // s
+
+bool in_leap_second(const UtcTime& utc) {
+  return utc.day.step > 0.0 && utc.second() > ERFA_DAYSEC - clock_rounding;
 }
 
 // The year of the release of ERFA: eraDat doubts dates more than five years later.
@@ -56,7 +59,7 @@ int erfa_release() {
 }
 
 // The table has all leap seconds until its last one, and until the release of ERFA.
-bool leap_seconds_are_known(const Date& utc) {
+bool leap_seconds_are_known(const UtcDay& utc) {
   static const int release = erfa_release();
   eraLEAPSECOND* rows = nullptr;
   const int count = eraGetLeapSeconds(&rows);
@@ -109,9 +112,11 @@ Date tai_of(const TimeScale& scale, const Date& date, const std::string& what) {
     case TimeScale::Kind::ut1_by_utc:
       break;
   }
-  const Date utc = shifted(date, -ut1_offset);
+  Date utc = shifted(date, -ut1_offset);
+  if ((1.0 - utc.fraction) * ERFA_DAYSEC < clock_rounding && utc_day(utc.day).step != 0.0)
+    utc = {utc.day + 1.0, 0.0};
   require_known_utc(utc, what);
-  return shifted(utc, tai_minus_utc(utc));
+  return shifted(utc, table_of_erfa(utc.day, utc.fraction));
 }
 
 bool has_whole_day(const TimeScale& scale, double day) {
@@ -122,8 +127,10 @@ bool has_whole_day(const TimeScale& scale, double day) {
 Date date_of(const TimeScale& scale, const Date& tai) {
   const double ut1_offset = scale.ut1_offset().value();
   switch (scale.kind()) {
-    case TimeScale::Kind::utc:
-      return utc_of(tai);
+    case TimeScale::Kind::utc: {
+      const UtcTime utc = utc_time(tai);
+      return {utc.day.day, std::min(utc.fraction, below_one)};
+    }
     case TimeScale::Kind::tai:
       return tai;
     case TimeScale::Kind::tt:
@@ -142,10 +149,10 @@ Date date_of(const TimeScale& scale, const Date& tai) {
     case TimeScale::Kind::ut1_by_utc:
       break;
   }
-  const Date utc = utc_of(tai);
+  const UtcTime utc = utc_time(tai);
   if (in_leap_second(utc))
     throw BadInput(tai_text(tai) + ": UT1-UTC names no instant of a leap second; take Ut1::minus_tai");
-  return shifted(tai, ut1_offset - tai_minus_utc(utc));
+  return shifted(tai, ut1_offset - utc.tai_minus_utc());
 }
 
 bool before_utc(const Date& tai) {
@@ -157,9 +164,9 @@ std::string ut1_fault(const Date& tai, double ut1_minus_tai, bool held_for_years
   static const Date leap_seconds_begin = tai_of_utc({2441317.5, 0.0}, "1972 January 1");
   constexpr double of_one_source = 1.1, of_many_leap_seconds = 5.0;  // s
   if (tai < leap_seconds_begin) return {};
-  const Date utc = utc_of(tai);
-  const double ut1_minus_utc = ut1_minus_tai + tai_minus_utc(utc);
-  const bool is_wide = held_for_years || !leap_seconds_are_known(utc);
+  const UtcTime utc = utc_time(tai);
+  const double ut1_minus_utc = ut1_minus_tai + utc.tai_minus_utc();
+  const bool is_wide = held_for_years || !leap_seconds_are_known(utc.day);
   const double largest = is_wide ? of_many_leap_seconds : of_one_source;
   if (std::abs(ut1_minus_utc) <= largest) return {};
   return "UT1-TAI is " + text(ut1_minus_tai) + " s, so UT1-UTC " + text(ut1_minus_utc) +
@@ -167,32 +174,50 @@ std::string ut1_fault(const Date& tai, double ut1_minus_tai, bool held_for_years
          (is_wide ? ", leap seconds may be missing" : "") + "); UT1-TAI = (UT1-UTC) - (TAI-UTC)";
 }
 
-double tai_minus_utc(const Date& utc) {
-  const Calendar on = calendar_of(utc.day);
-  double seconds = 0.0;
-  eraDat(on.year, on.month, on.day, utc.fraction, &seconds);
-  return seconds;
-}
-
 // ERFA's quasi-Julian date stretches a day that ends in a step to 1. Its eraD2dtf takes this back for leap
 // seconds, but not for the steps of 0.05 and 0.1 s before 1972.
-double UtcDay::length() const {
+double UtcDay::quasi_length() const {
   return ERFA_DAYSEC + step;
 }
 
+double UtcDay::length() const {
+  return ERFA_DAYSEC + step * (ERFA_DAYSEC / (ERFA_DAYSEC + drift));
+}
+
 UtcDay utc_day(double day) {
-  const double at_midnight = tai_minus_utc({day, 0.0});
-  const double drift = 2.0 * (tai_minus_utc({day, 0.5}) - at_midnight);
-  return {day, at_midnight, drift, tai_minus_utc({day + 1.0, 0.0}) - (at_midnight + drift)};
+  constexpr double rounding = 1e-9;  // s: the smallest step is 0.005 s
+  const double at_midnight = table_of_erfa(day, 0.0);
+  const double drift = 2.0 * (table_of_erfa(day, 0.5) - at_midnight);
+  const double step = table_of_erfa(day + 1.0, 0.0) - (at_midnight + drift);
+  return {day, at_midnight, drift, std::abs(step) > rounding ? step : 0.0};
 }
 
 // As eraUtctai, to the last bit.
 Date tai_of(const UtcDay& utc, double fraction) {
-  fraction *= utc.length() / ERFA_DAYSEC;
+  fraction *= utc.quasi_length() / ERFA_DAYSEC;
   fraction *= (ERFA_DAYSEC + utc.drift) / ERFA_DAYSEC;
   fraction += utc.tai_minus_utc / ERFA_DAYSEC;
   // The day is whole, and the fraction nearly always in it: then normalised() would change nothing.
   return fraction >= 0.0 && fraction < 1.0 ? Date{utc.day, fraction} : normalised(utc.day, fraction);
+}
+
+double UtcTime::second() const {
+  return fraction * day.quasi_length();
+}
+
+double UtcTime::tai_minus_utc() const {
+  return day.tai_minus_utc + day.drift * (second() / ERFA_DAYSEC);
+}
+
+// Not eraTaiutc: at a step before 1972 it takes up to 3 ns after midnight for the day before.
+UtcTime utc_time(const Date& tai) {
+  if (before_utc(tai)) throw BadInput(tai_text(tai) + ": UTC is not known before 1960");
+  UtcDay utc = utc_day(tai.day);  // TAI is ahead of UTC, by less than a day
+  if (tai < tai_of(utc, 0.0)) utc = utc_day(tai.day - 1.0);
+  double fraction = (tai.day - utc.day) + (tai.fraction - utc.tai_minus_utc / ERFA_DAYSEC);
+  fraction *= ERFA_DAYSEC / (ERFA_DAYSEC + utc.drift);
+  fraction *= ERFA_DAYSEC / utc.quasi_length();
+  return {utc, std::max(fraction, 0.0)};
 }
 
 const TimeScale* scale_named(std::string_view name) {

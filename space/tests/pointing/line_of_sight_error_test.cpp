@@ -302,6 +302,10 @@ TEST(LineOfSightError, RefusesWhatHasNoFigure) {
             "relative_error(): the window is 20 s, longer than the 10 s of a drift since its last update");
   EXPECT_EQ(refusal([&] { return absolute_error(error, 2.0 * z_axis); }),
             "absolute_error(): |n| of the axis is 2; direction() has length 1");
+  for (const double off : {-orthonormality_tolerance, orthonormality_tolerance}) {
+    EXPECT_NO_THROW((void)absolute_error(error, (1.0 + 0.999 * off) * z_axis));
+    EXPECT_THROW((void)absolute_error(error, (1.0 + 1.001 * off) * z_axis), BadInput);
+  }
   EXPECT_EQ(refusal([&] {
               return absolute_error(constant_error(deviations(0.3, 0.3, 0.0)), z_axis).half_cone(0.9);
             }),

@@ -65,7 +65,7 @@ auto difference(const GravityGradient<Itrf>& G_itrf, const Dcm<Body, Itrf>& R_bo
 
 namespace magnetic_field_as_nanotesla {
 // mistake: nanotesla given for tesla
-// expect: F = Body
+// expect: InFrame = (vectrix::)?In<Body>
 // expect: nanotesla_unit
 auto measured(double x, double y, double z) {
 #ifdef REPAIRED

@@ -72,6 +72,10 @@ TEST(Aberration, RefusesWhatIsNoDirectionAndNoVelocity) {
               (void)aberrated(2.0 * n, velocity({1.0, 0.0, 0.0}));
             }),
             "aberrated(n, v): |n| is 2; n must be a unit vector");
+  for (const double off : {-1e-9, 1e-9}) {
+    EXPECT_NO_THROW((void)aberrated((1.0 + 0.999 * off) * n, velocity({1.0, 0.0, 0.0})));
+    EXPECT_THROW((void)aberrated((1.0 + 1.001 * off) * n, velocity({1.0, 0.0, 0.0})), BadInput);
+  }
   EXPECT_EQ(complaint([&] {
               (void)aberrated(n, velocity({light, 0.0, 0.0}));
             }),

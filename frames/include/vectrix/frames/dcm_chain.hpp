@@ -42,8 +42,10 @@ template <class S, std::size_t N, std::size_t M, std::size_t... I, std::size_t..
 /// A named chain, `auto R_d_from_a = ...`, is the Dcm, multiplied once. A chain holds copies of its factors,
 /// so it never dangles. It cannot be moved, because a named chain may have been assigned another rotation. To
 /// return it or to store only the matrix, give it a type: `Dcm<D, A> R_d_from_a = ...`. After eight rotations
-/// the product so far becomes one factor. Each product adds its rounding: n of them may depart from a
-/// rotation by n roundings. To carry an attitude on, use advance(), which does not.
+/// the product so far becomes one factor. A product departs from a rotation by the errors of its factors, up
+/// to orthonormality_tolerance of what dcm() took, and a rounding for each. No operation checks this again;
+/// nearest_dcm() takes the matrix of any product. To carry an attitude on, use advance(), which takes them
+/// back at each step.
 template <Frame ToFrame, Frame FromFrame, std::size_t N, class S = double>
 class DcmChain : public Dcm<ToFrame, FromFrame, S> {
   using Product = Dcm<ToFrame, FromFrame, S>;

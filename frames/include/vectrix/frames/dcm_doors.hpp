@@ -14,7 +14,8 @@ inline constexpr double orthonormality_tolerance = 1e-9;
 
 /// Largest | |q| - 1 | of a quaternion, and of an axis, that the checked doors accept; numbers printed with
 /// ten digits pass. At |q| = 1 + d the entries of M^T M - I are up to 8 d, and rounding: what one door
-/// accepts, the other accepts converted.
+/// accepts, the other accepts converted. Numbers of a product have the errors of all its factors: take them
+/// through a nearest_ door.
 inline constexpr double unit_norm_tolerance = 1.2e-10;
 
 /// Smallest determinant, relative to the cube of the largest entry, of a matrix that nearest_dcm() accepts.
@@ -64,7 +65,8 @@ template <class B, class A, class S> Dcm<B, A, S> checked_dcm(const Square<S>& e
 
 }  // namespace detail
 
-/// The checked door: claims that `matrix` takes coordinates in a to coordinates in b.
+/// The checked door: claims that `matrix` takes coordinates in a to coordinates in b. The entries are kept as
+/// given; see DcmChain for products.
 /// Throws BadInput when an entry is not finite, when M^T M differs from I by more than
 /// orthonormality_tolerance, or when the determinant is not positive.
 template <Frame B, Frame A, detail::Matrix3x3 Matrix>

@@ -32,10 +32,22 @@ void require_size(const M& numbers, Eigen::Index rows, Eigen::Index columns, con
   }
 }
 
-/// Three numbers of any shape.
+/// Declared for ThreeNumbers: takes Eigen's matrices and vectors, and what is derived from them, as a
+/// segment.
+template <class Derived> void takes_matrix(const Eigen::MatrixBase<Derived>&);
+
+/// A column or row of three numbers, or a matrix that may be one at run time; the doors call require_three().
 template <class M>
-concept ThreeNumbers = M::SizeAtCompileTime == 3 ||
-                       (M::SizeAtCompileTime == Eigen::Dynamic && M::ColsAtCompileTime == 1);
+concept ThreeNumbers = requires(const M& numbers) {
+  takes_matrix(numbers);
+}
+&&((may_be<3, M::RowsAtCompileTime> && may_be<1, M::ColsAtCompileTime>) ||
+   (may_be<1, M::RowsAtCompileTime> && may_be<3, M::ColsAtCompileTime>));
+
+template <class M, class Door> void require_three(const M& numbers, const Door& door) {
+  constexpr bool is_row = M::RowsAtCompileTime == 1;
+  require_size(numbers, is_row ? 1 : 3, is_row ? 3 : 1, door);
+}
 
 /// The norm of finite numbers of any size: the squares do not overflow or underflow. Derivatives are NaN at
 /// zero.
@@ -108,9 +120,16 @@ template <Frame F, VectorUnit U, class S> Vector<F, U, S> checked_vector(const C
   return {trusted, coordinates};
 }
 
+/// The type of the vector with these bare numbers; no type if there is none.
+template <class F, class U, class Numbers> struct VectorOf {};
+template <Frame F, VectorUnit U, ThreeNumbers Numbers>
+struct VectorOf<F, U, Numbers> : std::type_identity<Vector<F, U, typename Numbers::Scalar>> {};
+
 /// The tag of a quantity's unit, for messages; void of a bare number.
 template <class X> struct UnitOf : std::type_identity<void> {};
 template <class U, class S> struct UnitOf<Quantity<U, S>> : std::type_identity<U> {};
+template <class... X> struct UnitOfFirst : std::type_identity<void> {};
+template <class X, class... More> struct UnitOfFirst<X, More...> : UnitOf<X> {};
 
 }  // namespace detail
 
@@ -122,19 +141,18 @@ std::enable_if_t<!std::is_integral_v<S>, Vector<F, U, S>> vector(In<F>, const Qu
   return detail::checked_vector<F, U, S>({x.value(), y.value(), z.value()});
 }
 
-template <class F, class X, class Y, class Z, class UnitGiven = typename detail::UnitOf<X>::type>
-auto vector(  // one SI vector unit for all: 1.0 * si::metre, or convert<U>()
-    In<F>, const X&, const Y&, const Z&) -> Refused = delete;
-
 /// Claims that the three bare numbers are coordinates in F, in the coherent SI unit U:
-/// vector<si::length>(in<F>, m), also of a part of a longer column: x.segment(3, 3). Throws BadInput when one
-/// is not finite, or there are not three.
-template <VectorUnit U, Frame F, class Derived>
-  requires detail::ThreeNumbers<Derived>
-auto vector(In<F>, const Eigen::MatrixBase<Derived>& coordinates) {
-  detail::require_size(coordinates, 3, 1, [] { return "vector(in<" + frame_name<F>() + ">): "; });
-  return detail::checked_vector<F, U, typename Derived::Scalar>(coordinates);
+/// vector<si::length>(in<F>, m), also of a part of a longer column or of a matrix: x.segment(3, 3). Throws
+/// BadInput when one is not finite, or there are not three.
+template <class U, class F, class Numbers>
+typename detail::VectorOf<F, U, Numbers>::type vector(In<F>, const Numbers& coordinates) {
+  detail::require_three(coordinates, [] { return "vector(in<" + frame_name<F>() + ">): "; });
+  return detail::checked_vector<F, U, typename Numbers::Scalar>(coordinates);
 }
+template <class U = void, class InFrame, class... Given,
+          class UnitGiven = typename detail::UnitOfFirst<Given...>::type>
+auto vector(  // one SI vector unit for all: 1.0 * si::metre, or convert<U>(); <U>(in<F>, Eigen::Vector3d)
+    const InFrame&, const Given&...) -> Refused = delete;
 
 /// The zero vector of F in the unit U.
 template <VectorUnit U, Frame F, class S = double> Vector<F, U, S> zero(In<F>) {
@@ -221,24 +239,24 @@ template <class F, class U, class S> Quantity<U, S> norm(const Vector<F, U, S>& 
   return Quantity<U, S>::from_value(sqrt(square));
 }
 
-/// r / |r|, safe from overflow and underflow. Throws BadInput for the zero vector, which has no direction,
-/// and for one whose coordinates overflowed.
-template <class F, class U, class S> Vector<F, si::dimensionless, S> direction(const Vector<F, U, S>& r) {
+namespace detail {
+
+/// direction() for the function with this name, which stands in the errors.
+template <class F, class U, class S>
+Vector<F, si::dimensionless, S> direction_for(const char* function, const Vector<F, U, S>& r) {
   const S largest = r.coordinates().cwiseAbs().maxCoeff();
-  if (!detail::all_finite(r.coordinates())) {
-    throw BadInput("direction(vector in " + frame_name<F>() + "): the coordinates (" +
-                   detail::text(r.coordinates().x()) + ", " + detail::text(r.coordinates().y()) + ", " +
-                   detail::text(r.coordinates().z()) + ") are not finite");
+  if (!all_finite(r.coordinates())) {
+    throw BadInput(std::string{function} + "(vector in " + frame_name<F>() + "): the coordinates (" +
+                   text(r.coordinates().x()) + ", " + text(r.coordinates().y()) + ", " +
+                   text(r.coordinates().z()) + ") are not finite");
   }
-  if (!detail::all(largest > S(0))) {
-    throw BadInput("direction(vector in " + frame_name<F>() + "): |r| is " + detail::text(largest) +
+  if (!all(largest > S(0))) {
+    throw BadInput(std::string{function} + "(vector in " + frame_name<F>() + "): |r| is " + text(largest) +
                    "; a zero vector has no direction");
   }
-  const detail::Column<S> scaled = r.coordinates() / largest;
-  return {detail::trusted, scaled / scaled.norm()};
+  const Column<S> scaled = r.coordinates() / largest;
+  return {trusted, scaled / scaled.norm()};
 }
-
-namespace detail {
 
 /// The angle between two unit vectors, by Kahan's formula.
 template <class S> S angle_of_units(const Column<S>& u, const Column<S>& v) {
@@ -248,11 +266,17 @@ template <class S> S angle_of_units(const Column<S>& u, const Column<S>& v) {
 /// angle_between() of two vectors.
 template <class F, class U, class V, class S>
 Quantity<si::angle, S> angle_of(const Vector<F, U, S>& r, const Vector<F, V, S>& s) {
-  return Quantity<si::angle, S>::from_value(
-      angle_of_units<S>(direction(r).coordinates(), direction(s).coordinates()));
+  return Quantity<si::angle, S>::from_value(angle_of_units<S>(
+      direction_for("angle_between", r).coordinates(), direction_for("angle_between", s).coordinates()));
 }
 
 }  // namespace detail
+
+/// r / |r|, safe from overflow and underflow. Throws BadInput for the zero vector, which has no direction,
+/// and for one whose coordinates overflowed.
+template <class F, class U, class S> Vector<F, si::dimensionless, S> direction(const Vector<F, U, S>& r) {
+  return detail::direction_for("direction", r);
+}
 
 template <class F, class U, class S> std::ostream& print_framed(std::ostream& out, const Vector<F, U, S>& r) {
   return detail::print_column(out, r.coordinates(), detail::unit_symbol<U>) << " in " << frame_name<F>();

@@ -13,8 +13,10 @@ namespace vectrix {
 ///     1.  r^b = q_a^b r^a (q_a^b)*          q_b_from_a * r_a
 ///     2.  q_a^c = q_b^c q_a^b               q_c_from_b * q_b_from_a
 ///     3.  q and -q are the same rotation
-/// Made from numbers only by doors whose name says where the scalar is. The norm of a product of n factors is
-/// 1 to n roundings; advance() keeps it.
+/// Made from numbers only by doors whose name says where the scalar is, and kept as given. In a product the
+/// errors of the norms add, with a rounding for each: up to unit_norm_tolerance of a checked door's, a few
+/// roundings of exp(), quaternion(R_b_from_a) and the nearest_ doors. No operation checks the norm again;
+/// nearest_quaternion() takes the numbers of any product. advance() takes the norm back to 1 at each step.
 template <Frame ToFrame, Frame FromFrame, class S = double> class Quaternion {
  public:
   using to = ToFrame;
@@ -81,7 +83,8 @@ Quaternion<B, A, S> unit_quaternion(const Eigen::Quaternion<S>& q, const char* d
 
 }  // namespace detail
 
-/// The checked doors. Throw BadInput when a number is not finite or | |q| - 1 | exceeds unit_norm_tolerance.
+/// The checked doors: the numbers are kept as given. Throw BadInput when a number is not finite or | |q| - 1
+/// | exceeds unit_norm_tolerance.
 template <Frame B, Frame A, class S>
   requires(!std::integral<S>)
 detail::OfTwo<B, A, Quaternion<B, A, S>> quaternion_scalar_first(To<B>, From<A>, S w, S x, S y, S z) {
@@ -175,7 +178,8 @@ template <class B, class A, class S> Quaternion<A, B, S> inverse(const Quaternio
   return {detail::trusted, q_b_from_a.eigen().conjugate()};
 }
 
-/// R_a^b of q_a^b: entries such as 1 - 2 (y^2 + z^2) and 2 (x y - w z).
+/// R_a^b of q_a^b: entries such as 1 - 2 (y^2 + z^2) and 2 (x y - w z). At |q| = 1 + d the entries of
+/// R^T R - I are up to 8 d.
 template <class B, class A, class S> Dcm<B, A, S> dcm(const Quaternion<B, A, S>& q_b_from_a) {
   return {detail::trusted, [&] { return q_b_from_a.eigen().toRotationMatrix(); }};
 }

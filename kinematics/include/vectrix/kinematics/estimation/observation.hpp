@@ -77,14 +77,16 @@ template <Frame B, Frame A, class U, class S>
                      detail::text(sigma.value()) +
                      " rad; it is positive, with a square that a number can hold");
     }
-    return {detail::trusted, direction(r_b), direction(r_a), weight, sigma.value()};
+    return {detail::trusted, detail::direction_for("observation", r_b),
+            detail::direction_for("observation", r_a), weight, sigma.value()};
   }
 /// With a given weight, for example of a robust fit. sigma remains the size of the error.
 template <Frame B, Frame A, class U, class S, std::convertible_to<S> Weight>
   requires detail::SingleNumber<S> detail::OfTwo<B, A, Observation<B, A, S>> observation(
       const Vector<B, U, S>& r_b, const Vector<A, U, S>& r_a, const Quantity<si::angle, S>& sigma,
       const Weight& weight) {
-    return {detail::trusted, direction(r_b), direction(r_a),
+    return {detail::trusted, detail::direction_for("observation", r_b),
+            detail::direction_for("observation", r_a),
             detail::checked_weight<S>(static_cast<S>(weight),
                                       [] { return detail::observation_door<B, A>("observation"); }),
             S(observation(r_b, r_a, sigma).deviation().value())};
@@ -98,7 +100,8 @@ auto observation(  // r_b, r_a, sigma: one direction in two frames, in one unit;
 template <Frame B, Frame A, class U, class S, std::convertible_to<S> Weight>
   requires detail::SingleNumber<S> detail::OfTwo<B, A, WeightedObservation<B, A, S>> weighted_observation(
       const Vector<B, U, S>& r_b, const Vector<A, U, S>& r_a, const Weight& weight) {
-    return {detail::trusted, direction(r_b), direction(r_a),
+    return {detail::trusted, detail::direction_for("weighted_observation", r_b),
+            detail::direction_for("weighted_observation", r_a),
             detail::checked_weight<S>(static_cast<S>(weight),
                                       [] { return detail::observation_door<B, A>("weighted_observation"); })};
   }

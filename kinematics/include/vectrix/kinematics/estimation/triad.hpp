@@ -55,7 +55,8 @@ template <Frame B, Frame A, class U, class V, class S>
 detail::OfTwo<B, A, Dcm<B, A, S>> triad(To<B>, From<A>, const Vector<B, U, S>& r_b,
                                         const Vector<A, U, S>& r_a, const Vector<B, V, S>& s_b,
                                         const Vector<A, V, S>& s_a) {
-  return detail::triad_of(direction(r_b), direction(r_a), direction(s_b), direction(s_a));
+  const auto along = [](const auto& r) { return detail::direction_for("triad", r); };
+  return detail::triad_of(along(r_b), along(r_a), along(s_b), along(s_a));
 }
 
 /// The same from two observations, the more accurate one first, with the covariance of the result:

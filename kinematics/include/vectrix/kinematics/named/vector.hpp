@@ -30,13 +30,13 @@ template <VectorUnit U> class NamedVector {
 template <class U> inline constexpr bool detail::is_framed<NamedVector<U>> = true;
 
 /// Claims that the three bare numbers are coordinates in a, in the coherent SI unit U:
-/// vector<si::length>(In(a), m), also of a part of a longer column: x.segment(3, 3). Throws BadInput when one
-/// is not finite, or there are not three.
-template <VectorUnit U, class Derived>
-  requires(detail::ThreeNumbers<Derived>&& std::same_as<typename Derived::Scalar, double>)
-NamedVector<U> vector(In<NamedFrame> a, const Eigen::MatrixBase<Derived>& coordinates) {
+/// vector<si::length>(In(a), m), also of a part of a longer column or of a matrix: x.segment(3, 3). Throws
+/// BadInput when one is not finite, or there are not three.
+template <VectorUnit U, detail::ThreeNumbers Numbers>
+  requires(std::same_as<typename Numbers::Scalar, double>)
+NamedVector<U> vector(In<NamedFrame> a, const Numbers& coordinates) {
   const auto door = [&] { return "vector(in " + detail::in_quotes(a.frame) + "): "; };
-  detail::require_size(coordinates, 3, 1, door);
+  detail::require_three(coordinates, door);
   const detail::Column<double> r = coordinates;
   if (!r.allFinite()) {
     throw BadInput(door() + "the coordinates (" + detail::text(r.x()) + ", " + detail::text(r.y()) + ", " +

@@ -41,7 +41,8 @@ class VECTRIX_EXPORT HarrisPriester {
   [[nodiscard]] std::enable_if_t<detail::is_place<Place> && detail::is_towards_sun<Sun>,
                                  Quantity<si::density>>
   density(const Place& r_itrf, const Sun& to_the_sun) const {
-    return under_the_sun(r_itrf, direction(detail::plain(to_the_sun)).coordinates());
+    return under_the_sun(
+        r_itrf, detail::direction_for("HarrisPriester::density", detail::plain(to_the_sun)).coordinates());
   }
   template <class... Given>
   auto density(  // (r_itrf, to_the_sun): a position in m and the Sun, both in earth::Itrf

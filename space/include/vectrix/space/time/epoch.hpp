@@ -108,7 +108,8 @@ class VECTRIX_EXPORT Epoch {
 
   /// Rounded to 1e-10 s, so that a week begins at its second 0. Throws BadInput before 1980 January 6.
   [[nodiscard]] GpsTime gps_time() const;
-  /// Leap seconds at this instant. Throws BadInput before 1960.
+  /// Of the leap seconds at this instant; before 1972 of the line between two steps. The first instant after
+  /// a step has the difference after it. Throws BadInput before 1960.
   [[nodiscard]] Quantity<si::time> tai_minus_utc() const;
 
   friend bool operator==(const Epoch& a, const Epoch& b) { return a.tai_ == b.tai_; }
