@@ -112,7 +112,7 @@ std::vector<SignedAxes> all_axes() {
 RateEvidence compare_rates(const AttitudeRecord& record) {
   const auto steps = steps_of(record);
   const auto rates = record.rates_in_radians();
-  RateEvidence evidence{{}, {}, rms_of(rates), 0.0};
+  RateEvidence evidence{{}, {}, rms_of(rates), 0.0, {}, {}};
   if (!std::isfinite(evidence.rms_rate))
     throw BadInput(record.file + ": the rates are too large, " + detail::text(evidence.rms_rate) +
                    " rad/s rms");
@@ -125,6 +125,13 @@ RateEvidence compare_rates(const AttitudeRecord& record) {
       evidence.rms_turn = rms_rate(steps, [&](std::size_t k) { return stated[k]; });
     evidence.stated_axes.push_back(rms_difference(steps, stated, by_rates));
     evidence.other_axes.push_back(rms_difference(steps, others, by_rates));
+    // TEME turns by 1e-11 rad/s.
+    if (record.gcrf_from_stated.empty() || record.stated_reference == "TEME") continue;
+    const auto of_gcrf = to_reference(record, reading);
+    evidence.of_gcrf_in_body.push_back(
+        rms_difference(steps, turns_of(of_gcrf, steps, RateAxes::body), by_rates));
+    evidence.of_gcrf_in_gcrf.push_back(
+        rms_difference(steps, turns_of(of_gcrf, steps, RateAxes::reference), by_rates));
   }
   return evidence;
 }
