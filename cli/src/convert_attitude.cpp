@@ -105,7 +105,7 @@ void convert(const AttitudeSource& source, const ConvertOptions& options, std::o
   } else if (is_for_viewer) {
     if (!attitude.rates.empty()) attitude.computed.emplace_back("the rates are left out");
     if (!record.are_normalised) attitude.computed.emplace_back("the quaternions are divided by their norms");
-    if (options.out.extension() == ".a") {
+    if (ending_of(options.out) == ".a") {
       text = stk_attitude(attitude);
     } else {
       const std::string object = object_name(options.text, record.message, record.file);
