@@ -32,7 +32,7 @@ struct Comparison {
   std::vector<double> disagreements;
   double largest;             // a larger one is no fit
   std::string without_fit{};  // what to say then
-  bool is_of_file = false;    // with the file itself, which then contradicts itself
+  bool is_needed = false;     // then no fit contradicts the file
 };
 
 // What was compared, of what may decide.
@@ -62,7 +62,7 @@ class Findings {
     const auto fit = fitting(made.disagreements, made.largest);
     keep(made, fit);
     if (fit.empty()) {
-      contradicts_itself_ = contradicts_itself_ || made.is_of_file;
+      contradicts_itself_ = contradicts_itself_ || made.is_needed;
       out_ << "  No reading fits." << made.without_fit << "\n\n";
     } else if (fit.front() != 0) {
       ++refuted_;
@@ -195,7 +195,8 @@ void write_rates(const AttitudeRecord& record, Findings& findings, std::ostream&
       << label("rates in the axes of") << padded(axes_name(stated, record), 14)
       << padded(axes_name(other(stated), record), 14) << '\n';
   constexpr double largest_part = 0.1;  // of the rates
-  Comparison made{{}, evidence.stated_axes, largest_part * evidence.rms_rate, {}, true};
+  Comparison made{{}, evidence.stated_axes, largest_part * evidence.rms_rate};
+  made.is_needed = evidence.least_beyond_change > made.largest;
   for (const auto* const more : {&evidence.other_axes, &evidence.of_gcrf_in_body, &evidence.of_gcrf_in_gcrf})
     made.disagreements.insert(made.disagreements.end(), more->begin(), more->end());
   const auto readings = readings_of(record);
@@ -215,6 +216,8 @@ void write_rates(const AttitudeRecord& record, Findings& findings, std::ostream&
     made.without_fit = evidence.rms_rate > 0.0
                            ? " The nearest leaves " + percent_of(best, evidence.rms_rate) + " of the rates."
                            : " The rates are zero, and the body turns.";
+    if (!made.is_needed)
+      made.without_fit += " They change too much from one sample to the next to contradict the file.";
     const double per_radian = evidence.rms_turn / evidence.rms_rate;
     for (const double factor : {degrees, 1.0 / degrees})
       if (std::abs(per_radian / factor - 1.0) < 0.05)
