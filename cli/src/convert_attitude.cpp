@@ -103,6 +103,7 @@ void convert(const AttitudeSource& source, const ConvertOptions& options, std::o
     write_kernel(attitude, words, longest_step(record, median(durations_of(record))), options.out,
                  options.force);
   } else if (is_for_viewer) {
+    require_earth(record);  // there the axes are at its centre
     if (!attitude.rates.empty()) attitude.computed.emplace_back("the rates are left out");
     if (!record.are_normalised) attitude.computed.emplace_back("the quaternions are divided by their norms");
     if (ending_of(options.out) == ".a") {
