@@ -296,10 +296,9 @@ TEST_F(OfADrawnFlight, ABudgetAloneIsNoRequirement) {
 
 TEST_F(OfADrawnFlight, ABudgetThatIsNoSmallTurnIsRefused) {
   const Replayed found = flown(with(DrawnFlight::scenario(), "[40, 40, 0] arcsec", "[20, 20, 0] deg"));
-  EXPECT_EQ(
-      complaint([&] { (void)found.budgets(); }, found.folder->file("s.toml")),
-      "FILE:15:1: the budget of this requirement: half_cone(): the half-angle is above 0.5 rad; the law "
-      "is of small turns");
+  EXPECT_EQ(complaint([&] { (void)found.budgets(); }, found.folder->file("s.toml")),
+            "FILE:15:1: the budget of this requirement: the half-angle is above 0.5 rad; the law "
+            "is of small turns");
 }
 
 }  // namespace
