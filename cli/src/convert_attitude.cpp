@@ -103,9 +103,10 @@ void convert(const AttitudeSource& source, const ConvertOptions& options, std::o
     write_kernel(attitude, words, longest_step(record, median(durations_of(record))), options.out,
                  options.force);
   } else if (is_for_viewer) {
+    require_earth(record);  // there the axes are at its centre
     if (!attitude.rates.empty()) attitude.computed.emplace_back("the rates are left out");
     if (!record.are_normalised) attitude.computed.emplace_back("the quaternions are divided by their norms");
-    if (options.out.extension() == ".a") {
+    if (ending_of(options.out) == ".a") {
       text = stk_attitude(attitude);
     } else {
       const std::string object = object_name(options.text, record.message, record.file);

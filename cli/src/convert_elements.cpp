@@ -7,6 +7,7 @@
 #include "figures.hpp"
 #include "message_kind.hpp"
 #include "new_file.hpp"
+#include "table_text.hpp"
 
 namespace vectrix::cli {
 namespace {
@@ -39,6 +40,7 @@ std::vector<OrbitMeanElementsMessage> messages_of(const std::vector<TwoLineEleme
 }  // namespace
 
 bool has_two_lines(const std::filesystem::path& file) {
+  if (ending_of(file) == ".tle") return true;
   std::ifstream in(file);
   constexpr std::size_t columns = 68;
   constexpr int most = 2;  // line 1 of a set, or a title before it
@@ -52,7 +54,7 @@ bool has_two_lines(const std::filesystem::path& file) {
 }
 
 void convert(const ElementFile& elements, const ConvertOptions& options, std::ostream& out) {
-  const std::string kind = options.out.extension().string();
+  const std::string kind = ending_of(options.out);
   if (kind != ".omm" && kind != ".xml")
     throw BadInput(options.out.string() + ": elements of SGP4 are written as .omm or .xml");
   refuse_input(options.out, {elements.file});

@@ -71,7 +71,7 @@ std::string orbit_message(const OrbitRecord& record, const ConvertOptions& optio
 void convert(const OrbitFile& orbit, const ConvertOptions& options, std::ostream& out) {
   const bool is_for_viewer = is_viewer_name(options.out),
              is_table = !is_for_viewer && is_table_name(options.out, ".oem");
-  if (options.out.extension() == ".a") throw BadInput(options.out.string() + ": .a is of an attitude");
+  if (ending_of(options.out) == ".a") throw BadInput(options.out.string() + ": .a is of an attitude");
   refuse_input(options.out, {orbit.file});
   OrbitRecord record = read_orbit_file(orbit);
   if (!options.frame.empty()) record = relative_to_frame(std::move(record), inertial_name(options.frame));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 
 #include "quantile.hpp"
 #include "sample_faults.hpp"
@@ -80,6 +81,18 @@ double rms_difference(const std::vector<Step>& steps, const std::vector<Quaterni
   return rms_rate(steps, [&](std::size_t k) { return some[k].conjugate() * others[k]; });
 }
 
+double rms_beyond_change(const std::vector<Step>& steps, const std::vector<Quaterniond>& turns,
+                         const std::vector<Quaterniond>& by_rates, const std::vector<Vector3d>& rates) {
+  double sum = 0.0;
+  for (std::size_t k = 0; k < steps.size(); ++k) {
+    const auto [i, duration] = steps[k];
+    const double change = (rates[i + 1] - rates[i]).norm(),
+                 beyond = angle_of(turns[k].conjugate() * by_rates[k]) / duration - 0.5 * change;
+    if (beyond > 0.0) sum += beyond * beyond;
+  }
+  return std::sqrt(sum / static_cast<double>(steps.size()));
+}
+
 double rms_of(const std::vector<Vector3d>& rates) {
   double sum = 0.0;
   for (const Vector3d& w : rates) sum += w.squaredNorm();
@@ -116,15 +129,27 @@ RateEvidence compare_rates(const AttitudeRecord& record) {
   if (!std::isfinite(evidence.rms_rate))
     throw BadInput(record.file + ": the rates are too large, " + detail::text(evidence.rms_rate) +
                    " rad/s rms");
+  evidence.least_beyond_change = std::numeric_limits<double>::infinity();
   const auto by_rates = turns_by(rates, steps);
+  const auto difference = [&](const std::vector<Quaterniond>& q, RateAxes axes) {
+    const auto turns = turns_of(q, steps, axes);
+    evidence.least_beyond_change =
+        std::min(evidence.least_beyond_change, rms_beyond_change(steps, turns, by_rates, rates));
+    return rms_difference(steps, turns, by_rates);
+  };
   for (const Reading& reading : readings_of(record)) {
     const auto q = to_stated_reference(record, reading);
-    const auto stated = turns_of(q, steps, record.rate_axes),
-               others = turns_of(q, steps, other(record.rate_axes));
-    if (evidence.stated_axes.empty())
-      evidence.rms_turn = rms_rate(steps, [&](std::size_t k) { return stated[k]; });
-    evidence.stated_axes.push_back(rms_difference(steps, stated, by_rates));
-    evidence.other_axes.push_back(rms_difference(steps, others, by_rates));
+    if (evidence.stated_axes.empty()) {
+      const auto turns = turns_of(q, steps, record.rate_axes);
+      evidence.rms_turn = rms_rate(steps, [&](std::size_t k) { return turns[k]; });
+    }
+    evidence.stated_axes.push_back(difference(q, record.rate_axes));
+    evidence.other_axes.push_back(difference(q, other(record.rate_axes)));
+    // TEME turns by 1e-11 rad/s.
+    if (record.gcrf_from_stated.empty() || record.stated_reference == "TEME") continue;
+    const auto of_gcrf = to_reference(record, reading);
+    evidence.of_gcrf_in_body.push_back(difference(of_gcrf, RateAxes::body));
+    evidence.of_gcrf_in_gcrf.push_back(difference(of_gcrf, RateAxes::reference));
   }
   return evidence;
 }

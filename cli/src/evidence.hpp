@@ -20,6 +20,10 @@ struct RateEvidence {
   std::vector<double> stated_axes, other_axes;  // by reading
   double rms_rate;                              // of the file
   double rms_turn;                              // of the shortest turns, rad/s
+  // Of rates relative to GCRF, if the reference of the file turns: in the axes of the body, and of GCRF.
+  std::vector<double> of_gcrf_in_body{}, of_gcrf_in_gcrf{};
+  // What the nearest of these leaves if the mean rate of a step may be off by half of its change in the step.
+  double least_beyond_change{};
 };
 RateEvidence compare_rates(const AttitudeRecord& record);
 

@@ -87,9 +87,10 @@ FlownOrbit orbit_of(const std::string& file, const OrbitEphemerisSegment& segmen
   const auto reference = inertial(name);
   const bool is_itrf = name.starts_with("itrf");
   if (is_itrf && !orientation)
-    throw BadInput(
-        file + ": REF_FRAME is '" + segment.ref_frame() +
-        "'; ITRF needs the orientation of the Earth: orientation = \"FILE\" in [earth] of a scenario");
+    throw BadInput(file + ": REF_FRAME is '" + segment.ref_frame() +
+                   "'; ITRF needs the orientation of the Earth: --orientation FILE, or orientation = "
+                   "\"FILE\" in [earth] "
+                   "of a scenario");
   if (!is_teme && !reference && !is_itrf)
     throw BadInput(file + ": REF_FRAME is '" + segment.ref_frame() +
                    "', none of EME2000, GCRF, TEME and ITRF");

@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <ctime>
 #include <exception>
+#include <filesystem>
 #include <iostream>
 #include <string_view>
+#include <system_error>
 
 #include <vectrix/kinematics/named/nearest_name.hpp>
 
@@ -29,6 +31,28 @@ void require_texts(const CLI::App& command) {
   for (const CLI::Option* option : command.get_options())
     for (const std::string& text : option->results())
       if (text.empty()) throw BadInput(option->get_name() + " is empty");
+}
+
+// The files that are read: no directories, and no pipes where the beginning tells the format, or what is read
+// next is elsewhere in the file.
+void require_files(const CLI::App& command) {
+  const bool is_of_scenario = command.get_name() == "replay" || command.get_name() == "frames";
+  for (const CLI::Option* option : command.get_options()) {
+    const std::string name = option->get_name();
+    if (option->get_type_name() != "FILE" || name == "out" || name == "--csv" || name == "--hdf5" ||
+        name == "--output")
+      continue;
+    const bool is_read_once = name == "file"
+                                  ? is_of_scenario
+                                  : name != "--tle" && name != "--omm" && name != "--oem" && name != "--spk";
+    for (const std::string& text : option->results()) {
+      std::error_code none;
+      const auto status = std::filesystem::status(text, none);
+      if (std::filesystem::is_directory(status)) throw BadInput(text + ": is a directory, not a file");
+      if (std::filesystem::is_fifo(status) && !is_read_once)
+        throw BadInput(text + ": is a pipe, which can be read only once; write it to a file first");
+    }
+  }
 }
 
 // As a message has it: 2026-11-29T00:00:00.
@@ -151,6 +175,13 @@ std::string nearest_to(const CLI::App& app, int count, char** arguments) {
   return "";
 }
 
+// What was written may still be on its way: a full disk shows here.
+int written(int code) {
+  if (std::cout.flush()) return code;
+  std::cerr << "vectrix: the standard output cannot be written; is the disk full?\n";
+  return bad_input;
+}
+
 }  // namespace
 
 int main(int count, char** arguments) {
@@ -161,9 +192,10 @@ int main(int count, char** arguments) {
     app.parse(count, arguments);
     const CLI::App& command = *app.get_subcommands().front();
     require_texts(command);
-    return run(command.get_name(), words) ? yes : no;
+    require_files(command);
+    return written(run(command.get_name(), words) ? yes : no);
   } catch (const CLI::ParseError& error) {
-    if (app.exit(error) == 0) return 0;
+    if (app.exit(error) == 0) return written(yes);
     std::cerr << nearest_to(app, count, arguments);
     return bad_input;
   } catch (const std::exception& error) {

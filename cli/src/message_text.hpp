@@ -7,6 +7,7 @@
 
 #include <vectrix/space.hpp>
 
+#include "table_text.hpp"
 #include "word.hpp"
 
 namespace vectrix::cli {
@@ -41,7 +42,7 @@ void set_times(EphemerisMetadata& metadata, const Epoch& first, const Epoch& las
 /// The text of the message, in XML for a file whose name ends in .xml. Throws BadInput if it cannot be read.
 template <class Message>
 std::string text_that_reads_back(const Message& message, const std::filesystem::path& out) {
-  std::string text = out.extension() == ".xml" ? message.xml() : message.text();
+  std::string text = ending_of(out) == ".xml" ? message.xml() : message.text();
   try {
     static_cast<void>(Message::parse(text));
   } catch (const BadInput& error) {

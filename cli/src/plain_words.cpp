@@ -38,4 +38,10 @@ std::string without_types(const std::string& text) {
   return reason == std::string::npos ? text : text.substr(reason + 2);
 }
 
+std::string without_function(const std::string& text) {
+  constexpr std::string_view call = "(): ";
+  const std::size_t end = text.find(call);
+  return end == std::string::npos || text.find(' ') < end ? text : text.substr(end + call.size());
+}
+
 }  // namespace vectrix::cli

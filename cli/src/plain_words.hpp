@@ -11,6 +11,8 @@ namespace vectrix::cli {
 std::string without_types_of_names(const std::string& text);
 /// What the library says, without the names of types with which a message of it may begin.
 std::string without_types(const std::string& text);
+/// What the library says, without its function with which a message may begin: "half_cone(): the confidence".
+std::string without_function(const std::string& text);
 
 /// The result of the function. A BadInput that names types begins with `place` instead.
 template <class Function> auto in_plain_words(const std::string& place, const Function& function) {

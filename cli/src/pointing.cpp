@@ -111,13 +111,14 @@ void require_utc(const AttitudeRecord& record) {
 }
 
 // The angles are of those samples that count.
-void write_hidden(const std::vector<double>& angles, const std::vector<bool>& hidden, std::ostream& out) {
+void write_hidden(const std::vector<double>& angles, const std::vector<bool>& hidden, bool are_all,
+                  std::ostream& out) {
   const std::string words = words_of_hidden(hidden, "sample");
   if (words.empty()) return;
   std::vector<bool> visible = hidden;
   visible.flip();
   const auto seen = counted_of(angles, visible);
-  out << "  These are of all samples, but " << words;
+  out << "  These are of all " << (are_all ? "samples" : "the others") << ", but " << words;
   if (!seen.empty()) {
     const AngleFigures figures(seen);
     out << ";\n  at the others the angle is " << decimals(figures.value(figures.place_of_least())) << " to "
@@ -136,7 +137,7 @@ bool write_absolute(const PointingOptions& options, const AttitudeRecord& record
   write(figures, counted_of(record.times, counts), out);
   if (const std::string words = words_of_left_out(options.when, counts, "sample"); !words.empty())
     out << "  " << words << ".\n";
-  if (options.when != When::visible) write_hidden(angles, counted_of(hidden, counts), out);
+  if (options.when != When::visible) write_hidden(angles, counted_of(hidden, counts), counts.empty(), out);
   return !options.required || fulfils(figures, *options.required, *options.percent, "samples", out);
 }
 

@@ -90,8 +90,15 @@ std::function<Matrix3d(const Epoch&)> reference_motion(const std::string& file, 
   return [orbit, reference](const Epoch& t) { return of_orbit(reference, orbit(t)); };
 }
 
+void require_earth(const AttitudeRecord& record) {
+  const std::string centre = record.message ? record.message->metadata.center_name : "";
+  if (!centre.empty() && small(centre) != "earth")
+    throw BadInput(record.file + ": CENTER_NAME is '" + centre + "'; the attitude must be about EARTH");
+}
+
 void turn_to_gcrf(AttitudeRecord& record, const FlownOrbit& orbit,
                   const std::optional<EarthOrientation>& orientation, const ReferenceWords& words) {
+  require_earth(record);
   if (inertial(record.reference)) return;
   const auto motion =
       reference_motion(record.file, record.reference, from_until(record.times.front(), record.times.back()),

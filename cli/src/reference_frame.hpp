@@ -41,8 +41,12 @@ std::function<Eigen::Matrix3d(const Epoch&)> reference_motion(
     const std::string& file, const std::string& reference, const TimeSpan& span, const FlownOrbit& orbit,
     const std::optional<EarthOrientation>& orientation, const ReferenceWords& words);
 
+/// Throws BadInput for a message about another centre than the Earth.
+void require_earth(const AttitudeRecord& record);
+
 /// Of an attitude relative to a frame that moves makes one relative to GCRF: in to_reference(), and
-/// `reference`. What the file has stays as it is. Throws BadInput as reference_motion().
+/// `reference`. What the file has stays as it is. Throws BadInput as reference_motion(), and for a message
+/// about another centre than the Earth: of it are the orbits, and from there targets are seen.
 void turn_to_gcrf(AttitudeRecord& record, const FlownOrbit& orbit,
                   const std::optional<EarthOrientation>& orientation, const ReferenceWords& words);
 

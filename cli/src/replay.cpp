@@ -98,7 +98,7 @@ std::string table(const Scenario& scenario, const Flight& flight, const std::vec
 }
 
 void require_writable(const Scenario& scenario, const ReplayOptions& options) {
-  if (const auto kind = options.hdf5.extension(); !options.hdf5.empty() && kind != ".h5" && kind != ".hdf5")
+  if (const auto kind = ending_of(options.hdf5); !options.hdf5.empty() && kind != ".h5" && kind != ".hdf5")
     throw BadInput("--hdf5 " + options.hdf5.string() + ": the name ends neither in .h5 nor in .hdf5");
   for (const auto& file : {scenario.report, scenario.csv, options.hdf5}) {
     if (file.empty()) continue;
@@ -120,6 +120,7 @@ bool replay(const ReplayOptions& options, Progress& progress, std::ostream& out)
       in_plain_words(options.file.string(), [&] { return read_scenario(options.file); });
   if (options.check) {
     const auto flown = read_flown_attitude(scenario);
+    (void)instants(scenario, flown.record);
     out << scenario.file << ": " << counted(scenario.measures.size(), "measure") << " and "
         << counted(scenario.requirements.size(), "requirement") << " of " << flown.record.body
         << " relative to " << flown.record.reference << ", " << counted(flown.record.size(), "sample") << ", "

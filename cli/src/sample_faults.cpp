@@ -20,6 +20,25 @@ void add(SampleFaults::Extreme& found, double value, std::size_t sample) {
   ++found.count;
 }
 
+// The body cannot know of a late time tag: it turned in the step before as in the step behind.
+void add_wrong_times(const std::vector<double>& durations, const std::vector<double>& turns,
+                     SampleFaults& found) {
+  if (turns.size() < 2) return;
+  std::vector<double> changes;
+  for (std::size_t i = 0; i + 1 < turns.size(); ++i) changes.push_back(std::abs(turns[i + 1] - turns[i]));
+  constexpr double least_part = 0.01, decisive = 4.0;
+  const double usual = found.median_step, unsteadiness = median(changes);
+  for (std::size_t i = 0; i + 1 < turns.size(); ++i) {
+    const double late = std::abs(durations[i] - usual);
+    const bool is_made_up_for = std::abs(durations[i] + durations[i + 1] - 2.0 * usual) < late / decisive;
+    // What the speed before and behind would differ by, as a turn in a usual step.
+    const double made_up = late * (turns[i] + turns[i + 1]) / usual;
+    if (late > least_part * usual && is_made_up_for &&
+        decisive * std::max(changes[i], unsteadiness) < made_up)
+      add(found.wrong_times, late, i + 1);
+  }
+}
+
 void write_head(const AttitudeRecord& record, const SampleFaults& faults, std::ostream& out) {
   out << record.file << "\n"
       << record.size() << " samples of " << record.body << " relative to " << record.reference_of_file()
@@ -54,6 +73,10 @@ void write_faults(const AttitudeRecord& record, const SampleFaults& faults, std:
        shown(faults.gaps.largest) + " s, which ends");
   line(faults.breaks, "step from one interval of the kernel to another, over which nothing is interpolated",
        "steps from one interval of the kernel to another, over which nothing is interpolated", "");
+  line(faults.wrong_times,
+       "time that seems wrong: with the usual steps the body turns evenly, with these it does not",
+       "times that seem wrong: with the usual steps the body turns evenly, with these it does not",
+       shown(faults.wrong_times.largest) + " s");
   line(faults.sign_flips, "change from q to -q: the attitude is one, its numbers are not",
        "changes from q to -q: the attitude is one, its numbers are not", "");
   line(faults.half_turns, "step near half a turn: rates must say which way it turned",
@@ -67,7 +90,7 @@ void write_faults(const AttitudeRecord& record, const SampleFaults& faults, std:
   if (std::abs(faults.scale - 1.0) > 1e-6)
     out << "  the norm of the quaternions is " << shown(faults.scale) << ", not 1\n";
   if (faults.gaps.count + faults.breaks.count + faults.sign_flips.count + faults.half_turns.count +
-          faults.jumps.count + faults.norm_errors.count ==
+          faults.jumps.count + faults.norm_errors.count + faults.wrong_times.count ==
       0)
     out << "  no gaps, changes of sign, half turns, jumps or differing norms\n";
   if (!record.hidden_segments.empty())
@@ -110,6 +133,7 @@ SampleFaults faults_of(const AttitudeRecord& record) {
     if (turns[i] > nearly_half_a_turn) add(found.half_turns, turns[i], i + 1);
     if (speeds[i] > 10.0 * usual && turns[i] > least_jump) add(found.jumps, turns[i], i + 1);
   }
+  add_wrong_times(durations, turns, found);
   constexpr double tolerance = 1e-6;
   for (std::size_t i = 0; i < norms.size(); ++i) {
     const double off = std::abs(norms[i] / found.scale - 1.0);

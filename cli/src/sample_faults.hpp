@@ -45,6 +45,9 @@ struct SampleFaults {
   Extreme jumps;        // steps more than ten times as fast as the median and 0.5 deg, rad
   Extreme norm_errors;  // | |q| - 1 | above 1e-6, unless the numbers are of another scale
   double scale;         // the median norm
+  // Times that are off by more than a hundredth of the usual step, s: with that step before and behind them,
+  // and not with theirs, the body turns evenly.
+  Extreme wrong_times;
 };
 SampleFaults faults_of(const AttitudeRecord& record);
 

@@ -29,13 +29,17 @@ template <class Numbers> void add_fields(std::string& line, const Numbers& numbe
   for (const double number : numbers) line += "," + detail::text(number);
 }
 
+/// In small letters, with the point: ".csv" of OUT.CSV.
+inline std::string ending_of(const std::filesystem::path& file) {
+  return small(file.extension().string());
+}
 /// Whether an attitude kernel of SPICE is to be written.
 inline bool is_kernel_name(const std::filesystem::path& file) {
-  return file.extension() == ".bc";
+  return ending_of(file) == ".bc";
 }
 /// Whether a table is to be written, or a message. Throws BadInput for another name.
 inline bool is_table_name(const std::filesystem::path& file, const std::string& message) {
-  const std::string kind = file.extension().string();
+  const std::string kind = ending_of(file);
   if (kind != ".csv" && kind != message && kind != ".xml")
     throw BadInput(file.string() + ": the name ends in none of " + message +
                    (message == ".aem" ? ", .bc" : "") +

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <functional>
 #include <map>
 #include <optional>
@@ -28,6 +29,14 @@ StarMotion star_motion(const Eigen::Vector2d& rates, bool cos_declination_is_inc
 /// Whether a star may have it: from 0 to 1 arcsec.
 inline bool is_parallax(double arcseconds) {
   return arcseconds >= 0.0 && arcseconds <= 1.0;
+}
+/// Whether a star at a declination, rad, may have the rates of star_motion: Barnard's star, the fastest, has
+/// 10.4 arcsec in a year.
+inline bool is_proper_motion(const Eigen::Vector2d& rates, bool cos_declination_is_included,
+                             double declination) {
+  constexpr double fastest = 10.4;
+  const double across = cos_declination_is_included ? rates.x() : rates.x() * std::cos(declination);
+  return std::hypot(across, rates.y()) <= fastest;
 }
 /// A star, which stands still if it is not said how it moves.
 struct StarTarget {

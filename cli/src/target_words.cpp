@@ -44,7 +44,7 @@ double milliarcseconds(const char* option, const std::string& text) {
 }
 
 // Nothing if it is not said how the star moves.
-std::optional<StarMotion> motion_of(const TargetWords& words) {
+std::optional<StarMotion> motion_of(const TargetWords& words, double declination) {
   const Words needed{{"--proper-motion MAS,MAS", words.proper_motion},
                      {"--cos-declination included|not_included", words.cos_declination},
                      {"--epoch TIME", words.epoch}};
@@ -58,9 +58,13 @@ std::optional<StarMotion> motion_of(const TargetWords& words) {
       words.parallax.empty() ? 0.0 : milli * milliarcseconds("--parallax", words.parallax);
   if (!is_parallax(parallax))
     throw BadInput("--parallax " + words.parallax + " is not from 0 to 1000 milliarcseconds");
-  return star_motion({milli * milliarcseconds("--proper-motion", rates[0]),
-                      milli * milliarcseconds("--proper-motion", rates[1])},
-                     words.cos_declination == "included", parallax, Epoch::from(words.epoch));
+  const Eigen::Vector2d moves(milli * milliarcseconds("--proper-motion", rates[0]),
+                              milli * milliarcseconds("--proper-motion", rates[1]));
+  const bool is_included = words.cos_declination == "included";
+  if (!is_proper_motion(moves, is_included, declination))
+    throw BadInput("--proper-motion " + words.proper_motion +
+                   " is more than 10400 milliarcseconds in a year, " + "that of Barnard's star, the fastest");
+  return star_motion(moves, is_included, parallax, Epoch::from(words.epoch));
 }
 
 }  // namespace
@@ -104,13 +108,13 @@ MeasureTarget target_of(const TargetWords& words) {
   if (words.target != "station") refuse(of_station, "", " is of a station" + other);
   if (words.target == "star") {
     require(of_star, words.target);
-    const auto motion = motion_of(words);
+    const auto declination = angle("--declination", words.declination, most_of_a_latitude);
+    const auto motion = motion_of(words, declination.value());
     return StarTarget{"the star at right ascension " + words.right_ascension + " deg, declination " +
                           words.declination + " deg" +
                           (motion ? " at " + words.epoch + ", with its proper motion"
                                   : ", standing still: no proper motion is given"),
-                      {angle("--right-ascension", words.right_ascension, most_of_a_longitude),
-                       angle("--declination", words.declination, most_of_a_latitude)},
+                      {angle("--right-ascension", words.right_ascension, most_of_a_longitude), declination},
                       motion};
   }
   if (words.target == "station") {

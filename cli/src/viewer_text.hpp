@@ -5,12 +5,14 @@
 
 #include "orbit_record.hpp"
 #include "plain_attitude.hpp"
+#include "table_text.hpp"
 
 namespace vectrix::cli {
 
 /// What a viewer reads: .a for STK, .czml for Cesium.
 inline bool is_viewer_name(const std::filesystem::path& file) {
-  return file.extension() == ".a" || file.extension() == ".czml";
+  const std::string ending = ending_of(file);
+  return ending == ".a" || ending == ".czml";
 }
 
 /// An attitude file of STK: AttitudeTimeQuaternions, the scalar last, where R(q) takes coordinates from the

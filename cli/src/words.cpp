@@ -213,7 +213,7 @@ void set_message_words(ConvertOptions& options, const MessageWords& given, bool 
   set_orbit_words(options.orbit, options.orbit.message.empty() ? InterpolationWords{} : words.interpolation);
   if (!options.orbit.message.empty()) words.interpolation = {};
   const InterpolationWords& interpolation = words.interpolation;
-  if (options.out.extension() == ".csv")
+  if (ending_of(options.out) == ".csv")
     refuse({{"--object-name", words.object_name},
             {"--object-id", words.object_id},
             {"--originator", words.originator},
@@ -228,7 +228,7 @@ void set_message_words(ConvertOptions& options, const MessageWords& given, bool 
             {"--interpolation", interpolation.method},
             {"--degree", interpolation.degree}},
            options.out.string() + ": is to be for a viewer; ", " is of a message");
-    if (options.out.extension() == ".a")
+    if (ending_of(options.out) == ".a")
       refuse({{"--object-name", words.object_name}}, options.out.string() + ": ", " has no place in it");
   }
   if (is_kernel_name(options.out)) {

@@ -72,7 +72,7 @@ TEST(Check, DecidesNothingForAnAxisThatLooksElsewhere) {
   options.axis = Eigen::Vector3d(1.0, 0.0, 0.0);
   const auto found = checked(options);
   EXPECT_FALSE(found.fits);
-  EXPECT_TRUE(says(found.text, "Not decided. Rates (--rates), an orbit"));
+  EXPECT_TRUE(says(found.text, "Not decided. Rates (--rates) may decide"));
 }
 
 TEST(Check, TakesAnAxisAtMostFiveDegreesFromItsTarget) {
@@ -231,6 +231,122 @@ TEST(Check, SuspectsDegreesForRadians) {
   EXPECT_TRUE(says(zero.text, "No reading fits. The rates are zero, and the body turns."));
 }
 
+// In degrees, and the axis looks at the Sun: what is right of the file does not excuse its rates.
+TEST(Check, ConfirmsNoFileWhoseRatesContradictIt) {
+  const Eigen::Vector3d w(1e-3, -2e-3, 1.5e-3);
+  const Eigen::Quaterniond start = Eigen::Quaterniond(0.5, 0.1, -0.7, 0.4).normalized();
+  const auto of_rates = [&](double factor) {
+    std::ostringstream rows;
+    rows.precision(17);
+    rows << "t,w,x,y,z,wx,wy,wz\n";
+    AttitudeRecord record;
+    record.reference = "GCRF";
+    for (int i = 0; i < 3; ++i) {
+      record.times.push_back(Epoch::from_utc("2026-03-01T00:00:00") + 4.0 * i * si::second);
+      const Eigen::Quaterniond q = start * AttitudeMotion::turned((4.0 * i + 1e-9) * w);
+      const Eigen::Vector3d written = factor * w;
+      rows << record.times.back().utc(9) << ',' << q.w() << ',' << q.x() << ',' << q.y() << ',' << q.z()
+           << ',' << written.x() << ',' << written.y() << ',' << written.z() << '\n';
+    }
+    const TemporaryFile file(rows.str());
+    CheckOptions options;
+    options.attitude.file = file.path();
+    options.attitude.columns = {
+        "t",    scale::utc,        {"w", "x", "y", "z"}, {Scalar::first, Maps::to_reference},
+        "GCRF", {"wx", "wy", "wz"}};
+    options.axis = start.conjugate() * directions(record, Target::sun, geometric, nullptr)[0];
+    options.target = Target::sun;
+    return checked(options);
+  };
+  EXPECT_TRUE(of_rates(1.0).fits);
+  const auto found = of_rates(degrees);
+  EXPECT_FALSE(found.fits) << found.text;
+  EXPECT_TRUE(says(found.text, "degrees for radians?"));
+  EXPECT_TRUE(says(found.text, "\nThe file as stated does not fit: the rates contradict it.\n"));
+  EXPECT_FALSE(of_rates(1.15).fits);  // what is left is above a tenth
+  EXPECT_TRUE(of_rates(1.05).fits);
+}
+
+// Relative to LVLH, which turns by 0.06 deg/s, and the rates are relative to GCRF.
+TEST(Check, FindsRatesRelativeToGcrfOfAnAttitudeThatIsNot) {
+  struct Lvlh : moving_frame {};
+  const AttitudeMotion motion{{1e-3, 0.0, 5e-4}, {0.0, -7e-4, 1e-3}};  // relative to GCRF
+  const auto start = Epoch::from_utc("2023-04-20T05:20:00");
+  const FlownOrbit orbit = read_orbit(cubesat_orbit(), from_until(start, start + 60.0 * si::second));
+  std::ostringstream rows;
+  rows.precision(17);
+  rows << "t,w,x,y,z,wx,wy,wz\n";
+  for (int i = 0; i < 60; ++i) {
+    const Epoch t = start + i * si::second;
+    const auto [r, v] = orbit(t);
+    const Eigen::Quaterniond lvlh_from_gcrf(Eigen::Matrix3d(lvlh(from<Lvlh>, r, v).matrix().transpose()));
+    const Eigen::Quaterniond q = lvlh_from_gcrf * motion.to_reference(i + 1e-9);
+    const Eigen::Vector3d w = motion.rate_in_body(i + 1e-9);
+    rows << t.utc(9) << ',' << q.w() << ',' << q.x() << ',' << q.y() << ',' << q.z() << ',' << w.x() << ','
+         << w.y() << ',' << w.z() << '\n';
+  }
+  const TemporaryFile file(rows.str());
+  CheckOptions options;
+  options.attitude.file = file.path();
+  options.attitude.columns = {
+      "t", scale::utc, {"w", "x", "y", "z"}, {Scalar::first, Maps::to_reference}, "LVLH", {"wx", "wy", "wz"}};
+  options.orbit = cubesat_orbit();
+  const auto found = checked(options);
+  EXPECT_FALSE(found.fits);
+  EXPECT_TRUE(
+      says(found.text,
+           "Another reading fits, three times better than as stated: as stated, rates relative to GCRF "
+           "in the axes of the body.\n"));
+  EXPECT_TRUE(says(found.text, "The file as stated does not fit."));
+}
+
+// It looks at the Earth, with times in UTC; a low orbit turns by 2 deg in the 37 s from UTC to TAI.
+TEST(Check, FindsTheScaleOfTheTimes) {
+  struct Lvlh : moving_frame {};
+  const auto start = Epoch::from_utc("2023-04-20T05:20:00");
+  const FlownOrbit orbit = read_orbit(cubesat_orbit(), from_until(start, start + 600.0 * si::second));
+  const auto stated_in = [&](const TimeScale& stated, double leaning) {
+    std::ostringstream rows;
+    rows.precision(17);
+    rows << "t,w,x,y,z\n";
+    for (int i = 0; i < 60; ++i) {
+      const Epoch t = start + 10.0 * i * si::second;
+      const auto [r, v] = orbit(t);
+      const Eigen::Quaterniond q(Eigen::Matrix3d(lvlh(from<Lvlh>, r, v).matrix() *
+                                                 Eigen::AngleAxisd(leaning, Eigen::Vector3d::UnitX())));
+      rows << t.utc(9) << ',' << q.w() << ',' << q.x() << ',' << q.y() << ',' << q.z() << '\n';
+    }
+    const TemporaryFile file(rows.str());
+    CheckOptions options;
+    options.attitude.file = file.path();
+    options.attitude.columns = {"t",    stated, {"w", "x", "y", "z"}, {Scalar::first, Maps::to_reference},
+                                "GCRF", {}};
+    options.orbit = cubesat_orbit();
+    options.axis = Eigen::Vector3d::UnitZ();
+    options.target = Target::earth;
+    return checked(options);
+  };
+  constexpr double small_lean = 0.1 / degrees, large_lean = 3.0 / degrees;
+  const auto right = stated_in(scale::utc, small_lean);
+  EXPECT_TRUE(right.fits) << right.text;
+  EXPECT_EQ(right.text.find("times in"), std::string::npos);
+  EXPECT_TRUE(stated_in(scale::utc, large_lean).fits);  // across the orbit, which no time explains
+  const auto wrong = stated_in(scale::tai, small_lean);
+  EXPECT_FALSE(wrong.fits) << wrong.text;
+  EXPECT_TRUE(
+      says(wrong.text, "Another reading fits: as stated, times in UTC, which the file states in TAI.\n"));
+  EXPECT_TRUE(says(wrong.text, "\nThe file as stated does not fit: with its times in UTC it does.\n"));
+}
+
+TEST(Check, AsksOnlyForWhatIsNotGiven) {
+  CheckOptions options = cubesat();
+  options.axis = Eigen::Vector3d(1.0, 0.0, 0.0);
+  EXPECT_TRUE(says(checked(options).text, "\nNot decided. Rates (--rates) may decide.\n"));
+  options.orbit = {};
+  EXPECT_TRUE(says(checked(options).text,
+                   "\nNot decided. Rates (--rates) or an orbit (--tle, --omm, --oem, --spk) may decide.\n"));
+}
+
 TEST(Check, RefusesRatesWhoseSizeOverflows) {
   const auto huge = [](const Eigen::Vector3d& w) { return Eigen::Vector3d(1e200 * w); };
   EXPECT_TRUE(
@@ -294,6 +410,27 @@ TEST(Check, TakesTheConventionOfAMessageFromIt) {
       says(b2a,
            "The rates are not used: with ATTITUDE_DIR B2A the message does not say whether they are of "
            "SC_BODY_1 or of EME2000."));
+}
+
+// The orbit, and the place from which the Sun is seen, are of the Earth.
+TEST(Check, RefusesAnAttitudeAboutAnotherCentre) {
+  const auto about = [](const std::string& centre) {
+    const TemporaryFile file(
+        std::string(head) + (centre.empty() ? "" : "CENTER_NAME = " + centre + "\n") +
+        "ATTITUDE_DIR = B2A\nTIME_SYSTEM = UTC\nSTART_TIME = 2026-11-29T00:00:00\n"
+        "STOP_TIME = 2026-11-29T00:03:00\nATTITUDE_TYPE = QUATERNION\nQUATERNION_TYPE = LAST\nMETA_STOP\n"
+        "DATA_START\n2026-11-29T00:00:00 0 0 0 1\n2026-11-29T00:03:00 0.6 0 0 0.8\nDATA_STOP\n");
+    CheckOptions options;
+    options.attitude.file = file.path();
+    const auto alone = checked(options);  // where the centre does not matter
+    EXPECT_FALSE(alone.fits);
+    options.axis = Eigen::Vector3d::UnitZ();
+    options.target = Target::sun;
+    return complaint([&] { (void)checked(options); }, options.attitude.file);
+  };
+  EXPECT_EQ(about("MARS"), "FILE: CENTER_NAME is 'MARS'; the attitude must be about EARTH");
+  EXPECT_EQ(about("Earth"), "nothing was thrown");
+  EXPECT_EQ(about(""), "nothing was thrown");
 }
 
 std::string refusal(const CheckOptions& options) {

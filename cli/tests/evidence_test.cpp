@@ -85,6 +85,24 @@ TEST(Rates, AreNotComparedOverAGap) {
   EXPECT_LE(compare_rates(record).stated_axes[0], of_the_mean);
 }
 
+// Within a step a rate may be anything between what it is at both ends.
+TEST(Rates, MayDifferFromTheTurnsByHalfTheirChange) {
+  const Convention written{Scalar::last, Maps::to_reference};
+  const AttitudeMotion motion{{0.0, 0.003, 0.0}, {0.05, 0.0, 0.0}};
+  AttitudeRecord record = motion.record(120, written, written, RateAxes::body, RateAxes::body);
+  const auto right = record.rates;
+  constexpr double change = 0.04;
+  for (std::size_t i = 0; i < right.size(); i += 2) record.rates[i].x() += change;
+  const auto changing = compare_rates(record);
+  EXPECT_NEAR(changing.stated_axes[0], 0.5 * change, of_the_mean);
+  EXPECT_LE(changing.least_beyond_change, of_the_mean);
+  record.rates = right;
+  for (Vector3d& w : record.rates) w.x() += 0.5 * change;
+  const auto wrong = compare_rates(record);
+  EXPECT_NEAR(wrong.stated_axes[0], 0.5 * change, of_the_mean);
+  EXPECT_GT(wrong.least_beyond_change, 0.4 * change);
+}
+
 // A left-handed one, too: the sign of one rate.
 RC_GTEST_PROP(Rates, InOtherAxesAreFound, ()) {
   const Convention written = any_convention();

@@ -99,8 +99,8 @@ TEST(FlownOrbit, TakesTemeOfDateByBothNames) {
 TEST(FlownOrbit, RefusesAnEarthFixedMessageAndOldElements) {
   TemporaryFile file(message({segment<Itrf>(0.0, 3600.0)}));
   EXPECT_EQ(complaint([&] { (void)orbit_of_message(file.path(), span); }, file.path()),
-            "FILE: REF_FRAME is 'ITRF'; ITRF needs the orientation of the Earth: orientation = \"FILE\" in "
-            "[earth] of a scenario");
+            "FILE: REF_FRAME is 'ITRF'; ITRF needs the orientation of the Earth: --orientation FILE, or "
+            "orientation = \"FILE\" in [earth] of a scenario");
   const auto elements = std::filesystem::path(VECTRIX_SOURCE_DIR) / "examples/data/CTIM_20230419.tle";
   const auto later = [](const char* time) { return from_until(Epoch::from_utc(time), 60.0 * si::second); };
   EXPECT_EQ(
@@ -265,8 +265,8 @@ TEST(OrbitTable, IsTheMotionOfItsLines) {
                   (void)orbit_of_table({file.path(), columns, {}}, span, hermite, std::nullopt);
                 },
                 file.path()),
-            "FILE: REF_FRAME is 'ITRF'; ITRF needs the orientation of the Earth: orientation = \"FILE\" in "
-            "[earth] of a scenario");
+            "FILE: REF_FRAME is 'ITRF'; ITRF needs the orientation of the Earth: --orientation FILE, or "
+            "orientation = \"FILE\" in [earth] of a scenario");
   EXPECT_EQ(complaint(
                 [&] {
                   (void)orbit_of_table({file.path(), columns, {}}, span, {"LAGRANGE", 90}, std::nullopt);

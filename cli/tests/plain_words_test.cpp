@@ -29,6 +29,13 @@ TEST(PlainWords, HaveNoTypesBehindNames) {
   EXPECT_EQ(without_types_of_names("a (b: open"), "a (b: open");
 }
 
+TEST(PlainWords, HaveNoFunctions) {
+  EXPECT_EQ(without_function("half_cone(): the confidence is 2"), "the confidence is 2");
+  EXPECT_EQ(without_function("in line 1, half_cone(): the confidence"),
+            "in line 1, half_cone(): the confidence");
+  EXPECT_EQ(without_function("a: b"), "a: b");
+}
+
 // The place is said once.
 TEST(PlainWords, KeepTheFileOfAMessageThatHasIt) {
   const auto said = [](const std::string& text) {

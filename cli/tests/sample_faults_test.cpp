@@ -69,6 +69,30 @@ TEST(SampleFaults, AreCountedWhereTheyAre) {
   EXPECT_NEAR(found.median_step, 1.0, 1e-9);
 }
 
+// A body that turns by 0.01 rad/s, ever faster, each 10 s; every seventh time, or attitude, is 2 s late.
+TEST(SampleFaults, AreTimesThatAreLate) {
+  const auto of = [](double time_late, double attitude_late) {
+    AttitudeRecord record;
+    record.reference = "GCRF";
+    record.stated = {Convention::Scalar::first, Convention::Maps::to_body};
+    for (int i = 0; i < 50; ++i) {
+      const bool is_late = i % 7 == 4;
+      const double t = 10.0 * i + (is_late ? attitude_late : 0.0), angle = 0.01 * t + 1e-6 * t * t;
+      record.times.push_back(Epoch::from_utc("2026-11-29T00:00:00") +
+                             (10.0 * i + (is_late ? time_late : 0.0)) * si::second);
+      record.numbers.push_back({std::cos(0.5 * angle), std::sin(0.5 * angle), 0.0, 0.0});
+    }
+    return faults_of(record).wrong_times;
+  };
+  const auto late = of(2.0, 0.0);
+  EXPECT_EQ(late.count, 7U);  // 4, 11, ... 46
+  EXPECT_EQ(late.sample % 7, 4U);
+  EXPECT_NEAR(late.largest, 2.0, 1e-9);
+  EXPECT_EQ(of(0.0, 0.0).count, 0U);
+  EXPECT_EQ(of(2.0, 2.0).count, 0U);  // the step is irregular, and the body turned with it
+  EXPECT_EQ(of(0.05, 0.0).count, 0U);
+}
+
 TEST(SampleFaults, NeedTwoSamples) {
   TemporaryFile file("t,w,x,y,z\n");
   EXPECT_EQ(complaint([&] { (void)read_table(file.path(), columns); }, file.path()),

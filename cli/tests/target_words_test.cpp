@@ -108,6 +108,10 @@ TEST(TargetWords, OfTheMotionOfAStarAreAllAndNumbers) {
             "--proper-motion 1 has 1 fields between commas, not 2");
   EXPECT_EQ(refusal(&TargetWords::proper_motion, "1,nan"),
             "--proper-motion: 'nan' is no finite number of milliarcseconds");
+  for (const char* const fast : {"-798.58,10400.1", "10328.12,1300", "1e9,0", "0,-1e9"})
+    EXPECT_EQ(refusal(&TargetWords::proper_motion, fast),
+              std::string("--proper-motion ") + fast +
+                  " is more than 10400 milliarcseconds in a year, that of Barnard's star, the fastest");
   EXPECT_EQ(refusal(&TargetWords::parallax, "1001"), "--parallax 1001 is not from 0 to 1000 milliarcseconds");
   EXPECT_EQ(refusal(&TargetWords::parallax, "-1"), "--parallax -1 is not from 0 to 1000 milliarcseconds");
   TargetWords only = star();

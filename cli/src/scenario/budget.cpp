@@ -61,7 +61,7 @@ class Budget {
     try {
       return degrees * error.half_cone(0.01 * required_.percent).value();
     } catch (const BadInput& refused) {
-      refuse(required_.place, "the budget of this requirement: " + std::string(refused.what()));
+      refuse(required_.place, "the budget of this requirement: " + without_function(refused.what()));
     }
   }
 

@@ -26,19 +26,6 @@ void turn_rates(AttitudeRecord& record, const StatedRates& stated, const BodyFra
   for (Vector3d& w : record.rates) w = body_from_axes * w;
 }
 
-std::vector<Epoch> instants(const Scenario& scenario, const AttitudeRecord& record) {
-  const Epoch start = scenario.start.value_or(record.times.front()),
-              end = scenario.end.value_or(record.times.back());
-  const auto steps = every(*scenario.step * si::second, from_until(start, end));
-  constexpr std::int64_t most = 10'000'000;
-  if (steps.size() > most)
-    refuse(scenario.time_place, "'time.step' makes " + std::to_string(steps.size()) + " instants; at most " +
-                                    std::to_string(most) + " are looked at");
-  std::vector<Epoch> all;
-  for (const Epoch& t : steps) all.push_back(t);
-  return all;
-}
-
 // The result of the function, which is refused at this place.
 template <class Function> auto at_place_of(const Place& place, const Function& function) {
   try {
@@ -80,6 +67,20 @@ std::vector<bool> counting(const Requirement& required, const Flight& flight, co
 
 }  // namespace
 
+std::vector<Epoch> instants(const Scenario& scenario, const AttitudeRecord& record) {
+  if (!scenario.step) return record.times;
+  const Epoch start = scenario.start.value_or(record.times.front()),
+              end = scenario.end.value_or(record.times.back());
+  const auto steps = every(*scenario.step * si::second, from_until(start, end));
+  constexpr std::int64_t most = 10'000'000;
+  if (steps.size() > most)
+    refuse(scenario.time_place, "'time.step' makes " + std::to_string(steps.size()) + " instants; at most " +
+                                    std::to_string(most) + " are looked at");
+  std::vector<Epoch> all;
+  for (const Epoch& t : steps) all.push_back(t);
+  return all;
+}
+
 FlownAttitude read_flown_attitude(const Scenario& scenario) {
   AttitudeRecord record = with_columns_of(scenario, [&] {
     return in_plain_words(scenario.attitude.file.string(), [&] { return read_attitude(scenario.attitude); });
@@ -115,7 +116,7 @@ void require_orientation(const Scenario& scenario, const Epoch& t) {
 Flight read_flight(const Scenario& scenario, Progress& progress) {
   FlownAttitude flown = read_flown_attitude(scenario);
   const Epoch middle = middle_of(looked_at(scenario, flown.record));
-  const auto asked = scenario.step ? instants(scenario, flown.record) : flown.record.times;
+  const auto asked = instants(scenario, flown.record);
   AttitudeRecord attitude = scenario.step ? resampled(flown.record, asked) : flown.record;
   AttitudeRecord samples = around(flown.record, attitude.times.front(), attitude.times.back());
   Flight flight{std::move(flown), std::move(attitude), std::move(samples), asked.size(), nullptr, {}, {}};

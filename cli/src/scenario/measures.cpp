@@ -53,18 +53,21 @@ class MeasureReader {
     scenario_.choices.push_back(
         proper ? Report::Choice{"motion of " + name, "its proper motion", proper->place.line_text()}
                : Report::Choice{"motion of " + name, "none: no proper motion is given", "the program"});
-    return {name, at, proper ? std::optional(star_motion(*proper)) : std::nullopt};
+    return {name, at, proper ? std::optional(star_motion(*proper, at.declination.value())) : std::nullopt};
   }
-  static StarMotion star_motion(const ScenarioTable& from) {
+  static StarMotion star_motion(const ScenarioTable& from, double declination) {
     const auto rate = [&](const char* key) { return from.at(key).as<Amount>().in("arcsec/yr"); };
     const auto* const parallax = from.find("parallax");
     const double arcseconds = parallax ? parallax->as<Amount>().in("arcsec") : 0.0;
     if (!is_parallax(arcseconds))
       refuse(parallax->place, "'star.proper_motion.parallax' is " + parallax->as<Amount>().text() +
                                   "; it is from 0 to 1 arcsec");
-    return cli::star_motion({rate("right_ascension"), rate("declination")},
-                            from.at("cos_declination").text() == "included", arcseconds,
-                            from.at("epoch").as<Epoch>());
+    const Eigen::Vector2d moves(rate("right_ascension"), rate("declination"));
+    const bool is_included = from.at("cos_declination").text() == "included";
+    if (!is_proper_motion(moves, is_included, declination))
+      refuse(from.place,
+             "'star.proper_motion' is more than 10.4 arcsec/yr, that of Barnard's star, the fastest");
+    return cli::star_motion(moves, is_included, arcseconds, from.at("epoch").as<Epoch>());
   }
   StationTarget station(const ScenarioTable& from) const {
     require_latitude(from.at("latitude"));

@@ -123,6 +123,8 @@ Report::Table faults(const AttitudeRecord& record) {
   add("changes from q to -q", found.sign_flips, "");
   add("steps near half a turn", found.half_turns, shown(degrees * found.half_turns.largest) + " deg");
   add("jumps, ten times faster than usual", found.jumps, shown(degrees * found.jumps.largest) + " deg");
+  if (found.wrong_times.count > 0)
+    add("times that seem wrong", found.wrong_times, shown(found.wrong_times.largest) + " s");
   add("norms off the median by more than 1e-6", found.norm_errors, shown(found.norm_errors.largest));
   return table;
 }

@@ -83,7 +83,7 @@ class Reader {
 
   static std::filesystem::path named(const ScenarioValue& value, const std::string& ending) {
     const std::filesystem::path file = value.text();
-    if (file.extension() != ending)
+    if (ending_of(file) != ending)
       refuse(value.place, "'" + value.path + "' is '" + file.string() + "'; the name must end in " + ending);
     return file;
   }

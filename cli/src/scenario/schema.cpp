@@ -209,7 +209,7 @@ Key contribution() {
        table("covariance", optional, "the same for turns that are not independent",
              {several("rows", Kind::rows, needed, 3, "its rows"),
               choice("unit", needed, "whose square is the unit of the numbers",
-                     {"deg", "rad", "mrad", "arcmin", "arcsec"})}),
+                     {"deg", "rad", "mrad", "arcmin", "arcsec", "mas"})}),
        amount("correlation_time", optional, Dimension::duration,
               "of a random one: after it the correlation is 1/e"),
        three("known_rate", Dimension::rate, "of a drift that is known: the rates"),

@@ -24,6 +24,7 @@ constexpr std::array units{
     Unit{"mrad", Dimension::angle, 1e-3 * of_radian},
     Unit{"arcmin", Dimension::angle, 1.0 / 60.0},
     Unit{"arcsec", Dimension::angle, 1.0 / 3600.0},
+    Unit{"mas", Dimension::angle, 1e-3 / 3600.0},
     Unit{"s", Dimension::duration, 1.0},
     Unit{"ms", Dimension::duration, 1e-3},
     Unit{"min", Dimension::duration, 60.0},

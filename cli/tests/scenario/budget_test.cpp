@@ -91,7 +91,7 @@ TEST_F(Contributions, AreRefusedWhereTheyAreWrong) {
             "positive with a square that a number can hold");
   EXPECT_EQ(refused("0.1] deg", "0.1] deg/h"),
             "FILE:33:38: 'contribution.standard_deviations' is '[3, 0.2, 0.1] deg/h': 'deg/h' is a unit of a "
-            "rate of turn; an angle takes: deg, rad, mrad, arcmin, arcsec");
+            "rate of turn; an angle takes: deg, rad, mrad, arcmin, arcsec, mas");
   EXPECT_EQ(refused("kind = \"constant\"", "kind = \"random\""),
             "FILE:28:1: 'contribution.correlation_time' is missing: a random error needs it");
   EXPECT_EQ(refused("kind = \"constant\"", "kind = \"constant\"\ncorrelation_time = \"1 s\""),
@@ -296,10 +296,9 @@ TEST_F(OfADrawnFlight, ABudgetAloneIsNoRequirement) {
 
 TEST_F(OfADrawnFlight, ABudgetThatIsNoSmallTurnIsRefused) {
   const Replayed found = flown(with(DrawnFlight::scenario(), "[40, 40, 0] arcsec", "[20, 20, 0] deg"));
-  EXPECT_EQ(
-      complaint([&] { (void)found.budgets(); }, found.folder->file("s.toml")),
-      "FILE:15:1: the budget of this requirement: half_cone(): the half-angle is above 0.5 rad; the law "
-      "is of small turns");
+  EXPECT_EQ(complaint([&] { (void)found.budgets(); }, found.folder->file("s.toml")),
+            "FILE:15:1: the budget of this requirement: the half-angle is above 0.5 rad; the law "
+            "is of small turns");
 }
 
 }  // namespace

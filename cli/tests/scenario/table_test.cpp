@@ -9,7 +9,7 @@
 namespace vectrix::cli::scenario_table_test {
 namespace {
 
-const std::string angles = "an angle is a text with one of: deg, rad, mrad, arcmin, arcsec, as \"1 deg\"";
+const std::string angles = "an angle is a text with one of: deg, rad, mrad, arcmin, arcsec, mas, as \"1 deg\"";
 
 class ScenarioFile : public ::testing::Test, protected ScenarioFolder {};
 
@@ -62,7 +62,7 @@ TEST_F(ScenarioFile, WantsUnits) {
   EXPECT_EQ(refusal("\"0.5 deg\"", "\"0.5 dg\""),
             "FILE:17:17: 'require.absolute' is '0.5 dg': 'dg' is no unit; the nearest is 'deg'; an angle "
             "takes: deg, rad, "
-            "mrad, arcmin, arcsec");
+            "mrad, arcmin, arcsec, mas");
   EXPECT_EQ(refusal("\"95 %\"", "\"95 deg\""),
             "FILE:18:15: 'require.percent' is '95 deg': 'deg' is a unit of an angle; a share takes: %");
   EXPECT_EQ(refusal("\"0.5 deg\"", "\"nan deg\""),

@@ -27,6 +27,7 @@ TEST(Units, AreFactorsOfOneAnother) {
   EXPECT_NEAR(in("1 mrad", Dimension::angle, "rad"), 1e-3, rounding);
   EXPECT_NEAR(in("1 deg", Dimension::angle, "arcmin"), 60.0, 60.0 * rounding);
   EXPECT_NEAR(in("1 arcmin", Dimension::angle, "arcsec"), 60.0, 60.0 * rounding);
+  EXPECT_NEAR(in("1 arcsec", Dimension::angle, "mas"), 1000.0, 1000.0 * rounding);
   EXPECT_EQ(in("1.5 min", Dimension::duration, "s"), 90.0);
   EXPECT_EQ(in("250 ms", Dimension::duration, "s"), 0.25);
   EXPECT_EQ(in("2 h", Dimension::duration, "min"), 120.0);
@@ -47,7 +48,7 @@ TEST(Units, KeepTheNumberThatWasWritten) {
 }
 
 TEST(Units, SayWhereAnAmountIsWrong) {
-  const std::string angles = "an angle takes: deg, rad, mrad, arcmin, arcsec";
+  const std::string angles = "an angle takes: deg, rad, mrad, arcmin, arcsec, mas";
   EXPECT_EQ(refusal("0.5", Dimension::angle), "3: there is no unit; " + angles);
   EXPECT_EQ(refusal("0.5 degr", Dimension::angle), "4: 'degr' is no unit; the nearest is 'deg'; " + angles);
   EXPECT_EQ(refusal("0.5 furlong", Dimension::angle), "4: 'furlong' is no unit; " + angles);

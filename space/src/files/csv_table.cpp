@@ -33,9 +33,15 @@ CsvTable CsvTable::read(const std::filesystem::path& file,
   for (const std::string& line : content->lines) {
     ++line_number;
     if (table.header_line_ == 0 && line.starts_with('#')) continue;
-    if (detail::trimmed(line).empty())
+    if (detail::trimmed(line).empty()) {
+      const auto rest = content->lines.begin() + static_cast<std::ptrdiff_t>(line_number);
+      if (table.header_line_ != 0 && std::all_of(rest, content->lines.end(), [](const std::string& later) {
+            return detail::trimmed(later).empty();
+          }))
+        break;
       throw CsvError("table " + file.string() + ", line " + detail::text(line_number) +
-                     ": the line is empty; a table has no empty lines, also at its end");
+                     ": the line is empty; a table has empty lines at its end only");
+    }
     if (const auto quote = line.find('"'); quote != std::string::npos) {
       const auto column = static_cast<std::size_t>(
           std::count(line.begin(), line.begin() + static_cast<std::ptrdiff_t>(quote), ','));

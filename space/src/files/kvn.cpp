@@ -67,7 +67,8 @@ bool KvnReader::next() {
   }
   const auto may_be_cut = [&] { return !is_comment() && (has_keyword() || !content_.ends_with("_STOP")); };
   if (rest_.empty() && !whole_ && may_be_cut())
-    throw BadInput(place_ + ", line " + text(line()) + ": " + truncated);
+    throw BadInput(place_ + ", line " + text(line()) + ": " +
+                   (line_.find('\r') == std::string_view::npos ? truncated : with_bare_returns));
   return true;
 }
 

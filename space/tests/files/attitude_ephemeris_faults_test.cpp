@@ -1,5 +1,7 @@
 #include "files/attitude_ephemeris_texts.hpp"
 
+#include <algorithm>
+
 namespace vectrix::attitude_ephemeris_message_test {
 namespace {
 
@@ -154,6 +156,12 @@ TEST(AttitudeEphemerisMessage, TheFileIsNamedAndMustBeWhole) {
   EXPECT_EQ(until("7093127769"),
             "attitude ephemeris message FILE, line 27: the file stops within this "
             "line; it was truncated");
+  std::string returns = gmat_quaternions;
+  std::replace(returns.begin(), returns.end(), '\n', '\r');
+  const TemporaryFile bare(returns);
+  EXPECT_EQ(
+      complaint([&] { Message::read(bare.path()); }, bare.path()),
+      "attitude ephemeris message FILE, line 1: its lines end with CR alone; they must end with LF or CR LF");
   EXPECT_EQ(until("DATA_STOP"),
             "attitude ephemeris message FILE, the segment from line 5 on: there is no "
             "DATA_STOP");

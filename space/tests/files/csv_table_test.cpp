@@ -41,6 +41,11 @@ TEST(CsvTable, ReadsNumbersAndTextByName) {
   EXPECT_EQ(table.text(0, "name"), "Rigel");
 }
 
+TEST(CsvTable, MayEndWithEmptyLines) {
+  for (const char* const end : {"\n", "\n \n\r\n"})
+    EXPECT_EQ(read(std::string("t,x\n1,2\n") + end).rows(), 1U);
+}
+
 TEST(CsvTable, ShiftsTheDecimalPointOfATextWithoutRoundingTwice) {
   TemporaryFile file("a,b,c\n6778.0669,-1.1e-3,1e308\n");
   const auto table = CsvTable::read(file.path(), {});
@@ -126,8 +131,9 @@ TEST(CsvTable, RefusesAWrongNumberOfFields) {
             "where E is "
             "needed");
   EXPECT_EQ(refusal("t,x\n1,2,3\n"), "table FILE, line 2, column 4: 3 fields instead of 2");
-  EXPECT_EQ(refusal("t,x\n1,2\n\n"),
-            "table FILE, line 3: the line is empty; a table has no empty lines, also at its end");
+  for (const char* const table : {"t,x\n1,2\n\n3,4\n", "t,x\n1,2\n \n3,4\n\n"})
+    EXPECT_EQ(refusal(table),
+              "table FILE, line 3: the line is empty; a table has empty lines at its end only");
 }
 
 TEST(CsvTable, RefusesWhatIsNotAFiniteNumber) {
