@@ -295,11 +295,7 @@ void Run::fail(const Trouble& trouble) {
   const auto failure = [&] {
     return Failure(message, trouble.time, record.statistics.steps, trouble.flag, Solution(record_));
   };
-  if (!trouble.cause) {
-    const std::string below = tolerance_below_rounding(problem_, state_);
-    if (!below.empty()) message += "; " + below;
-    throw failure();
-  }
+  if (!trouble.cause) throw failure();
   try {
     std::rethrow_exception(trouble.cause);
   } catch (const std::exception& cause) {
