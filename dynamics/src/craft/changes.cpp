@@ -2,6 +2,10 @@
 
 namespace vectrix::detail {
 
+void refuse_empty_function(const std::string& door) {
+  throw BadInput(door + ": the function is empty");
+}
+
 double checked_period(double period) {
   if (!(period > 0.0 && std::isfinite(period)))
     throw BadInput("every: the period is " + text(period) + " s; it must be positive");

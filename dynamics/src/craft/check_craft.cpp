@@ -157,13 +157,23 @@ void check_internals(const PlainSpacecraft& craft, const std::string& name, doub
   Six left;
   left << about_origin(mass, centre, J_c), first, -first, mass * Eigen::Matrix3d::Identity();
   const auto positive = [](const Six& matrix) { return Eigen::LLT<Six>(matrix).info() == Eigen::Success; };
+  Eigen::Matrix3d of_rotors = Eigen::Matrix3d::Zero();
   for (const auto& rotor : craft.rotors) {
     if (rotor.body != name) continue;
-    left.topLeftCorner<3, 3>() -= rotor.inertia * rotor.axis_b * rotor.axis_b.transpose();
-    if (!positive(left))
-      refuse("rotor " + in_quotes(rotor.name), "its inertia, " + text(rotor.inertia) +
-                                                   " kg m^2, is more than that of its body " +
-                                                   in_quotes(name));
+    const bool first_one = of_rotors.isZero(0.0);
+    const Eigen::Matrix3d added = rotor.inertia * rotor.axis_b * rotor.axis_b.transpose();
+    of_rotors += added;
+    left.topLeftCorner<3, 3>() -= added;
+    if (positive(left)) continue;
+    const std::string part = "rotor " + in_quotes(rotor.name);
+    if (first_one)
+      refuse(part, "its inertia, " + text(rotor.inertia) + " kg m^2, is more than that of its body " +
+                       in_quotes(name));
+    const Eigen::Matrix3d rest = J_c - of_rotors;
+    const Eigen::Vector3d axis = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(rest).eigenvectors().col(0);
+    refuse(part, "with it, the rotors of its body " + in_quotes(name) + " have " +
+                     text(axis.dot(of_rotors * axis)) + " kg m^2 about one axis, the body " +
+                     text(axis.dot(J_c * axis)));
   }
   for (const auto& mode : craft.modes) {
     if (mode.body != name) continue;

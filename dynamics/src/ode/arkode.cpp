@@ -34,6 +34,14 @@ class ArkodeStepper final : public SundialsStepper {
 
   std::string flag_name(int flag) const override { return take_name(ARKStepGetReturnFlagName(flag)); }
 
+  std::string worst_component() const override {
+    const VectorPtr errors(N_VClone(state_.get())), weights(N_VClone(state_.get()));
+    if (!errors || !weights || ARKStepGetEstLocalErrors(memory_.get(), errors.get()) < 0 ||
+        ARKStepGetErrWeights(memory_.get(), weights.get()) < 0)
+      return {};
+    return worst_of(span_of(errors.get()), span_of(weights.get()));
+  }
+
  private:
   int reinitialize(std::span<const double> y, double longest) override {
     std::ranges::copy(y, span_of(state_.get()).begin());

@@ -83,12 +83,15 @@ bool RootFinder::advance(const Record& record) {
   const std::size_t parts = record.has_terms(left) && !values_.empty() ? parts_of_a_step : 1;
   previous_values_ = values_;
   previous_brackets_ = brackets_.size();
+  trouble_.reset();
+  answered_ = begin;
   bool ends = false;
   double from = begin;
   for (std::size_t part = 1; part < parts; ++part) {
     const double to = begin + length * static_cast<double>(part) / static_cast<double>(parts);
     Interpolant(record, left).at(to, state_);
     ends = examine(left, from, to, std::min(start + to, record.times[left + 1]), state_) || ends;
+    if (trouble_) return ends;
     from = to;
   }
   return examine(left, from, record.elapsed[left + 1], record.times[left + 1], record.state(left + 1)) ||
@@ -98,7 +101,13 @@ bool RootFinder::advance(const Record& record) {
 bool RootFinder::examine(std::size_t left, double from, double to, double t, std::span<const double> y) {
   bool end = false;
   for (std::size_t i = 0; i < values_.size(); ++i) {
-    const double before = std::exchange(values_[i], value(i, t, y));
+    const double before = values_[i];
+    try {
+      values_[i] = value(i, t, y);
+    } catch (const Trouble& trouble) {
+      if (!trouble_) trouble_ = trouble;
+      continue;
+    }
     const Root& root = problem_.roots[i];
     const bool rising = before < 0.0 && values_[i] >= 0.0 && root.direction != Direction::falling;
     const bool falling = before > 0.0 && values_[i] <= 0.0 && root.direction != Direction::rising;
@@ -106,12 +115,14 @@ bool RootFinder::examine(std::size_t left, double from, double to, double t, std
     brackets_.push_back({i, left, from, to, before, values_[i]});
     end = end || ends(i);
   }
+  if (!trouble_) answered_ = to;
   return end;
 }
 
 void RootFinder::retreat() {
   values_ = previous_values_;
   brackets_.resize(previous_brackets_);
+  trouble_.reset();
 }
 
 Event RootFinder::locate(const Record& record, const Bracket& bracket) const {
@@ -161,22 +172,38 @@ Event RootFinder::locate(const Record& record, const Bracket& bracket) const {
 }
 
 bool RootFinder::has_crossed(const Event& event, double t, std::span<const double> y) const {
-  const double now = value(event.root, t, y);
-  return event.direction == Direction::rising ? now >= 0.0 : now <= 0.0;
+  return has_crossed(event.root, event.direction, t, y);
 }
 
-std::vector<Zero> RootFinder::take(const Record& record, Failing failing) {
-  std::vector<Zero> zeros;
+bool RootFinder::has_crossed(std::size_t root, Direction direction, double t,
+                             std::span<const double> y) const {
+  const double now = value(root, t, y);
+  return direction == Direction::rising ? now >= 0.0 : now <= 0.0;
+}
+
+RootFinder::Zeros RootFinder::take(const Record& record) {
+  Zeros zeros;
   for (const Bracket& bracket : brackets_) {
     try {
-      zeros.push_back({locate(record, bracket), bracket.from, bracket.to});
-    } catch (const Trouble&) {
-      if (failing == Failing::is_thrown) throw;
+      zeros.located.push_back({locate(record, bracket), bracket.from, bracket.to});
+    } catch (const Trouble& trouble) {
+      const Direction direction = bracket.left_value < 0.0 ? Direction::rising : Direction::falling;
+      zeros.lost.push_back({bracket.root, direction, bracket.from, bracket.to, trouble});
     }
   }
   brackets_.clear();
-  std::ranges::stable_sort(zeros, {}, [](const Zero& zero) { return zero.event.time; });
+  std::ranges::stable_sort(zeros.located, {}, [](const Zero& zero) { return zero.event.time; });
   return zeros;
+}
+
+void RootFinder::require_known(const Zero& first, const Zeros& zeros) const {
+  const double t = first.event.time;
+  const std::vector<double>& state = first.event.state;
+  if (trouble_)
+    for (std::size_t i = 0; i < problem_.roots.size(); ++i) (void)value(i, t, state);
+  for (const Lost& lost : zeros.lost)
+    if (lost.to <= first.from || has_crossed(lost.root, lost.direction, t, state))
+      throw Trouble(lost.trouble);
 }
 
 }  // namespace vectrix::ode

@@ -59,7 +59,9 @@ void Run::integrate() {
     record_->segments.push_back(record_->times.size());
     ended_by = integrate_segment();
     if (record_->stopped) return;
-    for (Zero& zero : roots_.take(*record_)) record_->events.push_back(std::move(zero.event));
+    RootFinder::Zeros zeros = roots_.take(*record_);
+    for (Zero& zero : zeros.located) record_->events.push_back(std::move(zero.event));
+    if (!zeros.lost.empty()) throw Trouble(zeros.lost.front().trouble);
     segment_start_ = record_->times.back();
     if (segment_start_ == segment_end_) ++end;
   }
@@ -111,8 +113,8 @@ std::vector<Event> Run::integrate_segment() {
     record_->push(time(t), t, state_, slope_);
     if (own_interpolant) keep_terms();
     const bool ends = roots_.advance(*record_);
+    if (ends ? own_interpolant || retaking : roots_.trouble().has_value()) return end_at_first_ending_event();
     if (!kept_for_good_ && roots_.bracketed() == 0) record_->drop_terms();
-    if (ends && (own_interpolant || retaking)) return end_at_first_ending_event();
     if (ends) {
       stop_ = t, stop_time_ = record_->times.back();
       if (roots_.bracketed() > 1) look_again_.push_back(stop_time_);
@@ -153,7 +155,8 @@ void Run::keep_terms() {
   try {
     stepper_->terms(terms_);
   } catch (const Trouble&) {
-    if (record_->sparse) record_->pop();  // without them the outputs within the step have no state
+    // Without them the outputs within the step have no state, and its zeros are not known.
+    if (record_->sparse || !problem_.roots.empty()) record_->pop();
     throw;
   }
   record_->add_terms(terms_);
@@ -192,21 +195,58 @@ double Run::step() {
   return t;
 }
 
-/// Returns the events at the first instant at which one stops the run or ends the segment, if they do: one
-/// that stops the run is the last event of all. Zeros after it will be found again, in the next segment,
-/// whose steps end where these were seen. A function that had its old sign before this instant and has it no
-/// longer there, because of rounding or as it is zero for a while, would not be: its zero is at this instant
-/// too.
+/// Ends the record at the first instant at which a root stops the run or ends the segment. If that is not
+/// known, because a function did not answer, the run fails: its record ends at the last instant before at
+/// which all root functions answered.
 std::vector<Event> Run::end_at_first_ending_event() {
+  RootFinder::Zeros zeros = roots_.take(*record_);
+  const auto ends = [&](const Event& e) { return roots_.ends(e.root); };
+  const auto first = std::ranges::find_if(zeros.located, ends, &Zero::event);
+  const bool found = first != zeros.located.end();
+  try {
+    if (!found) throw Trouble(roots_.trouble() ? *roots_.trouble() : zeros.lost.front().trouble);
+    roots_.require_known(*first, zeros);
+    return end_at(first->event, zeros.located);
+  } catch (const Trouble&) {
+    double known = found ? std::min(roots_.answered(), first->from) : roots_.answered();
+    for (const auto& lost : zeros.lost) known = std::min(known, lost.from);
+    keep_until(known);
+    for (Zero& zero : zeros.located)
+      if (zero.event.time <= record_->times.back() && !ends(zero.event))
+        record_->events.push_back(std::move(zero.event));
+    throw;
+  }
+}
+
+/// Takes back the last step, or the part of it after `known`.
+void Run::keep_until(double known) {
+  Record& record = *record_;
+  const std::size_t left = record.times.size() - 2;
+  if (known >= record.elapsed[left + 1]) return;
+  if (known > record.elapsed[left]) {
+    Interpolant(record, left).at(known, state_);
+    try {
+      stepper_->evaluate(known, state_, slope_);
+      return record.shorten(time(known), known, state_, slope_);
+    } catch (const Trouble&) {  // the first one says why the run fails
+    }
+  }
+  record.drop_terms();
+  record.pop();
+}
+
+/// Returns the events at the instant of `first`, which ends the segment: one that stops the run is the last
+/// event of all. Zeros after it will be found again, in the next segment, whose steps end where these were
+/// seen. A function that had its old sign before this instant and has it no longer there, because of rounding
+/// or as it is zero for a while, would not be: its zero is at this instant too.
+std::vector<Event> Run::end_at(const Event& first, std::vector<Zero> zeros) {
   const auto stops = [&](const Event& e) { return problem_.roots[e.root].stop; };
   const auto ends = [&](const Event& e) { return roots_.ends(e.root); };
-  std::vector<Zero> zeros = roots_.take(*record_);
-  const Event& first = std::ranges::find_if(zeros, ends, &Zero::event)->event;
   const double t = first.time, elapsed = t - segment_start_;
   state_ = first.state;
   const bool shorter = t < record_->times.back();
   if (shorter) stepper_->evaluate(elapsed, state_, slope_);
-  auto& events = record_->events;
+  std::vector<Event> added;
   for (Zero& zero : zeros) {
     Event& event = zero.event;
     if (event.time > t) {
@@ -216,8 +256,10 @@ std::vector<Event> Run::end_at_first_ending_event() {
       }
       event.time = t, event.state = state_;
     }
-    events.push_back(std::move(event));
+    added.push_back(std::move(event));
   }
+  auto& events = record_->events;
+  std::ranges::move(added, std::back_inserter(events));
   const auto together = std::ranges::lower_bound(events, t, {}, &Event::time);
   if (shorter) record_->shorten(t, elapsed, state_, slope_);
   const auto stopping = std::find_if(together, events.end(), stops);
@@ -245,8 +287,7 @@ void Run::fill_outputs() {
 void Run::fail(const Trouble& trouble) {
   auto& record = *record_;
   if (!record.segments.empty() && record.segments.back() == record.times.size()) record.segments.pop_back();
-  using Failing = RootFinder::Failing;  // an earlier error has already ended the run
-  for (Zero& zero : roots_.take(record, Failing::is_left_out)) record.events.push_back(std::move(zero.event));
+  for (Zero& zero : roots_.take(record).located) record.events.push_back(std::move(zero.event));
   fill_outputs();
   std::string message = problem_.caller + ": failed at t = " + text(trouble.time) + " after " +
                         text(record.statistics.steps) + " steps with flag " + text(trouble.flag) + " (" +
@@ -254,11 +295,7 @@ void Run::fail(const Trouble& trouble) {
   const auto failure = [&] {
     return Failure(message, trouble.time, record.statistics.steps, trouble.flag, Solution(record_));
   };
-  if (!trouble.cause) {
-    const std::string below = tolerance_below_rounding(problem_, state_);
-    if (!below.empty()) message += "; " + below;
-    throw failure();
-  }
+  if (!trouble.cause) throw failure();
   try {
     std::rethrow_exception(trouble.cause);
   } catch (const std::exception& cause) {

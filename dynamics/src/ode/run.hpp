@@ -30,6 +30,8 @@ class Run {
   void choose_stop(double elapsed);
   void keep_terms();
   [[nodiscard]] std::vector<Event> end_at_first_ending_event();
+  [[nodiscard]] std::vector<Event> end_at(const Event& first, std::vector<Zero> zeros);
+  void keep_until(double known);
   void fill_outputs();
   [[noreturn]] void fail(const Trouble& trouble);
 

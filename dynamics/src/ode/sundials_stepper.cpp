@@ -87,6 +87,16 @@ int SundialsStepper::call_rate(double clock, N_Vector y, N_Vector ydot, void* st
   return self.find_rate(self.time(clock), span_of(y), span_of(ydot)) ? 0 : -1;
 }
 
+std::string SundialsStepper::worst_of(std::span<const double> errors, std::span<const double> weights) const {
+  double largest = 0.0;
+  std::size_t worst = errors.size();
+  for (std::size_t i = 0; i < errors.size(); ++i) {
+    const double error = std::abs(errors[i]) * weights[i];
+    if (error > largest) largest = error, worst = i;
+  }
+  return worst < errors.size() ? detail::component_name(*rates_.problem, worst) : "";
+}
+
 void SundialsStepper::require(int flag) const {
   if (flag >= 0) return;
   rates_.require_none();

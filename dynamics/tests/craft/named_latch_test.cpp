@@ -73,6 +73,16 @@ TEST(NamedLatch, RefusesWhatTheCraftHasNot) {
             "prescribed(\"boom\"): its joint is a hinge, and the acceleration that of a gimbal");
   EXPECT_EQ(refused({}, {prescribed("wheel", 1, still)}),
             "prescribed(\"wheel\"): it is a rotor, and the acceleration that of a gimbal");
+  using Rate = std::function<Quantity<si::angular_acceleration>(const Quantity<si::time>&)>;
+  using Slide = std::function<Quantity<si::acceleration>(const Quantity<si::time>&)>;
+  using Both = std::function<std::array<Quantity<si::angular_acceleration>, 2>(const Quantity<si::time>&)>;
+  const auto empty = [](const auto& door) { return message<BadInput>([&] { (void)door(); }); };
+  EXPECT_EQ(empty([] { return prescribed("boom", Rate{}); }), "prescribed(\"boom\"): the function is empty");
+  EXPECT_EQ(empty([] { return prescribed("mass", Slide{}); }), "prescribed(\"mass\"): the function is empty");
+  EXPECT_EQ(empty([] { return prescribed("antenna", Both{}); }),
+            "prescribed(\"antenna\"): the function is empty");
+  EXPECT_EQ(empty([] { return prescribed("antenna", 1, Rate{}); }),
+            "prescribed(\"antenna\"): the function is empty");
   const NamedSpacecraft other(five());
   EXPECT_EQ(message<BadInput>([&] { (void)other.stopped(moving, {"boom"}); }),
             "stopped: the state is of another craft");

@@ -263,6 +263,15 @@ TEST(NamedSpacecraft, RefusesWhatNoCraftHas) {
           "\"boom\": mass_properties(\"boom\"): the mass is 0 kg");
   refused([](auto& craft) { craft.bodies[1].J_c_b(0, 0) = 9.0; }, "\"boom\": inertia_from_tensor");
   refused([](auto& craft) { craft.bodies[1].J_c_b(0, 1) = 0.1; }, "differ by 0.1 kg m^2");
+  refused([](auto& craft) { craft.J_c_h(2, 2) = nan; },
+          "\"hub\": inertia_from_tensor(in \"hub\"): entry (3, 3) of the tensor is nan kg m^2");
+  refused(
+      [](auto& craft) {
+        craft.J_c_h = Eigen::Vector3d(25.0, 25.0, 25.0).asDiagonal();
+        craft.rotors = {{"w1", "hub", Eigen::Vector3d::UnitZ(), 13.0},
+                        {"w2", "hub", Eigen::Vector3d::UnitZ(), 13.0}};
+      },
+      "rotor \"w2\": with it, the rotors of its body \"hub\" have 26 kg m^2 about one axis, the body 25");
   refused([](auto& craft) { craft.bodies[1].r_bc_b.x() = nan; }, "\"boom\": vector(in \"boom\")");
   refused([](auto& craft) { craft.bodies[1].r_pb_p.x() = nan; },
           "\"boom\": the position on the parent (nan, 0.2, 0) is not finite");

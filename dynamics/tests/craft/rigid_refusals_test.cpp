@@ -173,23 +173,38 @@ TEST(RefusedCraftPropagation, times_that_make_no_sense) {
   expect_refused_run([](auto& how) { how.max_steps = 0; }, "max_steps must be greater than 0");
 }
 
-// The function of a load or of when() is a value; one that holds none says so at its first call.
-TEST(RefusedCraftPropagation, a_function_that_holds_none) {
+// Doors that take a function take a std::function too, which may hold none.
+TEST(RefusedScenario, a_function_that_holds_none) {
   const Turning craft = turning(body);
   const std::function<double(const Now<Turning>&)> no_zero;
   const std::function<void(const Now<Turning>&, Forces<Turning>&)> no_load;
-  const auto said = [&](const auto& part) -> std::string {
+  const std::function<int(const Now<Turning>&)> no_change;
+  const auto said = [](const auto& door) -> std::string {
     try {
-      propagate(scenario(craft, part), start_of(craft, body.exact(0.0)), until(1.0));
-    } catch (const CraftFailure<Turning>& failure) {
-      EXPECT_EQ(failure.time(), 0.0);
-      return failure.what();
+      (void)door();
+    } catch (const BadInput& refused) {
+      return refused.what();
     }
     return "nothing";
   };
-  EXPECT_NE(said(when("eclipse", no_zero, ode::Direction::any)).find("(eclipse) threw: bad_function_call"),
-            std::string::npos);
-  EXPECT_NE(said(no_load).find("the right-hand side threw: bad_function_call"), std::string::npos);
+  const auto any = ode::Direction::any;
+  EXPECT_EQ(said([&] { return when("eclipse", no_zero, any); }), "when(\"eclipse\"): the function is empty");
+  EXPECT_EQ(said([&] { return when("eclipse", no_zero, any, stop); }),
+            "when(\"eclipse\"): the function is empty");
+  EXPECT_EQ(said([&] {
+              return when(
+                  "eclipse", [](const Now<Turning>&) { return 1.0; }, any, no_change);
+            }),
+            "when(\"eclipse\"): the function is empty");
+  EXPECT_EQ(said([&] { return every(seconds(1.0), no_change); }), "every: the function is empty");
+  EXPECT_EQ(said([&] { return at_times({seconds(1.0)}, no_change); }), "at_times: the function is empty");
+  EXPECT_EQ(said([&] { return at_start(no_change); }), "at_start: the function is empty");
+  EXPECT_EQ(said([&] { return scenario(craft, no_load); }), "scenario, a load: the function is empty");
+  const auto held_load = [](const Now<Turning>&, Forces<Turning>&) {};
+  EXPECT_EQ(said([&] {
+              return scenario(craft, std::function<void(const Now<Turning>&, Forces<Turning>&)>(held_load));
+            }),
+            "nothing");
 }
 
 }  // namespace

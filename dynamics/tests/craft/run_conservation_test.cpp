@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 #include <vectrix/dynamics/craft/conservation.hpp>
 #include <vectrix/dynamics/load/point_mass.hpp>
 #include <vectrix/dynamics/load/pulse.hpp>
@@ -162,6 +163,14 @@ TEST(CraftConservationReport, leaves_out_what_is_not_conserved_or_not_there) {
   EXPECT_FALSE(conservation(attracted, flight).energy);
   EXPECT_LT(kept(flight).orbital_energy, accuracy);
   EXPECT_LT(kept(flight).orbital_angular_momentum, accuracy);
+}
+
+TEST(CraftConservation, PrintsWhatIsKnown) {
+  std::ostringstream out;
+  out << std::fixed << CraftConservation{1.5e-15, 2.0e-13, {}, 0.0};
+  EXPECT_EQ(out.str(),
+            "orthonormality of the attitude: off by 1.5e-15\nenergy: changed by 2e-13\n"
+            "angular momentum: changed by 0\n");
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <string>
 #include <vectrix/dynamics/analysis/linearise.hpp>
@@ -122,6 +123,12 @@ TEST(Prescribed, AStartThatDisagreesIsRefused) {
             "prescribed on vectrix_test::three_parts::Panel at 1 s: the speed is " +
                 detail::text(scan.u(1.0)) + " rad/s, but the run starts with " + detail::text(-scan.u(1.0)) +
                 " rad/s");
+}
+
+TEST(Prescribed, AnEmptyFunctionIsRefused) {
+  const std::function<decltype(scan.turning(0.0))(const Quantity<si::time>&)> empty;
+  EXPECT_EQ(message<BadInput>([&] { (void)prescribed(sat, of<Panel>, empty); }),
+            "prescribed on vectrix_test::three_parts::Panel: the function is empty");
 }
 
 TEST(Prescribed, AWrongDerivativeIsRefused) {

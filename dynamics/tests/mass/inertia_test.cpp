@@ -1,3 +1,4 @@
+#include <limits>
 #include <random>
 #include <vector>
 #include <vectrix/dynamics/rigid/euler.hpp>
@@ -81,7 +82,16 @@ TEST(Inertia, takes_named_numbers_in_any_order_and_matrices) {
   expect_bad_input([&] { inertia_from_tensor(in<Body>, skewed); },
                    "entries (1, 3) and (3, 1) of the tensor differ by 0.0999");
   skewed(0, 2) = std::nan("");
-  expect_bad_input([&] { inertia_from_tensor(in<Body>, skewed); }, "of the tensor");
+  expect_bad_input([&] { inertia_from_tensor(in<Body>, skewed); },
+                   "entry (1, 3) of the tensor is nan kg m^2");
+  skewed = expected;
+  skewed(2, 2) = std::nan("");
+  expect_bad_input([&] { inertia_from_tensor(in<Body>, skewed); },
+                   "entry (3, 3) of the tensor is nan kg m^2");
+  skewed = expected;
+  skewed(2, 1) = -std::numeric_limits<double>::infinity();
+  expect_bad_input([&] { inertia_from_tensor(in<Body>, skewed); },
+                   "entry (3, 2) of the tensor is -inf kg m^2");
   expect_bad_input([&] { inertia_from_tensor(in<Body>, Eigen::MatrixXd::Identity(3, 2)); },
                    "inertia_from_tensor(in<" + frame_name<Body>() + ">): the matrix has 3 x 2 entries");
   expect_bad_input([&] { inertia_from_principal_moments(in<Body>, 1.0 * unit, 2.0 * unit, 4.0 * unit); },

@@ -37,12 +37,10 @@ const std::vector<Door>& doors() {
        [](Problem& p) { p.absolute_tolerances[1] = -1.0; }},
       {"absolute tolerance of component 0 must be finite and greater than 0, got inf",
        [](Problem& p) { p.absolute_tolerances[0] = infinity; }},
-      {"the tolerances allow component 0 = 1 an error of 1.1e-17, less than its rounding, "
-       "2.220446049250313e-16",
-       [](Problem& p) {
-         p.relative_tolerance = 1e-17;
-         p.absolute_tolerances[0] = 1e-18;
-       }},
+      {"the relative tolerance 1e-20 is below rounding, 2.220446049250313e-16",
+       [](Problem& p) { p.relative_tolerance = 1e-20; }},
+      {"the relative tolerance 2.2e-16 is below rounding, 2.220446049250313e-16",
+       [](Problem& p) { p.relative_tolerance = 2.2e-16; }},
       {"start is left out, or nan; it has no default", [](Problem& p) { p.start = Problem{}.start; }},
       {"end is left out, or nan; it has no default", [](Problem& p) { p.end = Problem{}.end; }},
       {"end must be finite, got inf", [](Problem& p) { p.end = infinity; }},

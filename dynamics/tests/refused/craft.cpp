@@ -1,5 +1,6 @@
 // Craft of jointed bodies
 #include <vectrix/dynamics.hpp>
+#include <vectrix/dynamics/craft/named_state.hpp>
 
 using namespace vectrix;
 
@@ -246,6 +247,32 @@ auto start(const Sat& sat, const AtRest& X) {
 #endif
 }
 }  // namespace start_in_metres
+
+namespace start_of_a_name {
+// mistake: a start of the run-time form, with a name, in a craft of types
+// expect: IsNoStart<(vectrix::)?NamedStart>
+auto start(const Sat& sat, const AtRest& X) {
+  const auto wheel = spins(of<Wheel>, 1.0 * rad_s);
+#ifdef REPAIRED
+  return state(sat, 0.0 * si::second, X, starts(of<Panel>, 0.1 * si::radian, 0.0 * rad_s), wheel);
+#else
+  return state(sat, 0.0 * si::second, X, starts("Panel", 0.1 * si::radian, 0.0 * rad_s), wheel);
+#endif
+}
+}  // namespace start_of_a_name
+
+namespace state_without_craft {
+// mistake: the craft of a state is left out
+// expect: IsNoCraft<
+auto start(const Sat& sat, const AtRest& X) {
+  const auto panel = starts(of<Panel>, 0.1 * si::radian, 0.0 * rad_s);
+#ifdef REPAIRED
+  return state(sat, 0.0 * si::second, X, panel, spins(of<Wheel>, 1.0 * rad_s));
+#else
+  return static_cast<void>(sat), state(0.0 * si::second, X, panel, spins(of<Wheel>, 1.0 * rad_s));
+#endif
+}
+}  // namespace state_without_craft
 
 namespace start_left_out {
 // mistake: a joint without a start: none is zero by default

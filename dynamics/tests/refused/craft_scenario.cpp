@@ -166,6 +166,30 @@ auto change() {
 }
 }  // namespace a_period_without_unit
 
+namespace the_period_after_the_function {
+// mistake: the period of a controller after its function
+// expect: every
+auto change() {
+#ifdef REPAIRED
+  return every(0.1 * si::second, becomes(none));
+#else
+  return every(becomes(none), 0.1 * si::second);
+#endif
+}
+}  // namespace the_period_after_the_function
+
+namespace a_scenario_without_craft {
+// mistake: the craft of a scenario is left out
+// expect: IsNoCraft<
+auto flight(const Sat& sat) {
+#ifdef REPAIRED
+  return scenario(sat, by_command, held(none));
+#else
+  return static_cast<void>(sat), scenario(by_command, held(none));
+#endif
+}
+}  // namespace a_scenario_without_craft
+
 namespace a_generic_controller {
 // mistake: a controller whose argument has no type: what it takes cannot be known
 // expect: IsNoChange<

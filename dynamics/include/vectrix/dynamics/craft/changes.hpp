@@ -8,6 +8,7 @@
 #include <type_traits>
 #include <utility>
 #include <vector>
+#include <vectrix/dynamics/craft/given_function.hpp>
 #include <vectrix/dynamics/craft/now.hpp>
 #include <vectrix/dynamics/ode/solution.hpp>
 #include <vectrix/frames/errors.hpp>
@@ -78,6 +79,11 @@ inline constexpr bool is_zero<Name, D> =
     std::is_convertible_v<const Name&, std::string>&& std::is_same_v<D, ode::Direction>;
 template <class Name, class D, class F> inline constexpr bool is_zero<Name, D, F> = is_zero<Name, D>;
 
+template <class G> Zero<G> zero_of(std::string name, G function, ode::Direction direction) {
+  G given = given_function([&] { return "when(\"" + name + "\")"; }, std::move(function));
+  return {std::move(name), std::move(given), direction};
+}
+
 VECTRIX_EXPORT double checked_period(double period);
 VECTRIX_EXPORT double checked_latency(double latency);
 VECTRIX_EXPORT std::vector<double> checked_times(const std::vector<Quantity<si::time>>& times);
@@ -92,8 +98,12 @@ template <class F>
 detail::Change<detail::Clock, F> every(const Quantity<si::time>& period, F update,
                                        const Quantity<si::time>& latency = 0.0 * si::second) {
   return {{detail::checked_period(period.value()), detail::checked_latency(latency.value())},
-          std::move(update)};
+          detail::given_function([] { return "every"; }, std::move(update))};
 }
+
+template <class Period, class F, class... Latency>
+  requires(!std::is_convertible_v<const Period&, Quantity<si::time>>)
+auto every(const Period&, const F&, const Latency&...) -> Refused = delete;  // every(period, f, latency)
 
 /// A change of a held value at the given times: becomes(x), or a function as every() takes it. Times before
 /// the start of a run, or not before its end, have no effect. Times too close for the rounding of time are
@@ -101,7 +111,8 @@ detail::Change<detail::Clock, F> every(const Quantity<si::time>& period, F updat
 /// increase.
 template <class F>
 detail::Change<detail::TimeList, F> at_times(const std::vector<Quantity<si::time>>& times, F update) {
-  return {{detail::checked_times(times)}, std::move(update)};
+  return {{detail::checked_times(times)},
+          detail::given_function([] { return "at_times"; }, std::move(update))};
 }
 
 template <class Times, class F>
@@ -111,19 +122,20 @@ auto at_times(  // at_times({t, ...}, f): times; f is becomes(x), or a function 
 /// A change of a held value at the start of a run, before anything moves: a function as every() takes it. The
 /// value that fits the state from which the run starts.
 template <class F> detail::Change<detail::RunStart, F> at_start(F update) {
-  return {{}, std::move(update)};
+  return {{}, detail::given_function([] { return "at_start"; }, std::move(update))};
 }
 
 /// The zeros of a function (const Now<C>&, const X&...) of the state and of held values, a number or a
 /// quantity, are events of the run, found as ode::Root says. They change a held value, as at_times() does; or
-/// they stop the run; or they are recorded only.
+/// they stop the run; or they are recorded only. As every(), throws BadInput for an empty std::function.
 template <class G>
 detail::Change<detail::Zero<G>, Recorded> when(std::string name, G function, ode::Direction direction) {
-  return {{std::move(name), std::move(function), direction}, {}};
+  return {detail::zero_of(std::move(name), std::move(function), direction), {}};
 }
 template <class G, class F>
 detail::Change<detail::Zero<G>, F> when(std::string name, G function, ode::Direction direction, F update) {
-  return {{std::move(name), std::move(function), direction}, std::move(update)};
+  auto changes = detail::given_function([&] { return "when(\"" + name + "\")"; }, std::move(update));
+  return {detail::zero_of(std::move(name), std::move(function), direction), std::move(changes)};
 }
 
 template <class Name, class G, class... Given>

@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iosfwd>
 #include <optional>
 #include <type_traits>
 #include <vectrix/dynamics/craft/flight.hpp>
+#include <vectrix/frames/export.hpp>
 #include <vectrix/frames/scalar/larger.hpp>
 
 namespace vectrix {
@@ -75,6 +77,8 @@ struct CraftConservation {
   std::optional<double> momentum;          ///< Now::momentum(); empty if the hub is only turning
   std::optional<double> angular_momentum;  ///< Now::angular_momentum()
 };
+/// What is known, one line each.
+VECTRIX_EXPORT std::ostream& operator<<(std::ostream& out, const CraftConservation& kept);
 
 /// The conservation report of a trajectory of this scenario. Throws BadInput if it has no node.
 template <CraftType C, class... Parts, class... X>

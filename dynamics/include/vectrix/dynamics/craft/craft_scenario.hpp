@@ -329,9 +329,17 @@ template <class C, class Tuple> struct ScenarioWith;
 template <class C, class... Parts>
 struct ScenarioWith<C, std::tuple<Parts...>> : std::type_identity<CraftScenario<C, Parts...>> {};
 template <class... CraftAndParts> using MadeScenario = typename ScenarioWith<CraftAndParts...>::type;
+template <class C, class... Parts> constexpr auto fault_of_scenario() {
+  if constexpr (CraftType<C>)
+    return std::type_identity<ScenarioFault<C, Parts...>>{};
+  else
+    return std::type_identity<IsNoCraft<C>>{};
+}
+template <class C, class... Parts>
+using FaultOfScenario = typename decltype(fault_of_scenario<C, Parts...>())::type;
 template <class C, class... Parts>
 using ScenarioOf =
-    typename MadeUnless<ScenarioFault<C, Parts...>, MadeScenario>::template type<C, AllParts<Parts...>>;
+    typename MadeUnless<FaultOfScenario<C, Parts...>, MadeScenario>::template type<C, AllParts<Parts...>>;
 
 }  // namespace detail
 
@@ -340,15 +348,17 @@ using ScenarioOf =
 ///   - held(x): a value that only changes change, at the ends of smooth segments
 ///   - changes of held values: every(), at_times(), at_start(), when()
 /// Changes at one instant all see the values from before it; if two change one value, the later in the list
-/// counts.
-template <CraftType C, class... Parts>
+/// counts. Throws BadInput for a load that is an empty std::function.
+template <class C, class... Parts>
 detail::ScenarioOf<C, Parts...> scenario(const C& craft, const Parts&... parts) {
-  if constexpr (std::is_same_v<detail::ScenarioFault<C, Parts...>, Refused>)
+  if constexpr (std::is_same_v<detail::FaultOfScenario<C, Parts...>, Refused>) {
     return Refused{};
-  else
+  } else {
+    (detail::require_function([] { return "scenario, a load"; }, parts), ...);
     return {detail::trusted, craft, detail::all_parts(parts...)};
+  }
 }
-template <CraftType C, class... Parts, class Fault = detail::ScenarioFault<C, Parts...>>
+template <class C, class... Parts, class Fault = detail::FaultOfScenario<C, Parts...>>
   requires(!std::is_same_v<Fault, Nothing> && !std::is_same_v<Fault, Refused>)
 auto scenario(  // the craft, then loads, held values, and changes of what is held: see Fault
     const C&, const Parts&...) -> Refused = delete;

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vectrix/dynamics/craft/given_function.hpp>
 #include <vectrix/dynamics/craft/plain_spacecraft.hpp>
 #include <vectrix/frames/units.hpp>
 
@@ -39,26 +40,40 @@ class NamedHeld {
 inline NamedHeld locked(std::string name) {
   return {detail::trusted, std::move(name), std::nullopt, {}};
 }
+
+namespace detail {
+
+template <class F> F given_acceleration(const std::string& body, F acceleration) {
+  return given_function([&] { return "prescribed(\"" + body + "\")"; }, std::move(acceleration));
+}
+
+}  // namespace detail
+
 /// A hinge, a rotor, a slider, or both axes of a gimbal, with the given acceleration, which must be smooth
-/// between the breakpoints of the run and at them: it is not told on which side of one it is asked.
+/// between the breakpoints of the run and at them: it is not told on which side of one it is asked. Throws
+/// BadInput for an empty std::function.
 inline NamedHeld prescribed(
-    std::string body,
+    const std::string& body,
     std::function<Quantity<si::angular_acceleration>(const Quantity<si::time>&)> acceleration) {
-  return {detail::trusted, std::move(body), JointKind::hinge, [given = std::move(acceleration)](double t) {
+  return {detail::trusted, body, JointKind::hinge,
+          [given = detail::given_acceleration(body, std::move(acceleration))](double t) {
             return std::array{given(t * si::second).value(), 0.0};
           }};
 }
 inline NamedHeld prescribed(
-    std::string body, std::function<Quantity<si::acceleration>(const Quantity<si::time>&)> acceleration) {
-  return {detail::trusted, std::move(body), JointKind::slider, [given = std::move(acceleration)](double t) {
+    const std::string& body,
+    std::function<Quantity<si::acceleration>(const Quantity<si::time>&)> acceleration) {
+  return {detail::trusted, body, JointKind::slider,
+          [given = detail::given_acceleration(body, std::move(acceleration))](double t) {
             return std::array{given(t * si::second).value(), 0.0};
           }};
 }
 inline NamedHeld prescribed(
-    std::string body,
+    const std::string& body,
     std::function<std::array<Quantity<si::angular_acceleration>, 2>(const Quantity<si::time>&)>
         accelerations) {
-  return {detail::trusted, std::move(body), JointKind::gimbal, [given = std::move(accelerations)](double t) {
+  return {detail::trusted, body, JointKind::gimbal,
+          [given = detail::given_acceleration(body, std::move(accelerations))](double t) {
             const auto both = given(t * si::second);
             return std::array{both[0].value(), both[1].value()};
           }};
@@ -66,10 +81,10 @@ inline NamedHeld prescribed(
 
 /// A gimbal about one axis, 1 or 2; about the other it is free.
 inline NamedHeld prescribed(
-    std::string body, int axis,
+    const std::string& body, int axis,
     std::function<Quantity<si::angular_acceleration>(const Quantity<si::time>&)> acceleration) {
-  return {detail::trusted, std::move(body), JointKind::gimbal,
-          [given = std::move(acceleration)](double t) {
+  return {detail::trusted, body, JointKind::gimbal,
+          [given = detail::given_acceleration(body, std::move(acceleration))](double t) {
             return std::array{given(t * si::second).value(), 0.0};
           },
           axis};

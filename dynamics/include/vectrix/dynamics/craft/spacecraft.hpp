@@ -37,6 +37,8 @@ concept CraftType = requires {
   typename C::shape;
   C::state_size;
 };
+/// A mistake, for messages: the craft is left out.
+template <class Given> struct IsNoCraft {};
 
 namespace detail {
 

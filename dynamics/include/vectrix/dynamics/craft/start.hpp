@@ -118,10 +118,15 @@ template <Point A> DeflectionStart<A, 1> deflects(Of<A>, double coordinate, doub
 template <class F> struct StartIsMissing {};
 template <class F> struct StartIsGivenTwice {};
 template <class F> struct NoStartOf {};
+template <class Given> struct IsNoStart {};
 template <class Start, class Part> struct StartIsNotThatOf {};
 template <class Given, class Motion> struct HubMovesWith {};
 
 namespace detail {
+
+template <class Given> inline constexpr bool is_start = requires {
+  typename Given::of;
+};
 
 /// What the motion of a hub starts with.
 template <class Shape>
@@ -194,8 +199,11 @@ template <class Shape, class Motion, class... Starts>
 struct FaultOfState<Shape, Motion, std::tuple<Starts...>> {
   using Wanted = typename HubStart<Shape>::type;
   static constexpr auto fault() {
+    constexpr std::size_t no_start = first_of<!is_start<Starts>...>();
     if constexpr ((std::is_same_v<Starts, Refused> || ...)) {
       return std::type_identity<Refused>{};
+    } else if constexpr (no_start != nowhere) {
+      return std::type_identity<IsNoStart<std::tuple_element_t<no_start, std::tuple<Starts...>>>>{};
     } else if constexpr (!std::is_same_v<Motion, Wanted>) {
       return std::type_identity<HubMovesWith<Motion, Wanted>>{};
     } else {

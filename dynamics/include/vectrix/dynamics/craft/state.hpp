@@ -92,6 +92,13 @@ void put_start(const CraftCore&, const DeflectionStart<A, count>& start, double*
 template <class C, class Motion, class... Starts>
 using StateFault = typename FaultOfState<typename C::shape, Motion, typename FlatList<Starts...>::type>::type;
 
+template <class C, class Motion, class... Starts> constexpr auto fault_of_state() {
+  if constexpr (CraftType<C>)
+    return std::type_identity<StateFault<C, Motion, Starts...>>{};
+  else
+    return std::type_identity<IsNoCraft<C>>{};
+}
+
 template <CraftType C>
 CraftState<C> checked_state(const C& craft, const char* action, const Quantity<si::time>& t,
                             const std::array<double, C::state_size>& y) {
@@ -126,8 +133,8 @@ template <CraftType C, class Motion, class... Starts>
      ...);
     return detail::checked_state(craft, "state", t, y);
   }
-template <CraftType C, class Time, class Motion, class... Starts,
-          class Fault = detail::StateFault<C, Motion, Starts...>>
+template <class C, class Time, class Motion, class... Starts,
+          class Fault = typename decltype(detail::fault_of_state<C, Motion, Starts...>())::type>
   requires(!std::is_same_v<Fault, Nothing>)
 auto state(  // state(craft, t, X_i_from_hub, starts...): each part that moves has one start: see Fault
     const C&, const Time&, const Motion&, const Starts&...) -> Refused = delete;

@@ -7,6 +7,7 @@
 #include <type_traits>
 #include <utility>
 #include <vectrix/dynamics/craft/forces.hpp>
+#include <vectrix/dynamics/craft/given_function.hpp>
 #include <vectrix/dynamics/craft/joint_motion.hpp>
 #include <vectrix/dynamics/craft/state.hpp>
 #include <vectrix/dynamics/load/joint_units.hpp>
@@ -139,6 +140,8 @@ template <class Axis, class F> const F& last_of(const Axis&, const F& f) {
 template <CraftType C, class B, class... F>
   requires(detail::IsPrescribed<C, B, F...>::value)
 typename detail::IsPrescribed<C, B, F...>::type prescribed(const C&, Of<B>, const F&... motion) {
+  detail::require_function([] { return detail::on_joint<B>("prescribed").text(); },
+                           detail::last_of(motion...));
   return {detail::last_of(motion...)};
 }
 template <class C, class B, class... F, class Given = typename detail::IsPrescribed<C, B, F...>::given>

@@ -128,6 +128,11 @@ template <class B, class S> struct InertiaName<Inertia<B, CentreOfMassOf<B>, In<
   static std::string text() { return inertia_name(frame_name<B>()); }
 };
 
+template <class S> std::string entry_is(Eigen::Index row, Eigen::Index column, const S& entry) {
+  return "entry (" + text(row + 1) + ", " + text(column + 1) + ") of the tensor is " + text(entry) +
+         " kg m^2";
+}
+
 /// Throws BadInput if no body has the tensor of the inertia with this name. `rounding`: how far it may be
 /// off, kg m^2, besides the relative tolerance.
 template <class S>
@@ -138,10 +143,7 @@ void require_moments(const char* door, NameFunction name, const Square<S>& tenso
   for (Eigen::Index row = 0; row < 3; ++row) {
     for (Eigen::Index column = row; column < 3; ++column) {
       const S& entry = tensor(row, column);
-      if (!(entry - entry == S(0))) {
-        refuse("entry (" + text(row + 1) + ", " + text(column + 1) + ") of the tensor is " + text(entry) +
-               " kg m^2");
-      }
+      if (!(entry - entry == S(0))) refuse(entry_is(row, column, entry));
     }
   }
   const Column<S> moments = principal_values(tensor);
@@ -184,6 +186,10 @@ J checked_inertia(const char* door, const Square<S>& tensor, const S& rounding =
 }
 
 template <class J, class S> void require_symmetric(const char* door, const Square<S>& tensor) {
+  for (Eigen::Index i = 0; i < 3; ++i)
+    for (Eigen::Index j = 0; j < 3; ++j)
+      if (const S entry = tensor(i, j); !all(entry - entry == S(0)))
+        throw BadInput(std::string{door} + "(" + InertiaName<J>::text() + "): " + entry_is(i, j, entry));
   for (Eigen::Index i = 0; i < 3; ++i) {
     for (Eigen::Index j = i + 1; j < 3; ++j) {
       const S error = tensor(i, j) - tensor(j, i);

@@ -41,7 +41,9 @@ struct Statistics {
 
 struct Record;
 
-/// The result of a run. It is immutable and cheap to copy. After a failure it ends at the last accepted step.
+/// The result of a run. It is immutable and cheap to copy. After a failure it ends at the last accepted step;
+/// if a root function did not answer in that step, at the last instant in it before which all zeros are
+/// known. A zero that ends the run or a segment is never passed.
 ///
 /// Nodes are ordered by time. Smooth segments lie between consecutive breakpoints, and zeros that end a
 /// segment. Such an instant is a node of both its segments, with two one-sided rates and the same state,
@@ -53,7 +55,8 @@ class VECTRIX_EXPORT Solution {
 
   [[nodiscard]] std::size_t dimension() const;
   [[nodiscard]] double start() const;
-  /// Time of the last node: Problem::end, the time of the stopping event, or the last step before a failure.
+  /// Time of the last node: Problem::end, the time of the stopping event, or the last instant kept before a
+  /// failure.
   [[nodiscard]] double end() const;
   /// True if a root with `stop` ended the run. That event is events().back().
   [[nodiscard]] bool stopped() const;
