@@ -1,5 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <span>
+
 #include "craft/named_five.hpp"
 #include "multibody/random_craft.hpp"
 
@@ -71,6 +74,40 @@ TEST(NamedRun, ALoadJumpsAtABreakpoint) {
   EXPECT_EQ(rate(1.0).norm(), 0.0);
   EXPECT_NEAR(rate(2.0).z(), 0.2, rounded);
   EXPECT_NEAR(rate(4.0).z(), 0.4, rounded);
+}
+
+// Of a rate w about z, with J = 2 kg m^2: a torque -k w_n for a period T makes w_n+1 = w_n (1 - k T / J).
+TEST(NamedRun, AControllerSamplesAtTheStartOfEachSegment) {
+  const NamedSpacecraft craft({"gcrf",
+                               "hub",
+                               HubMotion::turning,
+                               1.0,
+                               Vector3d::Zero(),
+                               Vector3d(1.0, 2.0, 2.0).asDiagonal(),
+                               {},
+                               {},
+                               {}});
+  const NamedFrame i = craft.inertial(), hub = craft.hub();
+  const NamedState start = craft.state(
+      moving_dcm(aligned(To(i), From(hub)),
+                 angular_velocity(Of(hub), RelativeTo(i),
+                                  vector<si::angular_velocity>(In(hub), Vector3d(0.0, 0.0, 0.1)))),
+      {});
+  Vector3d command = Vector3d::Zero();  // N m, held between two samples
+  const NamedLoads motors = [&](const NamedNow&, NamedForces& forces) {
+    forces.torque(hub, vector<si::torque>(In(hub), command));
+  };
+  auto run = craft.problem(start, 0.0 * si::second, 4.0 * si::second, tolerance, tight, motors);
+  for (int k = 1; k < 8; ++k) run.breakpoints.push_back(0.5 * k);
+  run.at_segment_start = [&](double, std::span<double> y, std::span<const ode::Event>) {
+    const NamedState now = craft.state(std::span<const double>(y));
+    command = -0.8 * now.turning().angular_velocity().coordinates();
+  };
+  const auto solution = ode::solve(run);
+  // A step adds sums of at most sixteen products of numbers below 0.1, and changes them by the tolerance.
+  const double rounded = static_cast<double>(solution.statistics().steps) * (tolerance + 16.0 * epsilon);
+  const auto rate = craft.state(solution.at(4.0)).turning().angular_velocity();
+  EXPECT_NEAR(rate.coordinates().z(), 0.1 * std::pow(1.0 - 0.8 * 0.5 / 2.0, 8), rounded);
 }
 
 TEST(NamedRun, HeldJointsMoveAsTheyAreTold) {

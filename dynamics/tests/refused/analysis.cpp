@@ -43,6 +43,42 @@ auto system(const Sat& sat, const CraftState<Sat>& start) {
 }
 }  // namespace an_input_beside_the_craft
 
+namespace an_input_without_inputs {
+// mistake: an input that is not in inputs()
+// expect: AreNoInputs<(vectrix::)?MotorInput<Wheel>
+auto system(const Sat& sat, const CraftState<Sat>& start) {
+#ifdef REPAIRED
+  return linearise(scenario(sat), start, inputs(motor_input(of<Wheel>)));
+#else
+  return linearise(scenario(sat), start, motor_input(of<Wheel>));
+#endif
+}
+}  // namespace an_input_without_inputs
+
+namespace a_linearisation_without_state {
+// mistake: the state about which to linearise is left out
+// expect: IsNoState<
+auto system(const Sat& sat, const CraftState<Sat>& start) {
+#ifdef REPAIRED
+  return linearise(scenario(sat), start);
+#else
+  return static_cast<void>(start), linearise(scenario(sat));
+#endif
+}
+}  // namespace a_linearisation_without_state
+
+namespace a_linearisation_of_a_craft {
+// mistake: a craft for its scenario
+// expect: IsNoScenario<Sat
+auto system(const Sat& sat, const CraftState<Sat>& start) {
+#ifdef REPAIRED
+  return linearise(scenario(sat), start);
+#else
+  return linearise(sat, start);
+#endif
+}
+}  // namespace a_linearisation_of_a_craft
+
 namespace an_input_twice {
 // mistake: one motor as two inputs
 // expect: InputIsGivenTwice<(vectrix::)?MotorInput<Wheel>

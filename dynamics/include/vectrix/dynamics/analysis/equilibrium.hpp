@@ -34,12 +34,11 @@ CraftState<C> equilibrium(const CraftScenario<C, Parts...>& scenario, const Craf
   return {detail::trusted, guess.time(), numbers};
 }
 
-template <CraftType C, class... Parts, CraftType GivenC,
+template <class Scenario, class State,
           class Fault =
-              detail::FaultOfLinear<C, GivenC, CraftScenario<C, Parts...>, CraftInputs<>, CraftOutputs<>>>
+              typename detail::FaultOfArguments<Scenario, State, CraftInputs<>, CraftOutputs<>>::type>
   requires(!std::is_same_v<Fault, Nothing>)
-auto equilibrium(  // a state of the scenario's craft; loads of any scalar: see Fault
-    const CraftScenario<C, Parts...>&, const CraftState<GivenC>&, const EquilibriumTolerances&)
-    -> Refused = delete;
+auto equilibrium(  // a scenario and a state of its craft; loads of any scalar: see Fault
+    const Scenario&, const State&, const EquilibriumTolerances&) -> Refused = delete;
 
 }  // namespace vectrix

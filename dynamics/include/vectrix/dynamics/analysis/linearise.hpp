@@ -21,6 +21,11 @@ namespace vectrix {
 // function.
 template <class Load> struct TakesNoDuals {};
 template <class GivenC> struct IsAStateOf {};
+// What stands where a scenario, its state, inputs() or outputs() should; Nothing if it is left out.
+template <class Given> struct IsNoScenario {};
+template <class Given> struct IsNoState {};
+template <class Given> struct AreNoInputs {};
+template <class Given> struct AreNoOutputs {};
 
 namespace detail {
 
@@ -72,6 +77,24 @@ template <class C, class GivenC, class Scenario, class Inputs, class Outputs>
 using FaultOfLinear =
     typename std::conditional_t<std::is_same_v<C, GivenC>, LinearFault<C, Scenario, Inputs, Outputs>,
                                 std::type_identity<IsAStateOf<GivenC>>>::type;
+
+/// The first mistake in all arguments.
+template <class Scenario, class State, class Inputs, class Outputs>
+struct FaultOfArguments : std::type_identity<IsNoScenario<Scenario>> {};
+template <class C, class... Parts, class State, class Inputs, class Outputs>
+struct FaultOfArguments<CraftScenario<C, Parts...>, State, Inputs, Outputs>
+    : std::type_identity<IsNoState<State>> {};
+template <class C, class... Parts, class GivenC, class Inputs, class Outputs>
+struct FaultOfArguments<CraftScenario<C, Parts...>, CraftState<GivenC>, Inputs, Outputs>
+    : std::type_identity<AreNoInputs<Inputs>> {};
+template <class C, class... Parts, class GivenC, class... Input, class Outputs>
+struct FaultOfArguments<CraftScenario<C, Parts...>, CraftState<GivenC>, CraftInputs<Input...>, Outputs>
+    : std::type_identity<AreNoOutputs<Outputs>> {};
+template <class C, class... Parts, class GivenC, class... Input, class... F>
+struct FaultOfArguments<CraftScenario<C, Parts...>, CraftState<GivenC>, CraftInputs<Input...>,
+                        CraftOutputs<F...>>
+    : std::type_identity<
+          FaultOfLinear<C, GivenC, CraftScenario<C, Parts...>, CraftInputs<Input...>, CraftOutputs<F...>>> {};
 
 /// The rates of a craft in duals, under loads and inputs.
 template <CraftType C, class... Input, class... Loads>
@@ -160,13 +183,10 @@ LinearCraft<C, Input...> linearise(const CraftScenario<C, Parts...>& scenario, c
   return system;
 }
 
-template <CraftType C, class... Parts, CraftType GivenC, class Inputs = CraftInputs<>,
-          class Outputs = CraftOutputs<>,
-          class Fault = detail::FaultOfLinear<C, GivenC, CraftScenario<C, Parts...>, Inputs, Outputs>>
+template <class Scenario, class State = Nothing, class Inputs = CraftInputs<>, class Outputs = CraftOutputs<>,
+          class Fault = typename detail::FaultOfArguments<Scenario, State, Inputs, Outputs>::type>
   requires(!std::is_same_v<Fault, Nothing>)
-auto linearise(  // a state of the scenario's craft; loads of any scalar; inputs() on its parts; outputs():
-                 // see Fault
-    const CraftScenario<C, Parts...>&, const CraftState<GivenC>&, const Inputs& = {}, const Outputs& = {})
-    -> Refused = delete;
+auto linearise(  // a scenario, a state of its craft, inputs(), outputs(); loads of any scalar: see Fault
+    const Scenario&, const State& = {}, const Inputs& = {}, const Outputs& = {}) -> Refused = delete;
 
 }  // namespace vectrix
