@@ -9,7 +9,8 @@
 namespace vectrix::cli::scenario_table_test {
 namespace {
 
-const std::string angles = "an angle is a text with one of: deg, rad, mrad, arcmin, arcsec, mas, as \"1 deg\"";
+const std::string angles =
+    "an angle is a text with one of: deg, rad, mrad, arcmin, arcsec, mas, as \"1 deg\"";
 
 class ScenarioFile : public ::testing::Test, protected ScenarioFolder {};
 
