@@ -94,7 +94,8 @@ void add_check(CLI::App& app, CheckWords& words) {
       *app.add_subcommand("check", "say which reading of an attitude file its rates, orbit or target fit");
   check.footer(
       "Readings: as stated; transposed; with the scalar at the other end; both. None is chosen for you.\n"
-      "Exit code: 0 if a comparison confirms the file as stated, none prefers another reading, and the rates\n"
+      "Exit code: 0 if a comparison confirms the file as stated, none prefers another reading, and the "
+      "rates\n"
       "of the file do not contradict it; 1 if not, 2 if the input is wrong.\n\n"
       "  vectrix check attitude.aem --tle satellite.tle\n"
       "  vectrix check attitude.csv --time time_utc --scale utc --quaternion q0,q1,q2,q3 --scalar last "

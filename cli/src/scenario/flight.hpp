@@ -27,8 +27,8 @@ TimeSpan looked_at(const Scenario& scenario, const AttitudeRecord& samples);
 /// at a time.
 void require_orientation(const Scenario& scenario, const Epoch& t);
 
-/// The instants of the step of a scenario; without a step, the times of the samples. Throws BadInput, with the
-/// place in the scenario, for too many.
+/// The instants of the step of a scenario; without a step, the times of the samples. Throws BadInput, with
+/// the place in the scenario, for too many.
 std::vector<Epoch> instants(const Scenario& scenario, const AttitudeRecord& samples);
 
 /// A flight at the instants that are looked at.

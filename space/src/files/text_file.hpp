@@ -19,7 +19,8 @@ struct TextFile {
 inline constexpr const char* truncated = "the file stops within this line; it was truncated";
 
 /// What it says of a file of old Macintosh computers, which is one line here.
-inline constexpr const char* with_bare_returns = "its lines end with CR alone; they must end with LF or CR LF";
+inline constexpr const char* with_bare_returns =
+    "its lines end with CR alone; they must end with LF or CR LF";
 
 /// The lines of a text, of which the end ends the last one.
 TextFile lines_of(std::string_view text);
