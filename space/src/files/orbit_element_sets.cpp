@@ -80,7 +80,7 @@ Sgp4Model model_of(const OrbitPart& part, const double* x, std::uint64_t number)
                               x[3] * si::radian,
                               x[4] * si::radian,
                               x[6] * si::radian,
-                              x[7] * si::radian,
+                              MeanAnomaly(x[7] * si::radian),
                               x[2] * bstar_unit};
   const double age =
       1.0 + std::max(std::abs(part.array.doubles[0] - epoch), std::abs(part.array.doubles[1] - epoch));
