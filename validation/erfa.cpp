@@ -62,7 +62,7 @@ Rows erfa_rows(const std::string&) {
   for (int i = 0; i < 2 * years; ++i) {
     // Half a year and some days apart, so that the phase of the Moon changes.
     const auto span = from_until(start + (0.4987 * year * i) * si::second, 86400.0 * si::second);
-    const auto orientation = EarthOrientation::unobserved(span, 0.3 * si::second);
+    const auto orientation = EarthOrientation::unobserved(span, -0.3 * si::second);
     const EarthMotion earth(orientation, span);
     const auto observed = orientation.parameters(span.start());
     for (const double part : {0.21, 0.49, 0.83}) {

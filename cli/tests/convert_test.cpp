@@ -405,7 +405,10 @@ TEST(Convert, SaysWhichMessageItIsNot) {
         },
         file);
   };
-  EXPECT_EQ(refused("CCSDS_OPM_VERS = 2.0\n"), "FILE: is a message of the kind OPM, not AEM");
+  EXPECT_EQ(refused("CCSDS_OPM_VERS = 2.0\n"),
+            "FILE: is a message of the kind OPM, not AEM; an OPM is an orbit at one instant, which no "
+            "command takes; in C++ "
+            "OrbitParameterMessage reads it");
   EXPECT_EQ(refused("\xff\xfe"
                     "C"),
             "FILE: is UTF-16, and no XML; a table or a message in keywords is UTF-8");

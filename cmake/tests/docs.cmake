@@ -38,6 +38,9 @@ function(doc_commands page number)
   add_test(NAME docs.${page}.${number} WORKING_DIRECTORY ${folder}/${page}
            COMMAND ${CMAKE_COMMAND} -E env PATH=$<TARGET_FILE_DIR:vectrix_program>:$ENV{PATH}
                    $<TARGET_FILE:compare_output> ${folder}/${page}/${number}.txt sh ${folder}/${page}/${number}.sh)
+  # Commands may use the files of those before.
+  math(EXPR before "${number} - 1")
+  set_tests_properties(docs.${page}.${number} PROPERTIES DEPENDS docs.${page}.${before})
 endfunction()
 
 include(${folder}/programs.cmake)

@@ -102,7 +102,8 @@ detail::Change<detail::Clock, F> every(const Quantity<si::time>& period, F updat
 }
 
 template <class Period, class F, class... Latency>
-  requires(!std::is_convertible_v<const Period&, Quantity<si::time>>)
+  requires(!std::is_convertible_v<const Period&, Quantity<si::time>> &&
+           !requires(const F& span) { span.start(); })  // a TimeSpan has every() of its own
 auto every(const Period&, const F&, const Latency&...) -> Refused = delete;  // every(period, f, latency)
 
 /// A change of a held value at the given times: becomes(x), or a function as every() takes it. Times before

@@ -8,6 +8,7 @@
 #include <vectrix/frames/graph/snapshot.hpp>
 #include <vectrix/kinematics/points/point_motion.hpp>
 #include <vectrix/space/earth/earth_orientation.hpp>
+#include <vectrix/space/sky/bodies.hpp>
 #include <vectrix/space/time/epoch.hpp>
 
 namespace vectrix::detail {
