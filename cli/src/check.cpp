@@ -119,8 +119,7 @@ class Findings {
     fit_.push_back(std::move(found));
   }
   // The one reading that is in all of several comparisons, by its longest name, which has the axes of the
-  // rates; else
-  // "".
+  // rates; "" if there is none, or more.
   [[nodiscard]] std::string in_common() const {
     std::string only;
     std::size_t count = 0;

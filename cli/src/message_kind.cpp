@@ -146,7 +146,7 @@ KindOfMessage kind_to_convert(const std::filesystem::path& file, const std::stri
     if (!is_there(stated)) throw BadInput(has + "; --kind is " + stated);
     return chosen(stated);
   }
-  const std::string name = out.extension().string();
+  const std::string name = ending_of(out);
   const std::string of_name =
       name == ".bc" || name == ".a" ? "aem" : name.substr(std::min<std::size_t>(name.size(), 1));
   if (is_there(of_name)) return chosen(of_name);

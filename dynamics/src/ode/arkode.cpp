@@ -35,11 +35,7 @@ class ArkodeStepper final : public SundialsStepper {
   std::string flag_name(int flag) const override { return take_name(ARKStepGetReturnFlagName(flag)); }
 
   std::string worst_component() const override {
-    const VectorPtr errors(N_VClone(state_.get())), weights(N_VClone(state_.get()));
-    if (!errors || !weights || ARKStepGetEstLocalErrors(memory_.get(), errors.get()) < 0 ||
-        ARKStepGetErrWeights(memory_.get(), weights.get()) < 0)
-      return {};
-    return worst_of(span_of(errors.get()), span_of(weights.get()));
+    return worst_of(memory_.get(), state_.get(), ARKStepGetEstLocalErrors, ARKStepGetErrWeights);
   }
 
  private:

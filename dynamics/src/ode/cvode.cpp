@@ -52,11 +52,7 @@ class CvodeStepper final : public SundialsStepper {
   std::string flag_name(int flag) const override { return take_name(CVodeGetReturnFlagName(flag)); }
 
   std::string worst_component() const override {
-    const VectorPtr errors(N_VClone(state_.get())), weights(N_VClone(state_.get()));
-    if (!errors || !weights || CVodeGetEstLocalErrors(memory_.get(), errors.get()) < 0 ||
-        CVodeGetErrWeights(memory_.get(), weights.get()) < 0)
-      return {};
-    return worst_of(span_of(errors.get()), span_of(weights.get()));
+    return worst_of(memory_.get(), state_.get(), CVodeGetEstLocalErrors, CVodeGetErrWeights);
   }
 
  private:

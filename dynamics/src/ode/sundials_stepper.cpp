@@ -87,14 +87,17 @@ int SundialsStepper::call_rate(double clock, N_Vector y, N_Vector ydot, void* st
   return self.find_rate(self.time(clock), span_of(y), span_of(ydot)) ? 0 : -1;
 }
 
-std::string SundialsStepper::worst_of(std::span<const double> errors, std::span<const double> weights) const {
+std::string SundialsStepper::worst_of(void* memory, N_Vector state, Getter errors, Getter weights) const {
+  const VectorPtr error(N_VClone(state)), weight(N_VClone(state));
+  if (!error || !weight || errors(memory, error.get()) < 0 || weights(memory, weight.get()) < 0) return {};
+  const auto size = span_of(state).size();
   double largest = 0.0;
-  std::size_t worst = errors.size();
-  for (std::size_t i = 0; i < errors.size(); ++i) {
-    const double error = std::abs(errors[i]) * weights[i];
-    if (error > largest) largest = error, worst = i;
+  std::size_t worst = size;
+  for (std::size_t i = 0; i < size; ++i) {
+    const double share = std::abs(span_of(error.get())[i]) * span_of(weight.get())[i];
+    if (share > largest) largest = share, worst = i;
   }
-  return worst < errors.size() ? detail::component_name(*rates_.problem, worst) : "";
+  return worst < size ? detail::component_name(*rates_.problem, worst) : "";
 }
 
 void SundialsStepper::require(int flag) const {

@@ -47,8 +47,11 @@ class SundialsStepper : public Stepper {
   /// SUNDIALS' callback: the user data is the SundialsStepper.
   static int call_rate(double clock, N_Vector y, N_Vector ydot, void* stepper);
 
-  /// The component with the largest error, where the weights are 1 / tolerance; empty if all errors are zero.
-  [[nodiscard]] std::string worst_of(std::span<const double> errors, std::span<const double> weights) const;
+  /// What SUNDIALS' memory has of its last step, put into a vector.
+  using Getter = int (*)(void* memory, N_Vector);
+  /// The component with the largest error, where the weights are 1 / tolerance; empty if SUNDIALS does not
+  /// tell, or all errors are zero. The state is what it makes its vectors like.
+  [[nodiscard]] std::string worst_of(void* memory, N_Vector state, Getter errors, Getter weights) const;
 
   /// Throws for a negative flag. An error of the right-hand side says more than the flag that follows from
   /// it.

@@ -119,7 +119,6 @@ template <Frame A, Frame Q, Instant I = Quantity<si::time>> class InterpolatedPo
  private:
   static std::string place() { return detail::samples_place<A, Q>("InterpolatedPosition"); }
 
-  /// The first sample that each step takes, of those between two gaps, [begin, end).
   // The last difference is divided by as many steps as the degree.
   void require_power(std::size_t i) const {
     const S& step = steps_.duration(i);
@@ -132,6 +131,7 @@ template <Frame A, Frame Q, Instant I = Quantity<si::time>> class InterpolatedPo
                     detail::text(method_.degree) + " divides by a power of it that no number holds");
   }
 
+  /// The first sample that each step takes, of those between two gaps, [begin, end).
   void set_firsts(std::size_t begin, std::size_t end) {
     const std::size_t needed = method_.samples();
     if (end - begin < needed) {
