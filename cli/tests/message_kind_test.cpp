@@ -81,7 +81,8 @@ TEST_F(CombinedMessage, IsConvertedInOneKindThatIsStated) {
   }
   for (const char* const out : {"out.aem", "out.bc", "out.a"})
     EXPECT_EQ(found(aem() + oem(), "", out), "aem, without OEM");
-  EXPECT_EQ(found(oem() + aem(), "", "out.oem"), "oem, without AEM");
+  for (const char* const out : {"out.oem", "OUT.OEM"})
+    EXPECT_EQ(found(oem() + aem(), "", out), "oem, without AEM");
   EXPECT_EQ(refused(aem() + oem(), "omm", "out.omm"),
             "FILE: is a combined message; it has AEM, OEM; --kind is omm");
   EXPECT_EQ(refused("", "", "out.xml"), "FILE: is a combined message; it has nothing, none of AEM, OEM, OMM");
