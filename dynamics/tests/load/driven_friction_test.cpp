@@ -7,6 +7,7 @@
 #include <vectrix/dynamics/load/prescribed.hpp>
 #include <vectrix/dynamics/load/pulse.hpp>
 
+#include "load/sine.hpp"
 #include "load/three_parts.hpp"
 
 // Friction where the motion is given, or the joint is locked: it loads the drive or the latch alone.
@@ -31,11 +32,7 @@ auto rub_panel() {
 constexpr double amplitude = 0.4, rate = 3.0, period = 2.0 * std::numbers::pi / rate;
 /// u = 0 at the quarter period and each half period after it.
 auto turning(double phase) {
-  return [phase](const Quantity<si::time>& t) {
-    const double x = rate * t.value() + phase;
-    return JointMotion{amplitude * std::sin(x) * rad, amplitude * rate * std::cos(x) * rad_s,
-                       -amplitude * rate * rate * std::sin(x) * (rad_s / s)};
-  };
+  return vectrix_test::turning(Sine{amplitude, rate, 0.0, -phase / rate});
 }
 Starting start_at(double phase, double time = 0.0) {
   const auto given = turning(phase)(time * s);
@@ -115,11 +112,7 @@ TEST(DrivenFriction, OfARotorAndASlider) {
     const double x = rate * t.value();
     return RotorMotion{5.0 * std::cos(x) * rad_s, -5.0 * rate * std::sin(x) * (rad_s / s)};
   };
-  const auto to_and_fro = [](const Quantity<si::time>& t) {
-    const double x = rate * t.value();
-    return JointMotion{0.1 * std::sin(x) * m, 0.1 * rate * std::cos(x) * m_s,
-                       -0.1 * rate * rate * std::sin(x) * (m_s / s)};
-  };
+  const auto to_and_fro = [](const Quantity<si::time>& t) { return Sine{0.1, rate}.sliding(t.value()); };
   const auto alone =
       scenario(sat, prescribed(sat, of<Wheel>, throttle), prescribed(sat, of<Mass>, to_and_fro));
   const auto rubbed =
