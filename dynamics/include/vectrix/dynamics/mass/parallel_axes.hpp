@@ -40,9 +40,9 @@ Inertia<B, P, In<C>, S> shifted(const Inertia<B, CentreOfMassOf<B>, In<C>, S>& J
 }
 
 /// J_c = J_p - m (|r_pc|^2 I - r_pc r_pc^T): back to the centre of mass, where the inertia is smallest:
-/// shift(J_p, r_pc_c, m). The result is off by the rounding of J_p. Throws BadInput if the mass is not
-/// positive, or if beyond this rounding no body has the result: J_p is too small for a mass m at that
-/// distance.
+/// shift(J_p, r_pc_c, m). The result is off by the rounding of J_p, and knows it; its bare matrix does not,
+/// and inertia_from_tensor() may refuse that of a plate or rod. Throws BadInput if the mass is not positive,
+/// or if beyond this rounding no body has the result: J_p is too small for a mass m at that distance.
 template <class B, class P, class C, class S>
   requires(!std::same_as<P, CentreOfMassOf<B>>)
 Inertia<B, CentreOfMassOf<B>, In<C>, S> shifted(const Inertia<B, P, In<C>, S>& J_p,

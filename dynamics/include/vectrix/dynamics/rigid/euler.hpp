@@ -16,7 +16,8 @@ inline constexpr bool is_central_torque = std::is_same_v<TorqueGiven, Vector<B, 
 ///     J_b alpha_ib^b = tau^b - w_ib^b x (J_b w_ib^b)
 /// It holds relative to an inertial frame only; another reference does not compile. The torque is about the
 /// centre of mass: a `Torque<CentreOfMassOf<B>, In<B>>` has this in its type, for a `Vector<B, si::torque>`
-/// it is a claim. Throws BadInput if the inertia has no inverse, as that of a rod.
+/// it is a claim. Throws BadInput if the inertia has no inverse, as that of a rod. A torque w x (J w) that
+/// underflows, below 1e-307 N m, is lost; propagate() refuses it.
 template <class I, class B, class S, class TorqueGiven>
 inline std::enable_if_t<InertialFrame<I> && detail::is_central_torque<TorqueGiven, B, S>,
                         AngularAcceleration<I, B, In<B>, S>>
