@@ -39,6 +39,26 @@ std::int32_t frame_of(const DafFile& file, const KernelWords& words, const Frame
   return wanted;
 }
 
+// Segments of a frame relative to another spacecraft frame are not multiplied with those of that frame.
+void require_in_j2000(const std::vector<AttitudeKernelSegment>& segments, std::int32_t frame,
+                      const AttitudeRecord& record, const FrameKernel& frames) {
+  constexpr std::int32_t j2000 = 1;
+  const auto is_there = [&](std::int32_t some) {
+    return std::any_of(segments.begin(), segments.end(), [&](const auto& segment) {
+      return segment.frame == some && segment.reference == j2000;
+    });
+  };
+  if (is_there(frame)) return;
+  const std::int32_t reference = std::find_if(segments.begin(), segments.end(), [&](const auto& segment) {
+                                   return segment.frame == frame;
+                                 })->reference;
+  throw BadInput(record.file + ": it has " + record.body + " relative to " + frames.shown(reference) +
+                 ", not to J2000; the attitude of that frame is " +
+                 (is_there(reference) ? "in this file, and the two are not multiplied here: --ck-frame " +
+                                            detail::text(reference) + " reads it alone"
+                                      : "not in this file"));
+}
+
 std::string hidden_segments(const AttitudeKernel& kernel, const std::vector<HiddenAttitude>& hidden) {
   std::map<std::size_t, double> seconds;
   for (const auto& [segment, span] : hidden) seconds[segment] += (span.end() - span.start()).value();
@@ -96,14 +116,7 @@ AttitudeRecord read_kernel(const std::filesystem::path& file, const KernelWords&
     throw BadInput(record.file + ": its attitude is from " + all.start().utc() + " UTC to " +
                    all.end().utc() + " UTC, none in the times that are asked for");
   const auto span = from_until(first, last);
-  constexpr std::int32_t j2000 = 1;
-  const auto& all_segments = kernel.segments();
-  const auto of_frame = [&](const auto& segment) { return segment.frame == frame; };
-  if (std::none_of(all_segments.begin(), all_segments.end(),
-                   [&](const auto& segment) { return of_frame(segment) && segment.reference == j2000; }))
-    throw BadInput(record.file + ": it has " + record.body + " relative to " +
-                   frames.shown(std::find_if(all_segments.begin(), all_segments.end(), of_frame)->reference) +
-                   ", not to J2000, and the attitude of that frame is not in this file");
+  require_in_j2000(kernel.segments(), frame, record, frames);
   const auto body = called<Body>(detail::text(frame));
   const auto reference = called<Reference>("J2000");
   for (const auto& [time, q_reference_from_body] :
