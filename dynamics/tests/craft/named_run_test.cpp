@@ -40,24 +40,31 @@ TEST(NamedRun, KeepsMomentumOverARun) {
   EXPECT_NEAR(last.now().energy() / first.now().energy(), 1.0, kept);
 }
 
+// 2 kg m^2 about z.
+NamedSpacecraft turning_hub() {
+  return NamedSpacecraft({"gcrf",
+                          "hub",
+                          HubMotion::turning,
+                          1.0,
+                          Vector3d::Zero(),
+                          Vector3d(1.0, 2.0, 2.0).asDiagonal(),
+                          {},
+                          {},
+                          {}});
+}
+NamedState about_z(const NamedSpacecraft& craft, double rate) {
+  const NamedFrame i = craft.inertial(), hub = craft.hub();
+  const auto w_ih_h = vector<si::angular_velocity>(In(hub), Vector3d(0.0, 0.0, rate));
+  return craft.state(moving_dcm(aligned(To(i), From(hub)), angular_velocity(Of(hub), RelativeTo(i), w_ih_h)),
+                     {});
+}
+
 // A hub of inertia J alone, with a torque that acts from 1 s to 3 s: w = M t / J, exactly: the
 // method integrates a constant without an error, so only its steps, of which there are some ten, are rounded.
 TEST(NamedRun, ALoadJumpsAtABreakpoint) {
-  const NamedSpacecraft craft({"gcrf",
-                               "hub",
-                               HubMotion::turning,
-                               1.0,
-                               Vector3d::Zero(),
-                               Vector3d(1.0, 2.0, 2.0).asDiagonal(),
-                               {},
-                               {},
-                               {}});
-  const NamedFrame i = craft.inertial(), hub = craft.hub();
-  const NamedState start = craft.state(
-      moving_dcm(aligned(To(i), From(hub)),
-                 angular_velocity(Of(hub), RelativeTo(i),
-                                  vector<si::angular_velocity>(In(hub), Vector3d(0.0, 0.0, 0.0)))),
-      {});
+  const NamedSpacecraft craft = turning_hub();
+  const NamedFrame hub = craft.hub();
+  const NamedState start = about_z(craft, 0.0);
   auto run = craft.problem(
       start, 0.0 * si::second, 4.0 * si::second, 1e-12, tight, [&](const NamedNow& now, NamedForces& forces) {
         if (now.segment_start() >= 1.0 * si::second && now.segment_start() < 3.0 * si::second)
@@ -78,21 +85,9 @@ TEST(NamedRun, ALoadJumpsAtABreakpoint) {
 
 // Of a rate w about z, with J = 2 kg m^2: a torque -k w_n for a period T makes w_n+1 = w_n (1 - k T / J).
 TEST(NamedRun, AControllerSamplesAtTheStartOfEachSegment) {
-  const NamedSpacecraft craft({"gcrf",
-                               "hub",
-                               HubMotion::turning,
-                               1.0,
-                               Vector3d::Zero(),
-                               Vector3d(1.0, 2.0, 2.0).asDiagonal(),
-                               {},
-                               {},
-                               {}});
-  const NamedFrame i = craft.inertial(), hub = craft.hub();
-  const NamedState start = craft.state(
-      moving_dcm(aligned(To(i), From(hub)),
-                 angular_velocity(Of(hub), RelativeTo(i),
-                                  vector<si::angular_velocity>(In(hub), Vector3d(0.0, 0.0, 0.1)))),
-      {});
+  const NamedSpacecraft craft = turning_hub();
+  const NamedFrame hub = craft.hub();
+  const NamedState start = about_z(craft, 0.1);
   Vector3d command = Vector3d::Zero();  // N m, held between two samples
   const NamedLoads motors = [&](const NamedNow&, NamedForces& forces) {
     forces.torque(hub, vector<si::torque>(In(hub), command));
