@@ -31,7 +31,12 @@ function(vectrix_precompile_layers command)
   endforeach()
   set(header ${VECTRIX_SYNTAX}/layers.hpp)
   file(CONFIGURE OUTPUT ${header} CONTENT "${lines}")
-  set(${command} ${CMAKE_CXX_COMPILER} @${VECTRIX_SYNTAX}/plain.options -x c++-header ${header} -o ${header}.gch PARENT_SCOPE)
+  # Otherwise clang instantiates what the headers use in each call that includes them.
+  set(once)
+  if(CMAKE_CXX_COMPILER_ID MATCHES "Clang")
+    set(once -fpch-instantiate-templates)
+  endif()
+  set(${command} ${CMAKE_CXX_COMPILER} @${VECTRIX_SYNTAX}/plain.options ${once} -x c++-header ${header} -o ${header}.gch PARENT_SCOPE)
 endfunction()
 
 # The test refused.headers, which the other tests of refused programs need.
