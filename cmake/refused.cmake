@@ -13,7 +13,8 @@ function(vectrix_syntax_options)
   list(TRANSFORM system PREPEND "-isystem ")
   set(own ${VECTRIX_LAYERS})
   list(TRANSFORM own REPLACE "(.+)" "-I${PROJECT_SOURCE_DIR}/\\1/include")
-  set(plain -std=c++20 -Wpedantic ${own} ${system})  # g++ shares no precompiled header with a less pedantic call
+  separate_arguments(flags NATIVE_COMMAND "${CMAKE_CXX_FLAGS}")
+  set(plain ${flags} -std=c++20 -Wpedantic ${own} ${system})  # g++ shares no precompiled header with a less pedantic call
   set(strict ${plain} ${VECTRIX_WARNINGS} -Werror)
   foreach(set plain strict)
     list(JOIN ${set} "\n" text)
