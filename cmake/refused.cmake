@@ -13,7 +13,8 @@ function(vectrix_syntax_options)
   list(TRANSFORM system PREPEND "-isystem ")
   set(own ${VECTRIX_LAYERS})
   list(TRANSFORM own REPLACE "(.+)" "-I${PROJECT_SOURCE_DIR}/\\1/include")
-  set(plain -std=c++20 -Wpedantic ${own} ${system})  # g++ shares no precompiled header with a less pedantic call
+  separate_arguments(flags NATIVE_COMMAND "${CMAKE_CXX_FLAGS}")
+  set(plain ${flags} -std=c++20 -Wpedantic ${own} ${system})  # g++ shares no precompiled header with a less pedantic call
   set(strict ${plain} ${VECTRIX_WARNINGS} -Werror)
   foreach(set plain strict)
     list(JOIN ${set} "\n" text)
@@ -31,7 +32,12 @@ function(vectrix_precompile_layers command)
   endforeach()
   set(header ${VECTRIX_SYNTAX}/layers.hpp)
   file(CONFIGURE OUTPUT ${header} CONTENT "${lines}")
-  set(${command} ${CMAKE_CXX_COMPILER} @${VECTRIX_SYNTAX}/plain.options -x c++-header ${header} -o ${header}.gch PARENT_SCOPE)
+  # Otherwise clang instantiates what the headers use in each call that includes them.
+  set(once)
+  if(CMAKE_CXX_COMPILER_ID MATCHES "Clang")
+    set(once -fpch-instantiate-templates)
+  endif()
+  set(${command} ${CMAKE_CXX_COMPILER} @${VECTRIX_SYNTAX}/plain.options ${once} -x c++-header ${header} -o ${header}.gch PARENT_SCOPE)
 endfunction()
 
 # The test refused.headers, which the other tests of refused programs need.

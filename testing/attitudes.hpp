@@ -1,7 +1,5 @@
 #pragma once
 
-#include <rapidcheck.h>
-
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -10,6 +8,8 @@
 #include <string>
 #include <vector>
 #include <vectrix/frames/frame.hpp>
+
+#include "testing/generators.hpp"
 
 /// Shared by the tests of rotations: frames, attitudes of every regime, and the text of an error.
 namespace vectrix_test {
@@ -52,31 +52,12 @@ inline std::vector<Eigen::Quaterniond> hard_attitudes() {
 }
 
 /// Uniform in [-1, 1], in steps of 1e-6.
-inline rc::Gen<double> coordinate() {
-  return rc::gen::map(rc::gen::inRange(-1'000'000, 1'000'001), [](int n) { return n / 1e6; });
-}
-
-inline rc::Gen<Eigen::Vector3d> triple() {
-  return rc::gen::map(rc::gen::tuple(coordinate(), coordinate(), coordinate()), [](const auto& t) {
-    return Eigen::Vector3d(std::get<0>(t), std::get<1>(t), std::get<2>(t));
-  });
-}
-
+rc::Gen<double> coordinate();
+rc::Gen<Eigen::Vector3d> triple();
 /// Unit quaternions of all regimes: identity and the hard list, angles near 1e-8, generic.
-inline rc::Gen<Eigen::Quaterniond> attitude() {
-  const auto scaled = [](const Eigen::Vector3d& v, double scale) {
-    return Eigen::Quaterniond(1.0, scale * v.x(), scale * v.y(), scale * v.z()).normalized();
-  };
-  return rc::gen::oneOf(rc::gen::elementOf(hard_attitudes()),
-                        rc::gen::map(triple(), [=](const auto& v) { return scaled(v, 1e-8); }),
-                        rc::gen::map(triple(), [=](const auto& v) { return scaled(v, 1.0); }),
-                        rc::gen::map(triple(), [=](const auto& v) { return scaled(v, 30.0); }));
-}
-
+rc::Gen<Eigen::Quaterniond> attitude();
 /// Eigen's matrix of that quaternion, the reference for a rotation.
-inline rc::Gen<Eigen::Matrix3d> rotation_matrix() {
-  return rc::gen::map(attitude(), [](const auto& q) { return q.toRotationMatrix(); });
-}
+rc::Gen<Eigen::Matrix3d> rotation_matrix();
 
 /// The largest difference of two entries; not a number where one is none. A loop over numbers: Eigen's would
 /// be compiled anew for each pair of expressions.
@@ -112,3 +93,9 @@ inline bool contains(const std::string& text, const std::string& part) {
 }
 
 }  // namespace vectrix_test
+
+namespace rc {
+extern template class Gen<Eigen::Vector3d>;
+extern template class Gen<Eigen::Quaterniond>;
+extern template class Gen<Eigen::Matrix3d>;
+}  // namespace rc

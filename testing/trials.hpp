@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <ranges>
 #include <vector>
 
 /// How often a test repeats what it does. The sanitizers look for errors in memory, which a tenth of the
@@ -19,9 +20,13 @@ constexpr int trials(int wanted) {
   return std::max(1, wanted / one_in);
 }
 
-template <class T> std::vector<T> tried(const std::vector<T>& all) {
-  std::vector<T> some;
-  for (std::size_t i = 0; i < all.size(); i += one_in) some.push_back(all[i]);
+/// The first of each ten.
+template <std::ranges::forward_range List>
+std::vector<std::ranges::range_value_t<List>> tried(const List& all) {
+  std::vector<std::ranges::range_value_t<List>> some;
+  std::size_t i = 0;
+  for (const auto& one : all)
+    if (i++ % one_in == 0) some.push_back(one);
   return some;
 }
 

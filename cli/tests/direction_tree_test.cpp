@@ -7,6 +7,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "testing/trials.hpp"
+
 namespace vectrix::cli::direction_tree_test {
 namespace {
 
@@ -69,8 +71,9 @@ double looks_in_a_spin(std::size_t count, double samples_in_a_turn) {
 
 TEST(DirectionTree, LooksAtFewDirectionsOfASpin) {
   for (const double samples_in_a_turn : {60.0, 61.7, 997.3}) {
-    const double few = looks_in_a_spin(4000, samples_in_a_turn),
-                 many = looks_in_a_spin(32000, samples_in_a_turn);
+    constexpr std::size_t count = vectrix_test::trials(4000);
+    const double few = looks_in_a_spin(count, samples_in_a_turn),
+                 many = looks_in_a_spin(8 * count, samples_in_a_turn);
     // Of the order of log^2 n; looking at each takes eight times as many.
     EXPECT_LE(many, 3.0 * few) << samples_in_a_turn;
   }

@@ -22,7 +22,7 @@ function(consumer name way components)
   add_test(NAME package.${name}
            COMMAND ${CMAKE_CTEST_COMMAND} --build-and-test ${CMAKE_CURRENT_SOURCE_DIR}/consumer ${work}/${name}
                    --build-generator ${CMAKE_GENERATOR} ${target} --build-options
-                   -D CMAKE_CXX_COMPILER=${CMAKE_CXX_COMPILER} -D CMAKE_BUILD_TYPE=None -D WAY=${way}
+                   -D CMAKE_CXX_COMPILER=${CMAKE_CXX_COMPILER} -D CMAKE_CXX_FLAGS=${CMAKE_CXX_FLAGS} -D CMAKE_BUILD_TYPE=None -D WAY=${way}
                    -D COMPONENTS=${components} -D SOURCE=${PROJECT_SOURCE_DIR} -D CMAKE_PREFIX_PATH=${work}/prefix
                    ${only_UNPARSED_ARGUMENTS}
                    --test-command ${CMAKE_CTEST_COMMAND} --output-on-failure --no-tests=error ${chosen})

@@ -6,6 +6,7 @@
 #include <vectrix/dynamics/load/pulse.hpp>
 
 #include "craft/rigid_craft.hpp"
+#include "testing/trials.hpp"
 
 // What a run kept: the conservation report, and the largest change of any quantity.
 namespace vectrix::test::run_conservation_test {
@@ -64,7 +65,7 @@ Kept kept(const CraftTrajectory<Free>& flight) {
 TEST(CraftConservationReport, of_a_torque_free_body_is_small) {
   for (const AttitudeState attitude : {AttitudeState::quaternion, AttitudeState::dcm}) {
     constexpr double drift = 1e-9;  // of some thousand steps at 1e-12
-    CraftPropagation how = until(600.0);
+    CraftPropagation how = until(vectrix_test::trials(600));
     how.attitude = attitude;
     const CraftConservation report = conservation(scenario(craft), run(how));
     EXPECT_LT(report.orthonormality, drift);

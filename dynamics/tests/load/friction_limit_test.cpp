@@ -8,6 +8,7 @@
 #include <vectrix/dynamics/load/pulse.hpp>
 
 #include "load/three_parts.hpp"
+#include "testing/trials.hpp"
 
 // Friction where an effort is as large as the breakaway effort, to the last digit.
 namespace vectrix_test::three_parts::friction_limit_test {
@@ -40,7 +41,7 @@ double panel_of(const CraftState<Sat>& state) {
 // more by one digit moves it, its own way alone. It is at rest when the torque ends.
 TEST(FrictionLimit, AWheelSticksUpToTheLimitAndSlipsAboveIt) {
   const Sat sat;
-  for (const Law& law : laws)
+  for (const Law& law : tried(laws))
     for (const double begin : {0.0, late})
       for (const double sign : {1.0, -1.0})
         for (const double before : {0.0, 1.0}) {
@@ -148,7 +149,7 @@ TEST(FrictionLimit, FrictionAlwaysOpposes) {
   const Law law{0.02, 0.05};
   std::mt19937 random(7);
   for (const double begin : {0.0, late})
-    for (int run = 0; run < 40; ++run) {
+    for (int run = 0; run < trials(40); ++run) {
       const auto any = [&](auto on) {
         const double factors[] = {1.0, 1.0 + 0x1p-52, 1.0 - 0x1p-53, 0.0, 0.5, 3.0};
         const auto one = [&](double t) {

@@ -1,6 +1,7 @@
 #include <limits>
 
 #include "problems.hpp"
+#include "testing/trials.hpp"
 
 // Steps in which several zeros lie, and zeros that last for no more than a rounding of time.
 namespace vectrix::ode::test::several_zeros_test {
@@ -90,7 +91,7 @@ TEST_P(OdeSeveralZeros, AfterAnEndOfASegmentTheyAreFoundOnce) {
 // |t - c|, c where a quarter of a step ends: at neighbouring times it has its old sign. Its time is c also
 // where the time in the segment rounds up.
 TEST_P(OdeSeveralZeros, AZeroOfOneRoundingIsWhereItIs) {
-  for (int i = 0; i < 16; ++i) {
+  for (int i = 0; i < vectrix_test::trials(16); ++i) {
     const double start = 1000.1 + 0.37 * i;
     Problem problem = clock(GetParam(), start, start + 100.0);
     const Step step = longest_step(solve(problem));
@@ -132,7 +133,7 @@ TEST_P(OdeSeveralZeros, SegmentsOfSomeRoundings) {
   for (const double start : {0.0, 8e8}) {
     const double at = start + 1.0, rounding = std::nextafter(at, 2.0 * at) - at;
     for (int k = -12; k <= 12; ++k) {
-      for (const int width : {1, 2, 3, 7}) {
+      for (const int width : vectrix_test::tried(std::vector{1, 2, 3, 7})) {
         Problem problem = oscillator(GetParam(), start + 2.0, 1e-9);
         problem.start = start;
         problem.breakpoints = {at, at + width * rounding};

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <functional>
 #include <limits>
 #include <sstream>
 #include <tuple>
@@ -70,12 +71,15 @@ class Words {
   /// refuses it by both names, unless that frame is in no other place.
   template <class Word, class... Typed> void agree(const Word& word, const Typed&... x) const {
     const auto operands = std::tuple(named(x)...);
+    using Operands = std::remove_const_t<decltype(operands)>;
+    const Said<Operands> said = [&](const Operands& all) {
+      return message<BadInput>([&] { std::apply(word, all); });
+    };
     const std::string typed_error = message<BadInput>([&] { word(x...); });
-    const std::string named_error = message<BadInput>([&] { std::apply(word, operands); });
-    RC_ASSERT(named_error == with_names(typed_error));
+    RC_ASSERT(said(operands) == with_names(typed_error));
     if (!typed_error.empty()) return;
     require_same(std::apply(word, operands), word(x...));
-    if (swaps_) swap_frames(word, operands, std::index_sequence_for<Typed...>{});
+    if (swaps_) swap_frames(said, operands, std::index_sequence_for<Typed...>{});
   }
 
   template <class X> auto named(const X& x) const {
@@ -95,6 +99,10 @@ class Words {
   NamedFrame other = graph.add_frame("other", FrameMotion::moving);
 
  private:
+  /// What a word says of operands. Of the operands alone: swap_frames() is compiled once for all words of
+  /// these.
+  template <class Operands> using Said = std::function<std::string(const Operands&)>;
+
   bool swaps_;
 
   static std::string with_names(std::string text) {
@@ -126,14 +134,15 @@ class Words {
   template <class X> static void add_frames(std::vector<NamedFrame>& list, const std::vector<X>& all) {
     for (const X& x : all) add_frames(list, x);
   }
-  template <class Word, class Operands, std::size_t... i>
-  void swap_frames(const Word& word, const Operands& operands, std::index_sequence<i...>) const {
+  template <class Operands, std::size_t... i>
+  void swap_frames(const Said<Operands>& said_of, const Operands& operands, std::index_sequence<i...>) const {
     std::vector<NamedFrame> all;
     (add_frames(all, std::get<i>(operands)), ...);
-    (swap_frames_of<i>(word, operands, all), ...);
+    (swap_frames_of<i>(said_of, operands, all), ...);
   }
-  template <std::size_t i, class Word, class Operands>
-  void swap_frames_of(const Word& word, const Operands& operands, const std::vector<NamedFrame>& all) const {
+  template <std::size_t i, class Operands>
+  void swap_frames_of(const Said<Operands>& said_of, const Operands& operands,
+                      const std::vector<NamedFrame>& all) const {
     using X = std::tuple_element_t<i, Operands>;
     if constexpr (detail::HasForm<X>) {
       using Naming = detail::Naming<X>;
@@ -143,7 +152,7 @@ class Words {
         const NamedFrame right = std::exchange(frames[k], other);
         Operands wrong = operands;
         std::get<i>(wrong) = Naming::make(frames, detail::relabelled<typename Naming::form>(x));
-        const std::string said = message<BadInput>([&] { std::apply(word, wrong); });
+        const std::string said = said_of(wrong);
         if (std::count(all.begin(), all.end(), right) == 1) {
           RC_ASSERT(said == "");
         } else {

@@ -2,13 +2,14 @@
 
 #include "testing/any_scalar.hpp"
 #include "testing/motions.hpp"
+#include "testing/trials.hpp"
 
 // float, double, long double and automatic differentiation through frames, graph and kinematics, compared
 // with long double and its differences.
 namespace vectrix_test::scalars_test {
 namespace {
 
-constexpr int instances = 200;
+constexpr int instances = trials(200);
 /// Roundings of the longest list, the accelerations of a graph: some hundred, on numbers of order 10.
 constexpr double roundings = 1e3;
 

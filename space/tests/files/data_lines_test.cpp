@@ -7,6 +7,7 @@
 #include <vectrix/space/files/orbit_ephemeris_message.hpp>
 
 #include "temporary_file.hpp"
+#include "testing/trials.hpp"
 
 namespace vectrix::data_lines_test {
 namespace {
@@ -50,7 +51,7 @@ TEST(DataLines, HaveTheTimesOfTheirTexts) {
                                                                            : "1961-07-25T00:00:00") +
                    1e8 * below(10) * si::second;
       std::vector<std::string> times;
-      for (int i = 0; i < 1000; ++i) {
+      for (int i = 0; i < vectrix_test::trials(1000); ++i) {
         time = time + std::uniform_real_distribution(1.1, longest)(random) * si::second;
         const int decimals = below(13);
         std::string text = below(2) ? time.text(scale, std::min(decimals, 9))
