@@ -183,8 +183,8 @@ void summarise(const std::vector<Look>& looks, double off_unit) {
        [](const Look& l) { return l.incidence; });
   line("Rate of the quaternions less that of the gyros", 2, "urad/s", "about 2: the noise of the gyros",
        [](const Look& l) { return micro(norm(l.rate_body - l.gyro_body)); });
-  std::printf("%-47s %16.2f e-7    below 1: seven decimals are printed\n",
-              "Norm of the quaternions, off 1 by at most", 1e7 * off_unit);
+  std::printf("%-47s %16.3f ppm     below 0.1: seven decimals are printed\n",
+              "Norm of the quaternions, off 1 by at most", 1e6 * off_unit);
 }
 
 void write(const std::vector<Look>& looks, const std::filesystem::path& file) {

@@ -154,6 +154,20 @@ TEST(DcmDoors, NoRotationIsNearestToASingularMatrix) {
   EXPECT_TRUE(contains(not_projected(Eigen::Matrix3d::Zero()), "singular matrix"));
 }
 
+// Whether a matrix is right-handed must not be rounding; a small stretch alone does no harm.
+TEST(DcmDoors, ASmallDeterminantAboveTheBoundIsProjected) {
+  for (const double size : {1.0, 1e-100, 1e100}) {
+    const auto stretched = [&](double determinant) {
+      return Eigen::Matrix3d(size * Eigen::Matrix3d(Eigen::Vector3d(1.0, determinant, 1.0).asDiagonal()));
+    };
+    const auto nearest = nearest_dcm(to<Body>, from<Gcrf>, stretched(1.01 * nearly_singular));
+    EXPECT_EQ(nearest.dcm.matrix(), Eigen::Matrix3d::Identity());
+    EXPECT_TRUE(contains(not_projected(stretched(0.99 * nearly_singular)), "singular matrix"));
+    EXPECT_TRUE(contains(not_projected(stretched(-0.99 * nearly_singular)), "singular matrix"));
+    EXPECT_TRUE(contains(not_projected(stretched(-1.01 * nearly_singular)), "right-handed"));
+  }
+}
+
 TEST(DcmDoors, TheSizeOfTheMatrixDoesNotMatterToTheProjection) {
   for (const double size : {1e-200, 1e200}) {
     EXPECT_EQ(nearest_dcm(to<Body>, from<Gcrf>, size * Eigen::Matrix3d::Identity()).dcm.matrix(),

@@ -104,6 +104,19 @@ TEST(ParallelAxes, a_flat_plate_comes_back_from_far_away) {
   }
 }
 
+// A mass of 1 kg at 1 m has the trace 2 kg m^2. Each entry is a sum of some five products, there and back:
+// the sum of the moments may be short by ten roundings of the trace, not by a hundred.
+TEST(ParallelAxes, what_is_allowed_for_rounding_is_a_few_of_the_larger) {
+  constexpr double epsilon = std::numeric_limits<double>::epsilon();
+  const auto back = [](double missing) {
+    const auto J_p = inertia<Body, Hinge, Body>(Vector3d(0.0, 1.0 - missing, 1.0 - missing).asDiagonal());
+    return shift(J_p, from_to<Hinge, CentreOfMassOf<Body>, Body>({1.0, 0.0, 0.0}), kilograms(1.0));
+  };
+  const double rounding_of_trace = 2 * epsilon;  // two moments lack it
+  EXPECT_NO_THROW(back(10 * rounding_of_trace / 2));
+  expect_bad_input([&] { back(100 * rounding_of_trace / 2); }, "not all principal moments");
+}
+
 // What is left of a rod is rounding, which is no moment to divide by.
 TEST(ParallelAxes, a_rod_comes_back_as_a_rod) {
   Draw draw(8);

@@ -147,6 +147,19 @@ auto reverse(const Dcm<Body, Gcrf>& R_body_from_gcrf) {
 }
 }  // namespace dcm_negated
 
+namespace dcm_printed_with_a_mistake {
+// mistake: a refused call that is printed: it gives no second error
+// expect: Given = double
+// expect: an angle in rad
+void print(std::ostream& out) {
+#ifdef REPAIRED
+  out << turned_z(to<Body>, from<Gcrf>, 0.1 * si::radian);
+#else
+  out << turned_z(to<Body>, from<Gcrf>, 0.1);
+#endif
+}
+}  // namespace dcm_printed_with_a_mistake
+
 namespace dcm_transposed {
 // mistake: the transpose, as of a matrix without frames
 // expect: Dcm<Body, Gcrf

@@ -81,7 +81,7 @@ RC_GTEST_PROP(NamedAlgebra, ClaimsOfZeroAndUnitVectorsAreThoseOfTypes, ()) {
   const NamedFrame a = words.graph.frame("a");
   const auto x = unit_x(In(a));
   RC_ASSERT(message<BadInput>([&] { dcm_from_axes(To(a), x, x, x); }) ==
-            R"(to "a", from "a": a door takes two frames, and these are one)");
+            R"(dcm_from_axes(to "a", from "a"): a door takes two frames, and these are one)");
 }
 
 TEST(NamedAlgebra, TheZeroVectorHasNoDirection) {

@@ -105,7 +105,7 @@ RC_GTEST_PROP(NamedAttitude, DoorsAreThoseOfTypes, ()) {
       of<B>, relative_to<A>);
   const NamedFrame a = words.graph.frame("a");
   RC_ASSERT(message<BadInput>([&] { rotation_vector(Of(a), RelativeTo(a), zero<si::angle>(In(a))); }) ==
-            R"(of "a" relative to "a": a door takes two frames, and these are one)");
+            R"(rotation_vector(of "a", relative to "a"): a door takes two frames, and these are one)");
 }
 
 RC_GTEST_PROP(NamedAttitude, DerivativesAreThoseOfTypes, ()) {

@@ -10,9 +10,9 @@
 namespace values_test {
 namespace {
 
-template <class X>
-concept Subtracts = requires(const X& x) {
-  x - x;
+template <class X, class Y = X>
+concept Subtracts = requires(const X& x, const Y& y) {
+  x - y;
 };
 template <class X>
 concept SubtractsInPlace = requires(X& x) {
@@ -20,7 +20,16 @@ concept SubtractsInPlace = requires(X& x) {
 };
 static_assert(Subtracts<NamedAngularVelocity> && Subtracts<NamedDisplacement>);
 static_assert(Subtracts<NamedVelocity> && Subtracts<NamedAcceleration>);
-static_assert(!Subtracts<NamedAngularAcceleration>);  // the transport term is lost
+// The transport term of a difference of angular accelerations is lost, whatever its frames; so it is with
+// types.
+static_assert(!Subtracts<NamedAngularAcceleration>);
+template <class P, class Q> using Rate = AngularVelocity<P, Q, In<Itrf>>;
+template <class P, class Q> using Change = AngularAcceleration<P, Q, In<Itrf>>;
+static_assert(Subtracts<Rate<Body, Camera>, Rate<Body, Ground>>);
+static_assert(!Subtracts<Change<Body, Camera>, Change<Body, Ground>>);
+static_assert(Subtracts<Rate<Body, Ground>, Rate<Camera, Ground>>);
+static_assert(!Subtracts<Change<Body, Ground>, Change<Camera, Ground>>);
+static_assert(!Subtracts<Change<Body, Ground>>);
 static_assert(!SubtractsInPlace<NamedAngularVelocity> && !SubtractsInPlace<NamedVelocity>);
 
 /// Values whose frames a, b, c and d are also types.

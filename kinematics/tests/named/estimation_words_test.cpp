@@ -88,6 +88,54 @@ RC_GTEST_PROP(NamedEstimation, MotionOfSamplesIsThatOfTypes, ()) {
       samples);
 }
 
+// The rate is (t k)^b: of the time, and of the attitude that the step has reached.
+RC_GTEST_PROP(NamedStep, StepsByAFunctionAreThoseOfTypes, ()) {
+  const Words words(sometimes());
+  const auto R = any_rotation(to<A>, from<B>);
+  const auto k_a = vector_in<si::angular_velocity>(in<A>);
+  const auto k_b = vector_in<si::angular_velocity>(in<B>), l_b = vector_in<si::angular_velocity>(in<B>);
+  const auto t = 0.7 * si::second, dt = 0.1 * si::second;
+  const auto agree = [&](const auto& step) {
+    words.agree(
+        [&](const auto& b, const auto& a, const auto& rotation, const auto& k) {
+          return step(
+              [&](const Quantity<si::time>& now, const auto& reached) {
+                return angular_velocity(b, a, now.value() * (inverse(reached) * k));
+              },
+              rotation);
+        },
+        of<B>, relative_to<A>, R, k_a);
+  };
+  agree([&](const auto& rate, const auto& start) { return munthe_kaas_step<4>(rate, start, t, dt); });
+  agree([&](const auto& rate, const auto& start) { return munthe_kaas_step<5>(rate, start, t, dt); });
+  agree([&](const auto& rate, const auto& start) { return munthe_kaas_step<4>(rate, start, t, 1e3 * dt); });
+  agree([&](const auto& rate, const auto& start) { return commutator_free_step(rate, start, t, dt); });
+  const auto increment = [&](const auto& sum) {
+    words.agree(
+        [&](const auto& b, const auto& a, const auto& k, const auto& l) {
+          return sum(
+              [&](const Quantity<si::time>& now) { return angular_velocity(b, a, k + now.value() * l); });
+        },
+        of<B>, relative_to<A>, k_b, l_b);
+  };
+  increment([&](const auto& rate) { return magnus_increment<2>(rate, t, dt); });
+  increment([&](const auto& rate) { return magnus_increment<4>(rate, t, dt); });
+  increment([&](const auto& rate) { return magnus_increment<6>(rate, t, dt); });
+}
+
+// A rate whose frames change with the time.
+TEST(NamedStep, TheFramesOfARateStay) {
+  const Words words;
+  const NamedFrame a = words.graph.frame("a"), b = words.graph.frame("b"), c = words.graph.frame("c");
+  const auto rate = [&](const Quantity<si::time>& t) {
+    return angular_velocity(Of(b), RelativeTo(t.value() < 0.5 ? a : c), zero<si::angular_velocity>(In(b)));
+  };
+  const std::string said =
+      message<BadInput>([&] { magnus_increment<4>(rate, 0.0 * si::second, 1.0 * si::second); });
+  EXPECT_TRUE(contains(said, R"(magnus_increment(w of "b" relative to ")")) << said;
+  EXPECT_TRUE(contains(said, R"("a" and "c" are)") || contains(said, R"("c" and "a" are)")) << said;
+}
+
 RC_GTEST_PROP(NamedStep, StepsAreThoseOfTypes, ()) {
   const Words words(sometimes());
   const auto R = any_rotation(to<A>, from<B>);

@@ -102,10 +102,10 @@ RC_GTEST_PROP(NamedDisplacement, FollowsTheLawsOfDisplacement, ()) {
   RC_ASSERT(
       refusal([&] { R_d_from_c* x.v(x.b, x.a, x.c, x.a, x.v1); }) ==
       R"(product of R to "d" from "c" and v of "b" relative to "a" observed from "c" in "a": "c" and "a" are two frames)");
-  const std::string one = R"(of "a" relative to "a": a door takes two points, and these are one)";
-  RC_ASSERT(refusal([&] { x.r(x.a, x.a, x.c, x.v1); }) == one);
-  RC_ASSERT(refusal([&] { x.v(x.a, x.a, x.d, x.c, x.v1); }) == one);
-  RC_ASSERT(refusal([&] { x.a_of(x.a, x.a, x.d, x.c, x.v1); }) == one);
+  const std::string one = R"((of "a", relative to "a"): a door takes two points, and these are one)";
+  RC_ASSERT(refusal([&] { x.r(x.a, x.a, x.c, x.v1); }) == "displacement" + one);
+  RC_ASSERT(refusal([&] { x.v(x.a, x.a, x.d, x.c, x.v1); }) == "velocity" + one);
+  RC_ASSERT(refusal([&] { x.a_of(x.a, x.a, x.d, x.c, x.v1); }) == "acceleration" + one);
 }
 
 }  // namespace

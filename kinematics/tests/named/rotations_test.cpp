@@ -101,8 +101,9 @@ RC_GTEST_PROP(NamedQuaternion, TheProjectedDoorsAreThoseOfQuaternion, ()) {
   RC_ASSERT(
       refusal([&] { nearest_quaternion_scalar_last(b, a, 0.0, std::nan(""), 0.0, 1.0); }) ==
       R"(nearest_quaternion_scalar_last(to "b", from "a"): the numbers, scalar first, (1, 0, nan, 0) are not finite)");
-  RC_ASSERT(refusal([&] { nearest_quaternion_scalar_first(b, From(x.b), 1.0, 0.0, 0.0, 0.0); }) ==
-            R"(to "b", from "b": a door takes two frames, and these are one)");
+  RC_ASSERT(
+      refusal([&] { nearest_quaternion_scalar_first(b, From(x.b), 1.0, 0.0, 0.0, 0.0); }) ==
+      R"(nearest_quaternion_scalar_first(to "b", from "b"): a door takes two frames, and these are one)");
 }
 
 RC_GTEST_PROP(NamedQuaternion, TheDoorsOfEigenAreThoseOfQuaternion, ()) {
@@ -127,18 +128,30 @@ RC_GTEST_PROP(NamedQuaternion, TheDoorsOfEigenAreThoseOfQuaternion, ()) {
 
 RC_GTEST_PROP(NamedDcm, TheDoorsTakeTwoFrames, ()) {
   const Values x;
-  const std::string one = R"(to "a", from "a": a door takes two frames, and these are one)";
-  RC_ASSERT(refusal([&] { dcm(To(x.a), From(x.a), x.R1); }) == one);
-  RC_ASSERT(refusal([&] { nearest_dcm(To(x.a), From(x.a), x.R1); }) == one);
-  RC_ASSERT(refusal([&] { trust_dcm(To(x.a), From(x.a), x.R1); }) == one);
-  RC_ASSERT(refusal([&] { aligned(To(x.a), From(x.a)); }) == one);
-  RC_ASSERT(refusal([&] { turned_z(To(x.a), From(x.a), 1.0 * si::radian); }) == one);
-  RC_ASSERT(refusal([&] { quaternion_scalar_first(To(x.a), From(x.a), 1.0, 0.0, 0.0, 0.0); }) == one);
-  RC_ASSERT(refusal([&] { quaternion(To(x.a), From(x.a), Eigen::Quaterniond::Identity()); }) == one);
-  RC_ASSERT(refusal([&] { nearest_quaternion(To(x.a), From(x.a), Eigen::Quaterniond::Identity()); }) == one);
-  const std::string still = R"(of "a" relative to "a": a frame does not move relative to itself)";
-  RC_ASSERT(refusal([&] { x.w(x.a, x.a, x.c, x.v1); }) == still);
-  RC_ASSERT(refusal([&] { x.alpha(x.a, x.a, x.c, x.v1); }) == still);
+  const Eigen::Quaterniond none = Eigen::Quaterniond::Identity();
+  const auto one = [](const std::string& door) {
+    return door + R"((to "a", from "a"): a door takes two frames, and these are one)";
+  };
+  RC_ASSERT(refusal([&] { dcm(To(x.a), From(x.a), x.R1); }) == one("dcm"));
+  RC_ASSERT(refusal([&] { nearest_dcm(To(x.a), From(x.a), x.R1); }) == one("nearest_dcm"));
+  RC_ASSERT(refusal([&] { trust_dcm(To(x.a), From(x.a), x.R1); }) == one("trust_dcm"));
+  RC_ASSERT(refusal([&] { aligned(To(x.a), From(x.a)); }) == one("aligned"));
+  RC_ASSERT(refusal([&] { turned_z(To(x.a), From(x.a), 1.0 * si::radian); }) == one("turned_z"));
+  RC_ASSERT(refusal([&] { quaternion_scalar_first(To(x.a), From(x.a), 1.0, 0.0, 0.0, 0.0); }) ==
+            one("quaternion_scalar_first"));
+  RC_ASSERT(refusal([&] { quaternion(To(x.a), From(x.a), none); }) == one("quaternion"));
+  RC_ASSERT(refusal([&] { nearest_quaternion(To(x.a), From(x.a), none); }) == one("nearest_quaternion"));
+  RC_ASSERT(refusal([&] { turned_x(To(x.a), From(x.a), 1.0 * si::radian); }) == one("turned_x"));
+  RC_ASSERT(refusal([&] { turned_y(To(x.a), From(x.a), 1.0 * si::radian); }) == one("turned_y"));
+  RC_ASSERT(refusal([&] { quaternion_scalar_last(To(x.a), From(x.a), 0.0, 0.0, 0.0, 1.0); }) ==
+            one("quaternion_scalar_last"));
+  RC_ASSERT(refusal([&] { nearest_quaternion_scalar_last(To(x.a), From(x.a), 0.0, 0.0, 0.0, 1.0); }) ==
+            one("nearest_quaternion_scalar_last"));
+  const auto still = [](const std::string& door) {
+    return door + R"((of "a", relative to "a"): a frame does not move relative to itself)";
+  };
+  RC_ASSERT(refusal([&] { x.w(x.a, x.a, x.c, x.v1); }) == still("angular_velocity"));
+  RC_ASSERT(refusal([&] { x.alpha(x.a, x.a, x.c, x.v1); }) == still("angular_acceleration"));
 }
 
 }  // namespace

@@ -57,8 +57,13 @@ RC_GTEST_PROP(NamedTransform, DoorsAreThoseOfTransform, ()) {
   m(3, 0) = 1.0;
   RC_ASSERT(refusal([&] { transform(b, a, m); }) ==
             R"(transform(to "b", from "a"): entry (4, 1) is 1 instead of 0)");
+  for (const auto& [door, said] :
+       {std::pair("transform", refusal([&] { transform(b, From(x.b), m); })),
+        std::pair("nearest_transform", refusal([&] { nearest_transform(b, From(x.b), m); }))})
+    RC_ASSERT(said ==
+              std::string{door} + R"((to "b", from "b"): a door takes two frames, and these are one)");
   RC_ASSERT(refusal([&] { trust_transform(b, From(x.b), m); }) ==
-            R"(to "b", from "b": a door takes two frames, and these are one)");
+            R"(trust_transform(to "b", from "b"): a door takes two frames, and these are one)");
 }
 
 RC_GTEST_PROP(NamedTransform, JoinsWhatBelongsTogether, ()) {

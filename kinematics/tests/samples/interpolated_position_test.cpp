@@ -205,6 +205,9 @@ TEST(InterpolatedPosition, WrongSamplesAreRefused) {
   for (const double start : {0.0, 0x1p80})
     for (int i = 0; i < 16; ++i) around_a_gap.push_back(start + i * 0x1p40);
   EXPECT_EQ(said(around_a_gap, Lagrange{15}, 0x1p41), "");
+  // A step as long as the longest gap is none.
+  EXPECT_EQ(said({0, 1, 2, 3, 9, 10, 11, 12}, Lagrange{3}, 1.0), "");
+  EXPECT_NE(said({0, 0x1p360, 0x1p361, 0x1.8p361}, Lagrange{3}, 0x1p360), "");
   EXPECT_EQ(said(uneven, Lagrange{1}), place + "the degree of Lagrange interpolation is 1; it is 2 to 15");
   EXPECT_NE(said(uneven, Lagrange{16}), "");
   EXPECT_NE(said(uneven, Lagrange{-1}), "");

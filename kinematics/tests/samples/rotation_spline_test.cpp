@@ -264,16 +264,38 @@ TEST(RotationSpline, BadSamplesAreRefused) {
   EXPECT_EQ(said({at(-HUGE_VAL), at(0)}), place + "the time of sample 0 is -inf s");
   EXPECT_EQ(said({at(0), at(1), at(8)}, 5.0),
             place + "samples 1 and 2 are 7 s apart; the longest allowed is 5 s");
+  EXPECT_EQ(said({at(0), at(5), at(10)}, 5.0), "");
   EXPECT_EQ(said({at(0), at(1)}, 0.0), place + "the longest gap is 0 s");
   EXPECT_EQ(said({at(0), at(1)}, HUGE_VAL), place + "the longest gap is inf s");
   EXPECT_TRUE(
       contains(said({at(0), at(1, std::numbers::pi)}), "samples 0 and 1 are half a turn apart, 3.14159"));
-  EXPECT_EQ(said({at(0), at(1, 3.1)}), "");
+  EXPECT_EQ(said({at(0), at(1, std::numbers::pi - 1.01 * nearly_half_a_turn)}), "");
+  EXPECT_NE(said({at(0), at(1, std::numbers::pi - 0.99 * nearly_half_a_turn)}), "");
   const Spline spline({at(10), at(14)}, longest_gap, natural_ends);
   const auto ask = [&](double t) { return message<BadInput>([&] { spline(seconds(t)); }); };
   EXPECT_EQ(ask(9.5), place + "the time 9.5 s is outside the samples, [10 s, 14 s]");
   EXPECT_TRUE(contains(ask(14.5), "outside") && contains(ask(std::nan("")), "time nan s is outside"));
   EXPECT_EQ(ask(10) + ask(14), "");
+}
+
+// In float the bound is that of a door: 16 roundings.
+TEST(RotationSpline, HalfATurnInFloatIsRefused) {
+  using Seconds = Quantity<si::time, float>;
+  constexpr float rounding_of_turns = std::numeric_limits<float>::epsilon();
+  const auto said = [](float angle) {
+    const auto at = [](float t, float turned) {
+      return AttitudeSample<Gcrf, Body, Seconds>{
+          Seconds::from_value(t), quaternion_scalar_first(to<Gcrf>, from<Body>, std::cos(turned / 2),
+                                                          std::sin(turned / 2), 0.0F, 0.0F)};
+    };
+    return message<BadInput>([&] {
+      RotationSpline<Gcrf, Body, Seconds>({at(0.0F, 0.0F), at(1.0F, angle)}, Seconds::from_value(2.0F),
+                                          natural_ends);
+    });
+  };
+  constexpr float half_a_turn = std::numbers::pi_v<float>;
+  EXPECT_TRUE(contains(said(half_a_turn - 8 * rounding_of_turns), "half a turn apart"));
+  EXPECT_EQ(said(half_a_turn - 24 * rounding_of_turns), "");
 }
 
 // Turns of 3 rad about random axes after random times: for some of them the rates do not converge.

@@ -80,6 +80,9 @@ TEST(SampledAttitude, OutsideAndInAGapIsRefused) {
                        Eigen::AngleAxisd(0.1 * t, Eigen::Vector3d::UnitZ()).toRotationMatrix()),
               rounding);
   }
+  // A step as long as the longest gap is none: found at once, by bisection, and from its end.
+  const SampledAttitude longest(about_z({0, 0.5, 2.5, 7, 9}), seconds(2.0));
+  for (const double t : {0.75, 2.0, 2.5, 8.5}) EXPECT_NO_THROW(longest(seconds(t))) << t;
   // Between two gaps a sample has no neighbour.
   const SampledAttitude lonely(about_z({0, 5, 10}), seconds(2.0));
   EXPECT_TRUE(contains(message<BadInput>([&] { lonely(seconds(5)); }), "time 5 s is in a gap of 5 s"));

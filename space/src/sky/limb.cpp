@@ -29,10 +29,10 @@ double angular_radius_towards(const char* what, const Eigen::Vector3d& direction
                    " m from its centre");
   }
   const Eigen::Vector3d n = to_centre / distance;
-  const Eigen::Vector3d across = direction - direction.dot(n) * n;
-  // On the axis through the centre every plane will do.
+  const Eigen::Vector3d across = n.cross(direction.cross(n));  // of any length it is normal to n
+  // Towards the centre every plane will do.
   const Eigen::Vector3d p =
-      across.norm() > 1e-12 * direction.norm() ? Eigen::Vector3d(across.normalized()) : n.unitOrthogonal();
+      across.isZero(0.0) ? n.unitOrthogonal() : Eigen::Vector3d(across.stableNormalized());
   const double pAs = p.dot(As);
   const double pAp = p.dot(A.cwiseProduct(p));
   const double root = std::sqrt(outside * ((outside + 1.0) * pAp - pAs * pAs));

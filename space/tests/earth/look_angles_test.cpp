@@ -140,6 +140,10 @@ TEST(LookAngles, RefusesBadInput) {
   };
   EXPECT_EQ(complaint([&] { back(0.0, 1.6, 1.0); }),
             "displacement_at" + name + "the elevation 1.6 rad is not in [-pi/2, pi/2]");
+  for (const double most : {pi / 2, -pi / 2}) {
+    EXPECT_NO_THROW(back(0.0, most, 1.0));
+    EXPECT_THROW(back(0.0, std::nextafter(most, 2 * most), 1.0), BadInput);
+  }
   EXPECT_EQ(complaint([&] { back(0.0, 1.0, -1.0); }), "displacement_at" + name + "the range is -1 m");
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(complaint([&] { back(nan, 1.0, 1.0); }),

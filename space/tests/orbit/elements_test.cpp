@@ -210,6 +210,21 @@ TEST(ModifiedEquinoctial, ByTheirDefinition) {
   expect_definition(retrograde);
 }
 
+// Next to the singularity the tilt is tan((pi - near)/2) = cot(near/2). Its relative error is that of `near`.
+template <class Sense> void expect_tilt(Sense sense) {
+  constexpr double I = Sense::factor, node = 0.7;
+  for (double near = 0.1; near > 1e-7; near /= 10) {
+    const double i = I > 0 ? pi - near : near, cotangent = 1.0 / std::tan((I > 0 ? pi - i : i) / 2);
+    const auto x = modified_equinoctial(sense, mu, point_motion(mu, keplerian(9e6, 0.1, i, node, 0.2, 0.3)));
+    EXPECT_NEAR(std::hypot(x.h(), x.k()), cotangent, 64 * epsilon / near * cotangent) << near;
+    EXPECT_NEAR(x.k() / x.h(), std::tan(node), 64 * epsilon / near) << near;
+  }
+}
+TEST(ModifiedEquinoctial, NextToTheSingularity) {
+  expect_tilt(prograde);
+  expect_tilt(retrograde);
+}
+
 TEST(Elements, RefuseWhatIsNoOrbit) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   const auto said = [](const std::string& message, const std::string& part) {
@@ -226,6 +241,10 @@ TEST(Elements, RefuseWhatIsNoOrbit) {
   said(made(7e6, 0.1, 3.2, 0), "the inclination is 3.2 rad");
   said(made(7e6, 0.1, 1, nan), "an angle is nan rad");
   said(made(7e6, 2.0, 1, 2.5), "the true anomaly is 2.5 rad, not inside the asymptotes");
+  const double asymptote = std::acos(-1.0 / 2.0), little = 1e-9;  // of e = 2
+  for (const double nu : {asymptote - little, little - asymptote})
+    EXPECT_EQ(made(7e6, 2.0, 1, nu), "nothing was thrown");
+  said(made(7e6, 2.0, 1, asymptote + little), "not inside the asymptotes");
 
   const auto of_motion = [](const Vector3d& r, const Vector3d& v, double gravity) {
     return complaint([=] {
@@ -250,6 +269,8 @@ TEST(Elements, RefuseWhatIsNoOrbit) {
   };
   said(given(nan, 0), "an element is nan");
   said(given(2.0, pi), "1 + f cos L + g sin L is -1");
+  EXPECT_EQ(given(2.0, asymptote - little), "nothing was thrown");
+  said(given(2.0, asymptote + little), "not inside the asymptotes");
 }
 
 }  // namespace

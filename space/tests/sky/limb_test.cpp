@@ -89,6 +89,40 @@ RC_GTEST_PROP(Limb, OfTheEarthIsWhereRaysMissIt, ()) {
   RC_ASSERT(std::abs(from_earth(n(3.0), r) - (3.0 - limb)) < rounding);
 }
 
+// Next to the centre, too, the limb is that of the plane of n and r. The plane of a direction that is c away
+// from the centre is rounded by 1e-16/c; over the whole turn of the plane the limb changes by `planes`.
+TEST(Limb, OfTheEarthDependsOnThePlaneNextToItsCentre) {
+  constexpr double planes = 2e-3;  // rad: of the flattening
+  const Eigen::Vector3d x = Eigen::Vector3d::UnitX();
+  const double r = 7e6;
+  const double along_equator = std::asin(a / r), along_meridian = std::atan2(b, std::sqrt(r * r - a * a));
+  ASSERT_GT(along_equator - along_meridian, planes / 2);
+  for (const double c : {1e-3, 1e-6, 1e-9, 1e-11, 1e-13, 1e-15, 1e-200, 4e-324}) {
+    const Eigen::Vector3d east(1.0, c, 0.0), north(1.0, 0.0, c);
+    EXPECT_NEAR(from_earth(east, r * x), std::atan(c) - along_equator, rounding) << c;
+    EXPECT_NEAR(from_earth(north, r * x), std::atan(c) - along_meridian, rounding) << c;
+  }
+  // in axes in which the numbers are rounded
+  const Eigen::Vector3d u = Eigen::Vector3d(0.6, -0.5, 0.3).normalized(), v = u.unitOrthogonal();
+  const Eigen::Vector3d across = std::cos(0.7) * v + std::sin(0.7) * u.cross(v);
+  const double limb = 1.0 - from_earth(std::cos(1.0) * u + std::sin(1.0) * across, r * u);
+  for (const double c : {1e-4, 1e-7, 1e-10, 1e-13})
+    EXPECT_NEAR(from_earth(u + c * across, r * u), std::atan(c) - limb, rounding + planes * 1e-15 / c) << c;
+}
+// 1 mm above the surface the horizon in the east dips by (2 h/N)^1/2, N the radius of curvature, apart from
+// the square of the angle between the plumb line and the centre, 1e-5 of it. 1 mm below there is no horizon.
+TEST(Limb, OfTheEarthFromItsSurface) {
+  constexpr double h = 1e-3, off = 1e-9;  // m, rad
+  constexpr double e2 = (a - b) * (a + b) / (a * a);
+  for (const double latitude : {0.0, 0.5, 1.2}) {
+    const double N = a / std::sqrt(1.0 - e2 * std::sin(latitude) * std::sin(latitude));
+    const Eigen::Vector3d up(std::cos(latitude), 0.0, std::sin(latitude)), east(0.0, 1.0, 0.0);
+    const Eigen::Vector3d foot = N * Eigen::Vector3d(up.x(), 0.0, (1.0 - e2) * up.z());
+    EXPECT_NEAR(from_earth(east, -(foot + h * up)), std::sqrt(2.0 * h / N), off) << latitude;
+    EXPECT_THROW((void)from_earth(east, -(foot - h * up)), BadInput) << latitude;
+  }
+}
+
 // Seen from a point of the axis the limb is a circle; from a point of the equator it is the limb of a circle
 // along the equator, and that of an ellipse along the meridian.
 TEST(Limb, OfTheEarthInClosedForm) {

@@ -80,6 +80,10 @@ TEST(RightAscension, RefusesBadInput) {
   };
   EXPECT_EQ(complaint([&] { star(1.0, -1.6); }),
             "direction_at(in<" + frame_name<Gcrf>() + ">): the declination -1.6 rad is not in [-pi/2, pi/2]");
+  for (const double most : {pi / 2, -pi / 2}) {
+    EXPECT_NO_THROW(star(1.0, most));
+    EXPECT_THROW(star(1.0, std::nextafter(most, 2 * most)), BadInput);
+  }
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THROW(star(nan, 0.0), BadInput);
   EXPECT_THROW(star(0.0, nan), BadInput);

@@ -183,6 +183,15 @@ TEST(Events, ToleranceAndLongSteps) {
   EXPECT_NEAR(seconds(found[0].epoch), 1e8 / 3.0, found_to + rounding_of_a_step);
   const auto roughly = events(decade, 1e8 * si::second, line, {.tolerance = 10.0 * si::second});
   EXPECT_NEAR(seconds(roughly.at(0).epoch), 1e8 / 3.0, 10.0);
+  // A jump is nowhere zero, and seconds of a year have no digit at the tolerance.
+  int evaluations = 0;
+  const auto jump = [&](const Epoch& t) {
+    ++evaluations;
+    return std::copysign(1.0, line(t));
+  };
+  EXPECT_NEAR(seconds(events(decade, 1e8 * si::second, jump).at(0).epoch), 1e8 / 3.0,
+              found_to + rounding_of_a_step);
+  EXPECT_LE(evaluations, 4 + 4 * 54);  // the grid, and four for each halving down to one rounding
 }
 
 TEST(Events, AcrossALeapSecond) {
@@ -201,6 +210,7 @@ TEST(Events, RefusesBadInput) {
   EXPECT_EQ(complaint([&] { intervals(minute, nan * si::second, line); }), "intervals: the step is nan s");
   EXPECT_EQ(complaint([&] { events(minute, 1.0 * si::second, line, {.tolerance = 1e-11 * si::second}); }),
             "events: the tolerance is 1e-11 s; it has to be at least 1e-10 s");
+  EXPECT_NO_THROW(events(minute, 1.0 * si::second, line, {.tolerance = 1e-10 * si::second}));
   EXPECT_THROW(events(minute, 1.0 * si::second, line, {.tolerance = nan * si::second}), BadInput);
   EXPECT_EQ(complaint([&] { events(minute, 10.0 * si::second, [](const Epoch&) { return nan; }); }),
             "events: the function is nan at 2023-04-20T05:00:00.000000 UTC");

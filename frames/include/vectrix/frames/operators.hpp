@@ -1,5 +1,6 @@
 #pragma once
 
+#include <iosfwd>
 #include <type_traits>
 #include <utility>
 
@@ -23,6 +24,7 @@ template <class Right> Refused dot_product(const Refused&, const Right&);
 template <class Left> Refused dot_product(const Left&, const Refused&);
 template <class Right> Refused cross_product(const Refused&, const Right&);
 template <class Left> Refused cross_product(const Left&, const Refused&);
+std::ostream& print_framed(std::ostream&, const Refused&);
 
 /// Why a sum or a difference is refused. The compiler prints the name.
 namespace reason {

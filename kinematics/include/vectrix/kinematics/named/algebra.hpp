@@ -179,7 +179,7 @@ inline NamedDcm dcm_from_axes(To<NamedFrame> b, const NamedVector<si::dimensionl
                               const NamedVector<si::dimensionless>& y_a,
                               const NamedVector<si::dimensionless>& z_a) {
   using namespace detail::letters;
-  detail::require_two(b.frame, x_a.in());
+  detail::require_two("dcm_from_axes", b.frame, x_a.in());
   using Axis = Vector<A, si::dimensionless>;
   return typed_law<Law<To<B>, Axis, Axis, Axis>>(
       "dcm_from_axes", [](const auto&... x) { return dcm_from_axes(x...); }, b, x_a, y_a, z_a);

@@ -96,7 +96,7 @@ template <class U>
 NamedObservation observation(const NamedVector<U>& r_b, const NamedVector<U>& r_a,
                              const Quantity<si::angle>& sigma) {
   using namespace detail::letters;
-  detail::require_two(r_b.in(), r_a.in());
+  detail::require_two("observation", r_b.in(), r_a.in());
   return typed_law<Law<Vector<B, U>, Vector<A, U>>>(
       "observation", [&](const auto&... x) { return observation(x..., sigma); }, r_b, r_a);
 }
@@ -104,7 +104,7 @@ template <class U>
 NamedObservation observation(const NamedVector<U>& r_b, const NamedVector<U>& r_a,
                              const Quantity<si::angle>& sigma, double weight) {
   using namespace detail::letters;
-  detail::require_two(r_b.in(), r_a.in());
+  detail::require_two("observation", r_b.in(), r_a.in());
   return typed_law<Law<Vector<B, U>, Vector<A, U>>>(
       "observation", [&](const auto&... x) { return observation(x..., sigma, weight); }, r_b, r_a);
 }
@@ -112,7 +112,7 @@ template <class U>
 NamedWeightedObservation weighted_observation(const NamedVector<U>& r_b, const NamedVector<U>& r_a,
                                               double weight) {
   using namespace detail::letters;
-  detail::require_two(r_b.in(), r_a.in());
+  detail::require_two("weighted_observation", r_b.in(), r_a.in());
   return typed_law<Law<Vector<B, U>, Vector<A, U>>>(
       "weighted_observation", [&](const auto&... x) { return weighted_observation(x..., weight); }, r_b, r_a);
 }

@@ -122,14 +122,16 @@ template <class... Given> std::string action_text(std::string_view word, const G
   (describe(list, is_operation ? " and " : ", ", given), ...);
   return std::string{word} + (is_operation ? " of " + list : "(" + list + ")");
 }
-template <class... Given> void require_door(const Given&...) {}
-template <class... Given> void require_door(To<NamedFrame> b, From<NamedFrame> a, const Given&...) {
-  require_two(b.frame, a.frame);
+template <class... Given> void require_door(std::string_view, const Given&...) {}
+template <class... Given>
+void require_door(std::string_view door, To<NamedFrame> b, From<NamedFrame> a, const Given&...) {
+  require_two(door, b.frame, a.frame);
 }
-template <class... Given> void require_door(Of<NamedFrame> b, RelativeTo<NamedFrame> a, const Given&...) {
+template <class... Given>
+void require_door(std::string_view door, Of<NamedFrame> b, RelativeTo<NamedFrame> a, const Given&...) {
   if (b.frame == a.frame)
-    throw BadInput("of " + in_quotes(b.frame) + " relative to " + in_quotes(a.frame) +
-                   ": a door takes two frames, and these are one");
+    throw BadInput(std::string{door} + "(of " + in_quotes(b.frame) + ", relative to " + in_quotes(a.frame) +
+                   "): a door takes two frames, and these are one");
 }
 
 /// word(given...) by the first of the laws whose frames go together.
@@ -171,7 +173,7 @@ struct Fitting<std::tuple<Done...>, std::tuple<L, Rest...>, Given...>
 template <class... Laws, class Word, class... Given>
   requires(detail::law_takes<Laws, Given...> || ...)
 auto typed_law(std::string_view name, const Word& word, const Given&... given) {
-  detail::require_door(given...);
+  detail::require_door(name, given...);
   return detail::Fitting<std::tuple<>, std::tuple<Laws...>, Given...>::type::use(nullptr, name, word,
                                                                                  given...);
 }

@@ -33,15 +33,17 @@ struct NearestNamedQuaternion {
 
 namespace detail {
 
-template <class Typed> NamedQuaternion named_quaternion(NamedFrame b, NamedFrame a, const Typed& typed) {
-  return through_door(b, a, [&] {
+template <class Typed>
+NamedQuaternion named_quaternion(std::string_view door, NamedFrame b, NamedFrame a, const Typed& typed) {
+  return through_door(door, b, a, [&] {
     return NamedQuaternion{trusted, b, a, typed(vectrix::to<Some<'b'>>, vectrix::from<Some<'a'>>).eigen()};
   });
 }
 template <class Typed>
-NearestNamedQuaternion nearest_named_quaternion(NamedFrame b, NamedFrame a, const Typed& typed) {
+NearestNamedQuaternion nearest_named_quaternion(std::string_view door, NamedFrame b, NamedFrame a,
+                                                const Typed& typed) {
   double distance = 0.0;
-  const NamedQuaternion nearest = named_quaternion(b, a, [&](auto to_b, auto from_a) {
+  const NamedQuaternion nearest = named_quaternion(door, b, a, [&](auto to_b, auto from_a) {
     const auto found = typed(to_b, from_a);
     distance = found.distance;
     return found.quaternion;
@@ -54,41 +56,42 @@ NearestNamedQuaternion nearest_named_quaternion(NamedFrame b, NamedFrame a, cons
 /// The checked doors. Throw BadInput when a number is not finite or | |q| - 1 | exceeds unit_norm_tolerance.
 inline NamedQuaternion quaternion_scalar_first(To<NamedFrame> b, From<NamedFrame> a, double w, double x,
                                                double y, double z) {
-  return detail::named_quaternion(b.frame, a.frame, [&](auto to_b, auto from_a) {
+  return detail::named_quaternion("quaternion_scalar_first", b.frame, a.frame, [&](auto to_b, auto from_a) {
     return quaternion_scalar_first(to_b, from_a, w, x, y, z);
   });
 }
 inline NamedQuaternion quaternion_scalar_last(To<NamedFrame> b, From<NamedFrame> a, double x, double y,
                                               double z, double w) {
-  return detail::named_quaternion(b.frame, a.frame, [&](auto to_b, auto from_a) {
+  return detail::named_quaternion("quaternion_scalar_last", b.frame, a.frame, [&](auto to_b, auto from_a) {
     return quaternion_scalar_last(to_b, from_a, x, y, z, w);
   });
 }
 
 /// The same of Eigen's quaternion, whose members say where the scalar is.
 inline NamedQuaternion quaternion(To<NamedFrame> b, From<NamedFrame> a, const Eigen::Quaterniond& q) {
-  return detail::named_quaternion(b.frame, a.frame,
+  return detail::named_quaternion("quaternion", b.frame, a.frame,
                                   [&](auto to_b, auto from_a) { return quaternion(to_b, from_a, q); });
 }
 
 /// The projected doors: q / |q|, and | |q| - 1 |. Throw BadInput when q is zero or not finite.
 inline NearestNamedQuaternion nearest_quaternion_scalar_first(To<NamedFrame> b, From<NamedFrame> a, double w,
                                                               double x, double y, double z) {
-  return detail::nearest_named_quaternion(b.frame, a.frame, [&](auto to_b, auto from_a) {
-    return nearest_quaternion_scalar_first(to_b, from_a, w, x, y, z);
-  });
+  return detail::nearest_named_quaternion(
+      "nearest_quaternion_scalar_first", b.frame, a.frame,
+      [&](auto to_b, auto from_a) { return nearest_quaternion_scalar_first(to_b, from_a, w, x, y, z); });
 }
 inline NearestNamedQuaternion nearest_quaternion_scalar_last(To<NamedFrame> b, From<NamedFrame> a, double x,
                                                              double y, double z, double w) {
-  return detail::nearest_named_quaternion(b.frame, a.frame, [&](auto to_b, auto from_a) {
-    return nearest_quaternion_scalar_last(to_b, from_a, x, y, z, w);
-  });
+  return detail::nearest_named_quaternion(
+      "nearest_quaternion_scalar_last", b.frame, a.frame,
+      [&](auto to_b, auto from_a) { return nearest_quaternion_scalar_last(to_b, from_a, x, y, z, w); });
 }
 
 inline NearestNamedQuaternion nearest_quaternion(To<NamedFrame> b, From<NamedFrame> a,
                                                  const Eigen::Quaterniond& q) {
   return detail::nearest_named_quaternion(
-      b.frame, a.frame, [&](auto to_b, auto from_a) { return nearest_quaternion(to_b, from_a, q); });
+      "nearest_quaternion", b.frame, a.frame,
+      [&](auto to_b, auto from_a) { return nearest_quaternion(to_b, from_a, q); });
 }
 
 inline NamedQuaternion quaternion(const NamedDcm& R_b_from_a) {

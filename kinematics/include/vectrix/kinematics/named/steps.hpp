@@ -1,8 +1,11 @@
 #pragma once
 
+#include <optional>
 #include <vectrix/kinematics/named/attitude.hpp>
 #include <vectrix/kinematics/steps/coning.hpp>
 #include <vectrix/kinematics/steps/exponential_step.hpp>
+#include <vectrix/kinematics/steps/group_runge_kutta.hpp>
+#include <vectrix/kinematics/steps/magnus.hpp>
 
 namespace vectrix {
 namespace detail {
@@ -90,5 +93,68 @@ template <class... Parts>
     return typed_law<Law<typename detail::CountOrTime<Parts>::type...>>(
         "coning_corrected_after", [](const auto&... x) { return coning_corrected_after(x...); }, parts...);
   }
+
+namespace detail {
+
+template <class Rate, class... Given>
+concept GivesNamedRate =
+    std::same_as<std::invoke_result_t<const Rate&, const Given&...>, NamedAngularVelocity>;
+
+/// w as w_ab^b of the rotation or rate that has a and b.
+template <class Known>
+auto lettered_rate(std::string_view word, const Known& ab, const NamedAngularVelocity& w) {
+  using namespace letters;
+  using Rate = AngularVelocity<A, B, In<B>>;
+  using Frames = std::conditional_t<std::same_as<Known, NamedDcm>, Dcm<A, B>, Rate>;
+  typed_law<Law<Frames, Rate>>(
+      word, [](const auto&...) { return true; }, ab, w);
+  return Rate{trusted, w.coordinates()};
+}
+/// rate(t, R_a_from_b) as a function of typed values.
+template <class Rate> auto lettered_function(std::string_view word, const NamedDcm& start, const Rate& rate) {
+  using namespace letters;
+  return [word, &start, &rate](const Quantity<si::time>& t, const Dcm<A, B>& R_a_from_b) {
+    const NamedDcm now{trusted, start.to(), start.from(), R_a_from_b.matrix()};
+    return lettered_rate(word, start, rate(t, now));
+  };
+}
+
+}  // namespace detail
+
+// Steps by a rate that is a function: munthe_kaas_step<4 or 5>(rate, R_a_from_b, t, dt), with
+// rate(t, R_a_from_b), commutator_free_step(...), and magnus_increment<2, 4 or 6>(rate, t, dt), with rate(t)
+template <int Order, class Rate, std::same_as<NamedDcm> R>
+  requires((Order == 4 || Order == 5) && detail::GivesNamedRate<Rate, Quantity<si::time>, R>)
+NamedDcm munthe_kaas_step(const Rate& rate, const R& R_a_from_b, const Quantity<si::time>& t,
+                          const Quantity<si::time>& dt) {
+  constexpr const char* word = "munthe_kaas_step";
+  const auto typed = detail::lettered_function(word, R_a_from_b, rate);
+  return detail::of_one(
+      word, [&](const auto& start) { return munthe_kaas_step<Order>(typed, start, t, dt); }, R_a_from_b);
+}
+template <class Rate, std::same_as<NamedDcm> R>
+  requires detail::GivesNamedRate<Rate, Quantity<si::time>, R> NamedDcm commutator_free_step(
+      const Rate& rate, const R& R_a_from_b, const Quantity<si::time>& t, const Quantity<si::time>& dt) {
+    constexpr const char* word = "commutator_free_step";
+    const auto typed = detail::lettered_function(word, R_a_from_b, rate);
+    return detail::of_one(
+        word, [&](const auto& start) { return commutator_free_step(typed, start, t, dt); }, R_a_from_b);
+  }
+template <int Order, detail::GivesNamedRate<Quantity<si::time>> RateOfTime>
+  requires(Order == 2 || Order == 4 || Order == 6)
+NamedIncrement magnus_increment(const RateOfTime& rate, const Quantity<si::time>& t,
+                                const Quantity<si::time>& dt) {
+  using namespace detail::letters;
+  constexpr const char* word = "magnus_increment";
+  std::optional<NamedAngularVelocity> first;  // says which frames are a and b
+  const auto typed = [&](const Quantity<si::time>& now) {
+    const NamedAngularVelocity w_ab_b = rate(now);
+    if (!first) first = w_ab_b;
+    return detail::lettered_rate(word, *first, w_ab_b);
+  };
+  const Increment<A, B> theta = magnus_increment<Order>(typed, t, dt);
+  return typed_law<Law<AngularVelocity<A, B, In<B>>>>(
+      word, [&](const auto&) { return theta; }, *first);
+}
 
 }  // namespace vectrix

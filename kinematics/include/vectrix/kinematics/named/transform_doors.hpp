@@ -10,8 +10,9 @@ namespace detail {
 template <class Derived>
 concept Matrix4x4d = Matrix4x4<Derived> && std::same_as<typename Derived::Scalar, double>;
 
-template <class Typed> NamedTransform named_transform(NamedFrame b, NamedFrame a, const Typed& typed) {
-  return through_door(b, a, [&] {
+template <class Typed>
+NamedTransform named_transform(std::string_view door, NamedFrame b, NamedFrame a, const Typed& typed) {
+  return through_door(door, b, a, [&] {
     const auto X = typed(vectrix::to<Some<'b'>>, vectrix::from<Some<'a'>>);
     return NamedTransform{trusted, {trusted, b, a, X.rotation.matrix()}, X.translation.coordinates()};
   });
@@ -25,7 +26,7 @@ template <class Typed> NamedTransform named_transform(NamedFrame b, NamedFrame a
 /// does not pass dcm(). Lengths in metres.
 template <detail::Matrix4x4d Matrix>
 NamedTransform transform(To<NamedFrame> b, From<NamedFrame> a, const Matrix& matrix) {
-  return detail::named_transform(b.frame, a.frame,
+  return detail::named_transform("transform", b.frame, a.frame,
                                  [&](auto to_b, auto from_a) { return transform(to_b, from_a, matrix); });
 }
 
@@ -39,19 +40,21 @@ struct NearestNamedTransform {
 template <detail::Matrix4x4d Matrix>
 NearestNamedTransform nearest_transform(To<NamedFrame> b, From<NamedFrame> a, const Matrix& matrix) {
   double distance = 0.0;
-  const NamedTransform nearest = detail::named_transform(b.frame, a.frame, [&](auto to_b, auto from_a) {
-    const auto found = nearest_transform(to_b, from_a, matrix);
-    distance = found.distance;
-    return found.transform;
-  });
+  const NamedTransform nearest =
+      detail::named_transform("nearest_transform", b.frame, a.frame, [&](auto to_b, auto from_a) {
+        const auto found = nearest_transform(to_b, from_a, matrix);
+        distance = found.distance;
+        return found.transform;
+      });
   return {nearest, distance};
 }
 
 /// Trusted: does not check the matrix.
 template <detail::Matrix4x4d Matrix>
 NamedTransform trust_transform(To<NamedFrame> b, From<NamedFrame> a, const Matrix& matrix) {
-  return detail::named_transform(
-      b.frame, a.frame, [&](auto to_b, auto from_a) { return trust_transform(to_b, from_a, matrix); });
+  return detail::named_transform("trust_transform", b.frame, a.frame, [&](auto to_b, auto from_a) {
+    return trust_transform(to_b, from_a, matrix);
+  });
 }
 
 /// The bare homogeneous matrix [R_a^b, r_ba^b; 0 0 0 1], lengths in metres.

@@ -10,7 +10,7 @@ namespace vectrix {
 ///     1.  alpha_ad = alpha_ab + alpha_bd + w_ab x w_bd    chain(alpha_ab_c, alpha_bd_c, w_ab_c, w_bd_c)
 ///     2.  alpha_ba^c = -alpha_ab^c
 ///     3.  alpha_ab^d = R_c^d alpha_ab^c
-/// A sum without the rates does not compile, because it lacks the transport term.
+/// A sum or difference without the rates does not compile, whatever its frames: it lacks the transport term.
 template <Frame A, Frame B, class Expressed, class S = double> class AngularAcceleration;
 
 template <Frame A, Frame B, Frame C, class S>

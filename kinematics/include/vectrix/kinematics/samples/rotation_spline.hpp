@@ -83,7 +83,7 @@ template <Frame A, Frame B, Instant I = Quantity<si::time>> class RotationSpline
       }
       turns.push_back(detail::turn_between(samples[i].q_a_from_b, samples[i + 1].q_a_from_b));
       const S angle = turns.back().norm();
-      if (!(angle < S(std::numbers::pi - nearly_half_a_turn))) {
+      if (!(angle < S(std::numbers::pi - detail::door_tolerance<S>(nearly_half_a_turn)))) {
         steps_.refuse(which + "half a turn apart, " + text(angle) + " rad: there are two ways between them");
       }
     }
