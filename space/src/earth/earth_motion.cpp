@@ -62,7 +62,7 @@ Eigen::Map<const Numbers> coefficients(const double* cell, int power) {
 }
 
 // UT1-TAI may be that of EarthOrientation::unobserved over a long span.
-constexpr bool may_be_held = true;
+constexpr auto may_be_kept = detail::Ut1Kept::for_years;
 
 // At midnight, in days; and the locators, which the angle has in it.
 struct Midnight {
@@ -72,7 +72,7 @@ struct Midnight {
 };
 Midnight midnight(const Epoch& epoch, const Eigen::Matrix<double, 5, 3>& observed) {
   const JulianDate tt = epoch.tt_date();
-  const JulianDate ut1 = detail::ut1_date(epoch, observed(2, 0) * si::second, may_be_held);
+  const JulianDate ut1 = detail::ut1_date(epoch, observed(2, 0) * si::second, may_be_kept);
   const auto [X, Y, s] = detail::celestial_pole(tt);
   const double turned = eraSp00(tt.day, tt.fraction);  // changes by 1e-19 rad/s
   const double rate = detail::earth_rotation_rate, sidereal = detail::sidereal_rate(ut1);
@@ -209,7 +209,7 @@ EarthMotion::EarthMotion(const EarthOrientation& orientation, const TimeSpan& sp
     : span_(span), first_day_(span.start().tai().day), cells_of_a_day_(with_tides ? 16 : 1) {
   for (const Epoch& end : {span.start(), span.end()}) {
     orientation.require(end);
-    detail::ut1_date(end, orientation.curves(end)(2, 0) * si::second, may_be_held);  // throws
+    detail::ut1_date(end, orientation.curves(end)(2, 0) * si::second, may_be_kept);  // throws
   }
   const auto days = static_cast<std::size_t>(span.end().tai().day - first_day_) + 1;
   std::vector<double> cells(days * static_cast<std::size_t>(cells_of_a_day_ * cell_size));
