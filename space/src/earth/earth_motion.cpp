@@ -2,12 +2,14 @@
 #include <erfam.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <utility>
 
 #include <vectrix/space/earth/earth_motion.hpp>
 
+#include "../fused.hpp"
 #include "celestial_pole.hpp"
 #include "erfa_rotation.hpp"
 #include "ocean_tides.hpp"
@@ -40,7 +42,7 @@ struct Motion {
 Eigen::Map<const Numbers> coefficients(const double* cell, int power) {
   return Eigen::Map<const Numbers>(cell + power * curve_count);
 }
-Motion motion(const double* cell, double time) {
+[[gnu::always_inline]] inline Motion motion(const double* cell, double time) {
   Motion p{coefficients(cell, quintic_degree), Numbers::Zero(), Numbers::Zero()};
   for (int power = quintic_degree - 1; power >= 0; --power) {
     p.half_bend = p.half_bend * time + p.slope;
@@ -50,17 +52,17 @@ Motion motion(const double* cell, double time) {
   return p;
 }
 // The values alone, as a sum of pairs: no sum waits for all before it.
-[[gnu::always_inline]] inline Motion at_rest(const double* cell, double time) {
+[[gnu::always_inline]] inline Numbers values(const double* cell, double time) {
   const Numbers low = coefficients(cell, 0) + time * coefficients(cell, 1);
   const Numbers middle = coefficients(cell, 2) + time * coefficients(cell, 3);
   const Numbers high = coefficients(cell, 4) + time * coefficients(cell, 5);
   const double square = time * time;
   const Numbers upper = middle + square * high;
-  return {low + square * upper, Numbers::Zero(), Numbers::Zero()};
+  return low + square * upper;
 }
 
 // UT1-TAI may be that of EarthOrientation::unobserved over a long span.
-constexpr bool may_be_held = true;
+constexpr auto may_be_kept = detail::Ut1Kept::for_years;
 
 // At midnight, in days; and the locators, which the angle has in it.
 struct Midnight {
@@ -70,7 +72,7 @@ struct Midnight {
 };
 Midnight midnight(const Epoch& epoch, const Eigen::Matrix<double, 5, 3>& observed) {
   const JulianDate tt = epoch.tt_date();
-  const JulianDate ut1 = detail::ut1_date(epoch, observed(2, 0) * si::second, may_be_held);
+  const JulianDate ut1 = detail::ut1_date(epoch, observed(2, 0) * si::second, may_be_kept);
   const auto [X, Y, s] = detail::celestial_pole(tt);
   const double turned = eraSp00(tt.day, tt.fraction);  // changes by 1e-19 rad/s
   const double rate = detail::earth_rotation_rate, sidereal = detail::sidereal_rate(ut1);
@@ -129,8 +131,44 @@ detail::Varying varying(const Motion& m, double per_second, Eigen::Index i) {
   return {m.value[i], per_second * m.slope[i], 2.0 * per_second * per_second * m.half_bend[i]};
 }
 
-// Of Itrf relative to an inertial frame g, where c has the axes of the celestial intermediate pole, here
-// `pole`, and turns by `angle` into Tirf. With R_t^i = R1(-y) R2(-x) from Tirf to Itrf and
+// R_c^i = R1(-y) R2(-x) R3(angle), where c has the axes of the celestial intermediate pole, and turns by
+// `angle` into Tirf.
+struct IntoItrf {
+  double c, s, cx, sx, cy, sy;
+
+  [[gnu::always_inline]] IntoItrf(double angle, double x, double y)
+      : c(std::cos(angle)),
+        s(std::sin(angle)),
+        cx(small_cosine(x)),
+        sx(small_sine(x)),
+        cy(small_cosine(y)),
+        sy(small_sine(y)) {}
+
+  [[nodiscard, gnu::always_inline]] Eigen::Vector3d tirf_from_c(const Eigen::Vector3d& v) const {
+    return {c * v[0] + s * v[1], c * v[1] - s * v[0], v[2]};
+  }
+  [[nodiscard, gnu::always_inline]] Eigen::Vector3d itrf_from_tirf(const Eigen::Vector3d& v) const {
+    const double z = cx * v[2] - sx * v[0];
+    return {cx * v[0] + sx * v[2], cy * v[1] - sy * z, sy * v[1] + cy * z};
+  }
+  // R_i^g = (R_c^i R_g^c)^T. The first two columns of R_g^c share registers.
+  [[nodiscard, gnu::always_inline]] Eigen::Matrix3d g_from_itrf(const Eigen::Matrix3d& R_c_from_g) const {
+    using Two = double __attribute__((vector_size(16)));
+    const auto itrf_from_c = [&]<class S>(S v0, S v1, S v2) __attribute__((always_inline)) {
+      const S x = c * v0 + s * v1, y = c * v1 - s * v0, z = cx * v2 - sx * x;
+      return std::array<S, 3>{cx * x + sx * v2, cy * y - sy * z, sy * y + cy * z};
+    };
+    const auto& m = R_c_from_g;
+    const auto two = itrf_from_c(Two{m(0, 0), m(0, 1)}, Two{m(1, 0), m(1, 1)}, Two{m(2, 0), m(2, 1)});
+    const auto third = itrf_from_c(m(0, 2), m(1, 2), m(2, 2));
+    Eigen::Matrix3d R_g_from_itrf;
+    R_g_from_itrf << two[0][0], two[1][0], two[2][0], two[0][1], two[1][1], two[2][1], third[0], third[1],
+        third[2];
+    return R_g_from_itrf;
+  }
+};
+
+// Of Itrf relative to an inertial frame g, with `pole` of c: with R_t^i = R1(-y) R2(-x) from Tirf to Itrf and
 // n = R3(angle) w_gc^c + (0, 0, d angle/dt), the rate of Tirf in its axes,
 //     w_gi^i = R_t^i n + p,    p = (-dy/dt, -dx/dt cos y, -dx/dt sin y)
 //     alpha_gi^i = R_t^i dn/dt - p x (R_t^i n) + dp/dt
@@ -138,38 +176,19 @@ struct Turn {
   Eigen::Matrix3d R_g_from_itrf;
   Eigen::Vector3d w, alpha;
 };
-// always_inline: what a caller does not use of the result is not computed.
 [[gnu::always_inline]] inline Turn turn(const detail::PoleTurn& pole, const detail::Varying& angle,
                                         const detail::Varying& x, const detail::Varying& y) {
-  const double c = std::cos(angle.value), s = std::sin(angle.value);
-  const double cx = small_cosine(x.value), sx = small_sine(x.value), cy = small_cosine(y.value),
-               sy = small_sine(y.value);
-  const auto R3 = [&](const auto& v) {
-    return Eigen::Vector3d(c * v[0] + s * v[1], c * v[1] - s * v[0], v[2]);
-  };
-  const auto to_itrf = [&](const Eigen::Vector3d& v) {
-    const double z = cx * v[2] - sx * v[0];
-    return Eigen::Vector3d(cx * v[0] + sx * v[2], cy * v[1] - sy * z, sy * v[1] + cy * z);
-  };
-  Turn found;
-  for (int i = 0; i < 3; ++i) {
-    found.R_g_from_itrf.row(i) = to_itrf(R3(pole.R_c_from_g.col(i))).transpose();
-  }
-  const Eigen::Vector3d across = R3(pole.w_gc_c), change = R3(pole.alpha_gc_c);
+  const IntoItrf into(angle.value, x.value, y.value);
+  const double cy = into.cy, sy = into.sy;
+  const Eigen::Vector3d across = into.tirf_from_c(pole.w_gc_c), change = into.tirf_from_c(pole.alpha_gc_c);
   const Eigen::Vector3d n(across[0], across[1], across[2] + angle.rate);
   const Eigen::Vector3d nd(change[0] + angle.rate * across[1], change[1] - angle.rate * across[0],
                            change[2] + angle.second);
-  const Eigen::Vector3d turning = to_itrf(n);
+  const Eigen::Vector3d turning = into.itrf_from_tirf(n);
   const Eigen::Vector3d p(-y.rate, -x.rate * cy, -x.rate * sy);
   const Eigen::Vector3d pd(-y.second, -x.second * cy + x.rate * y.rate * sy,
                            -x.second * sy - x.rate * y.rate * cy);
-  found.w = turning + p;
-  found.alpha = to_itrf(nd) - p.cross(turning) + pd;
-  return found;
-}
-[[gnu::always_inline]] inline Turn turn(const Motion& m, double per_second) {
-  const auto of = [&](Eigen::Index i) { return varying(m, per_second, i); };
-  return turn(detail::pole_turn(of(0), of(1)), of(2), of(3), of(4));
+  return {into.g_from_itrf(pole.R_c_from_g), turning + p, into.itrf_from_tirf(nd) - p.cross(turning) + pd};
 }
 
 template <class A> AcceleratingDcm<A, earth::Itrf> accelerating(const Turn& turn) {
@@ -190,7 +209,7 @@ EarthMotion::EarthMotion(const EarthOrientation& orientation, const TimeSpan& sp
     : span_(span), first_day_(span.start().tai().day), cells_of_a_day_(with_tides ? 16 : 1) {
   for (const Epoch& end : {span.start(), span.end()}) {
     orientation.require(end);
-    detail::ut1_date(end, orientation.curves(end)(2, 0) * si::second, may_be_held);  // throws
+    detail::ut1_date(end, orientation.curves(end)(2, 0) * si::second, may_be_kept);  // throws
   }
   const auto days = static_cast<std::size_t>(span.end().tai().day - first_day_) + 1;
   std::vector<double> cells(days * static_cast<std::size_t>(cells_of_a_day_ * cell_size));
@@ -227,7 +246,7 @@ EarthMotion::EarthMotion(const EarthOrientation& orientation, const TimeSpan& sp
   cells_ = std::make_shared<const std::vector<double>>(std::move(cells));
 }
 
-EarthMotion::Place EarthMotion::place(const Epoch& epoch) const {
+inline EarthMotion::Place EarthMotion::place(const Epoch& epoch) const {
   if (!span_.contains(epoch)) [[unlikely]] {
     detail::refuse_outside("EarthMotion", epoch, "the span,", span_);
   }
@@ -241,22 +260,35 @@ EarthMotion::Place EarthMotion::place(const Epoch& epoch) const {
 }
 
 AcceleratingDcm<earth::Gcrf, earth::Itrf> EarthMotion::at(const Epoch& epoch) const {
-  const auto [c, time] = place(epoch);
-  return accelerating<earth::Gcrf>(turn(motion(c, time), cells_of_a_day_ / ERFA_DAYSEC));
+  const auto in = place(epoch);
+  return accelerating<earth::Gcrf>(detail::fused([&]() __attribute__((always_inline)) {
+    const Motion m = motion(in.cell, in.time);
+    const auto of = [&](Eigen::Index i) __attribute__((always_inline)) {
+      return varying(m, cells_of_a_day_ / ERFA_DAYSEC, i);
+    };
+    return turn(detail::pole_turn(of(0), of(1)), of(2), of(3), of(4));
+  }));
 }
 
 AcceleratingDcm<earth::Teme, earth::Itrf> teme_from_itrf(const Epoch& epoch, const EarthMotion& earth) {
-  const auto [c, time] = earth.place(epoch);
-  const Motion m = motion(c, time);
-  const auto of = [&](Eigen::Index i) { return varying(m, earth.cells_of_a_day_ / ERFA_DAYSEC, i); };
-  const detail::PoleTurn along_z{Eigen::Matrix3d::Identity(), Eigen::Vector3d::Zero(),
-                                 Eigen::Vector3d::Zero()};
-  return accelerating<earth::Teme>(turn(along_z, of(5), of(3), of(4)));
+  const auto in = earth.place(epoch);
+  return accelerating<earth::Teme>(detail::fused([&]() __attribute__((always_inline)) {
+    const Motion m = motion(in.cell, in.time);
+    const auto of = [&](Eigen::Index i) __attribute__((always_inline)) {
+      return varying(m, earth.cells_of_a_day_ / ERFA_DAYSEC, i);
+    };
+    const detail::PoleTurn along_z{Eigen::Matrix3d::Identity(), Eigen::Vector3d::Zero(),
+                                   Eigen::Vector3d::Zero()};
+    return turn(along_z, of(5), of(3), of(4));
+  }));
 }
 
 Dcm<earth::Gcrf, earth::Itrf> EarthMotion::rotation(const Epoch& epoch) const {
-  const auto [c, time] = place(epoch);
-  return {detail::trusted, turn(at_rest(c, time), 0.0).R_g_from_itrf};
+  const auto in = place(epoch);
+  return {detail::trusted, detail::fused([&]() __attribute__((always_inline)) {
+            const Numbers v = values(in.cell, in.time);
+            return IntoItrf(v[2], v[3], v[4]).g_from_itrf(detail::pole_matrix(detail::pole_at(v[0], v[1])));
+          })};
 }
 
 }  // namespace vectrix

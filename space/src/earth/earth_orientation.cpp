@@ -9,6 +9,7 @@
 #include <vectrix/space/earth/intermediate_frames.hpp>
 
 #include "../time/date.hpp"
+#include "erfa_rotation.hpp"
 #include "finals2000a.hpp"
 #include "ocean_tides.hpp"
 #include "row_spline.hpp"
@@ -21,9 +22,10 @@ MovingDcm<earth::Gcrf, earth::Itrf> earth_rotation(const Epoch& epoch,
          tirf_from_itrf(epoch, parameters);
 }
 
-EarthOrientation::EarthOrientation(std::vector<Epoch> epochs, std::vector<EarthOrientationParameters> rows) {
+EarthOrientation::EarthOrientation(std::vector<Epoch> epochs, std::vector<EarthOrientationParameters> rows,
+                                   bool is_observed) {
   detail::set_rates(epochs, rows);
-  data_ = std::make_shared<const Data>(Data{std::move(epochs), std::move(rows)});
+  data_ = std::make_shared<const Data>(Data{std::move(epochs), std::move(rows), is_observed});
 }
 
 EarthOrientation EarthOrientation::read(const std::filesystem::path& finals2000A) {
@@ -37,13 +39,13 @@ EarthOrientation EarthOrientation::read(const std::filesystem::path& finals2000A
 EarthOrientation EarthOrientation::of_file(const std::filesystem::path& finals2000A,
                                            bool offsets_are_from_iau_2006) {
   auto [epochs, rows] = detail::read_finals2000A(finals2000A, offsets_are_from_iau_2006);
-  return {std::move(epochs), std::move(rows)};
+  return {std::move(epochs), std::move(rows), true};
 }
 
 EarthOrientation EarthOrientation::unobserved(const TimeSpan& span, const Quantity<si::time>& ut1_minus_utc) {
-  if (!(std::abs(ut1_minus_utc.value()) <= 1.0)) {
+  if (!(std::abs(ut1_minus_utc.value()) <= detail::largest_ut1_minus_utc)) {
     throw BadInput("EarthOrientation::unobserved: UT1-UTC is " + detail::text(ut1_minus_utc.value()) +
-                   " s; it must be within 1 s (UTC keeps it below 0.9 s)");
+                   " s; UTC keeps it within 0.9 s");
   }
   constexpr double longest = 100.0 * 365.25 * 86400.0;  // s
   const double length = (span.end() - span.start()).value();
@@ -62,7 +64,7 @@ EarthOrientation EarthOrientation::unobserved(const TimeSpan& span, const Quanti
   std::vector<Epoch> epochs;
   for (int i = 0; i < steps; ++i) epochs.push_back(span.start() + static_cast<double>(i) * step);
   epochs.push_back(span.end());
-  return {std::move(epochs), std::vector<EarthOrientationParameters>(steps + 1, row)};
+  return {std::move(epochs), std::vector<EarthOrientationParameters>(steps + 1, row), false};
 }
 
 void EarthOrientation::require(const Epoch& epoch) const {
@@ -72,7 +74,8 @@ void EarthOrientation::require(const Epoch& epoch) const {
 }
 
 Eigen::Matrix<double, 5, 3> EarthOrientation::curves(const Epoch& epoch) const {
-  const auto& [epochs, rows] = *data_;
+  const auto& epochs = data_->epochs;
+  const auto& rows = data_->rows;
   const auto after = std::upper_bound(epochs.begin() + 1, epochs.end() - 1, epoch) - epochs.begin();
   const auto right = static_cast<std::size_t>(after);
   const std::size_t left = right - 1;
@@ -109,7 +112,9 @@ EarthOrientationParameters EarthOrientation::parameters(const Epoch& epoch, Subd
 }
 
 MovingDcm<earth::Gcrf, earth::Itrf> EarthOrientation::at(const Epoch& epoch) const {
-  return earth_rotation(epoch, parameters(epoch));
+  const auto p = parameters(epoch);
+  const auto kept = data_->is_observed ? detail::Ut1Kept::no : detail::Ut1Kept::over_a_leap_second;
+  return gcrf_from_cirf(epoch, p) * detail::cirf_from_tirf(epoch, p, kept) * tirf_from_itrf(epoch, p);
 }
 
 }  // namespace vectrix

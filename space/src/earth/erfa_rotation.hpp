@@ -20,10 +20,10 @@ inline RowMajor matrix_of(const Rows& rows) {
 
 /// Throws BadInput if UT1-TAI is none; see ut1_fault.
 inline JulianDate<scale::Ut1> ut1_date(const Epoch& epoch, const Quantity<si::time>& ut1_minus_tai,
-                                       bool held_for_years = false) {
+                                       Ut1Kept kept = Ut1Kept::no) {
   const auto& tai = epoch.tai();
   const double difference = ut1_minus_tai.value();
-  if (const auto fault = ut1_fault({tai.day, tai.fraction}, difference, held_for_years); !fault.empty())
+  if (const auto fault = ut1_fault({tai.day, tai.fraction}, difference, kept); !fault.empty())
     throw BadInput("Earth orientation at " + epoch.utc() + " UTC: " + fault);
   const Date ut1 = normalised(tai.day, tai.fraction + difference / ERFA_DAYSEC);
   return {ut1.day, ut1.fraction, scale::Ut1::minus_tai(ut1_minus_tai)};
@@ -60,6 +60,11 @@ inline void require_observed(const Epoch& epoch, const EarthOrientationParameter
   if (!(std::abs(p.ut1_gain.value()) <= largest_ut1_gain))
     fail("d(UT1-TAI)/dTAI", p.ut1_gain.value(), "; it must be within 1e-6");
 }
+
+/// cirf_from_tirf of a UT1-TAI that may be kept.
+MovingDcm<earth::Cirf, earth::Tirf> cirf_from_tirf(const Epoch& epoch,
+                                                   const EarthOrientationParameters& parameters,
+                                                   Ut1Kept kept);
 
 /// dERA/dUT1, rad/s (IERS Conventions 2010, equation 5.15).
 constexpr double earth_rotation_rate = ERFA_D2PI * 1.00273781191135448 / ERFA_DAYSEC;

@@ -38,15 +38,21 @@ MovingDcm<earth::Gcrf, earth::Cirf> gcrf_from_cirf(const Epoch& epoch,
   return moving<earth::Gcrf, earth::Cirf>(cirf_from_gcrf, {w.x(), w.y(), w.z() - s.rate});
 }
 
-MovingDcm<earth::Cirf, earth::Tirf> cirf_from_tirf(const Epoch& epoch,
-                                                   const EarthOrientationParameters& parameters) {
+MovingDcm<earth::Cirf, earth::Tirf> detail::cirf_from_tirf(const Epoch& epoch,
+                                                           const EarthOrientationParameters& parameters,
+                                                           Ut1Kept kept) {
   detail::require_observed(epoch, parameters);
-  const auto ut1 = detail::ut1_date(epoch, parameters.ut1_minus_tai);
+  const auto ut1 = detail::ut1_date(epoch, parameters.ut1_minus_tai, kept);
   detail::Rows tirf_from_cirf;
   eraIr(tirf_from_cirf);
   eraRz(eraEra00(ut1.day, ut1.fraction), tirf_from_cirf);
   return moving<earth::Cirf, earth::Tirf>(
       tirf_from_cirf, {0.0, 0.0, detail::earth_rotation_rate * (1.0 + parameters.ut1_gain.value())});
+}
+
+MovingDcm<earth::Cirf, earth::Tirf> cirf_from_tirf(const Epoch& epoch,
+                                                   const EarthOrientationParameters& parameters) {
+  return detail::cirf_from_tirf(epoch, parameters, detail::Ut1Kept::no);
 }
 
 MovingDcm<earth::Tirf, earth::Itrf> tirf_from_itrf(const Epoch& epoch,

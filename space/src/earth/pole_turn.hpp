@@ -22,14 +22,27 @@ inline double per_one_and_root(double s) {
   return (0.5 + s * (1.0 / 8.0)) + (s * s) * (1.0 / 16.0 + s * (5.0 / 128.0));
 }
 
-// always_inline: what a caller does not use of the result is not computed.
+struct Pole {
+  double X, Y, a, Z;
+};
+inline Pole pole_at(double X, double Y) {
+  const double square = X * X + Y * Y, a = per_one_and_root(square);
+  return {X, Y, a, 1.0 - a * square};
+}
+inline Eigen::Matrix3d pole_matrix(const Pole& pole) {
+  const auto [X, Y, a, Z] = pole;
+  Eigen::Matrix3d R_c_from_g;
+  R_c_from_g << 1.0 - a * X * X, -a * X * Y, -X, -a * X * Y, 1.0 - a * Y * Y, -Y, X, Y, Z;
+  return R_c_from_g;
+}
+
 [[gnu::always_inline]] inline PoleTurn pole_turn(const Varying& x, const Varying& y) {
   const auto [X, Xd, Xdd] = x;
   const auto [Y, Yd, Ydd] = y;
-  const double square = X * X + Y * Y, a = per_one_and_root(square), Z = 1.0 - a * square, per_z = 1.0 / Z;
+  const Pole pole = pole_at(X, Y);
+  const double a = pole.a, per_z = 1.0 / pole.Z;
   PoleTurn turn;
-  turn.R_c_from_g << 1.0 - a * X * X, -a * X * Y, -X, -a * X * Y, 1.0 - a * Y * Y, -Y, X, Y, Z;
-
+  turn.R_c_from_g = pole_matrix(pole);
   const double b = X * Xd + Y * Yd;
   const double bd = Xd * Xd + Yd * Yd + X * Xdd + Y * Ydd;
   const double Zd = -b * per_z;

@@ -9,6 +9,7 @@ namespace vectrix {
 namespace {
 
 constexpr double astronomical_unit = 149597870700.0;  // m, exact
+constexpr double arcsecond = std::numbers::pi / 180.0 / 3600.0;
 
 void require_finite(const char* what, double value) {
   if (!std::isfinite(value)) {
@@ -43,8 +44,7 @@ Star::Star(detail::InIcrs, const RightAscensionDeclination& place, const ProperM
     : place_(detail::direction_of({"Star"}, place)),
       parallax_(parallax.value() / astronomical_unit),
       epoch_(epoch) {
-  constexpr double largest_parallax = std::numbers::pi / 180.0 / 3600.0;
-  if (!(parallax.value() >= 0.0 && parallax.value() <= largest_parallax)) {
+  if (!(parallax.value() >= 0.0 && parallax.value() <= arcsecond)) {
     throw BadInput("Star: the parallax " + detail::text(parallax.value()) +
                    " rad is not between 0 and 4.85e-6 rad, 1 arcsec");
   }
@@ -56,8 +56,14 @@ Star::Star(detail::InIcrs, const RightAscensionDeclination& place, const ProperM
   const Eigen::Vector3d north(-std::sin(delta) * std::cos(alpha), -std::sin(delta) * std::sin(alpha),
                               std::cos(delta));
   const double factor = motion.has_cos_declination() ? 1.0 : std::cos(delta);
-  rate_ = factor * motion.right_ascension().value() * east + motion.declination().value() * north +
-          radial_velocity.value() * parallax_ * place_;
+  const Eigen::Vector3d across =
+      factor * motion.right_ascension().value() * east + motion.declination().value() * north;
+  constexpr double largest_motion = 100.0 * arcsecond / julian_year.value();
+  if (!(across.norm() <= largest_motion)) {
+    throw BadInput("Star: the proper motion is " + detail::text(across.norm()) +
+                   " rad/s; it must be below 1.54e-11 rad/s, 100 arcsec a year");
+  }
+  rate_ = across + radial_velocity.value() * parallax_ * place_;
 }
 
 Vector<earth::Gcrf, si::dimensionless> Star::direction_from_barycentre(const Epoch& epoch) const {

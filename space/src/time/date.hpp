@@ -28,11 +28,14 @@ bool has_whole_day(const TimeScale& scale, double day);
 /// The date in the scale of an instant of TAI.
 Date date_of(const TimeScale& scale, const Date& tai);
 bool before_utc(const Date& tai);
-/// What is wrong with UT1-TAI, s; empty if nothing. Since 1972 leap seconds keep UT1-UTC within 0.9 s. Where
-/// they are known it may have 1.1 s, so that one second too many is refused, and 0 for a UT1-UTC that is not
-/// known may cross one leap second. In the future of the table some may be missing: there, and if
-/// `held_for_years`, it may have 5 s.
-std::string ut1_fault(const Date& tai, double ut1_minus_tai, bool held_for_years = false);
+/// Leap seconds keep UT1-UTC within so much, s. From 1973 to 2026 it reached 0.81.
+constexpr double largest_ut1_minus_utc = 0.9;
+/// For how long UT1-TAI is kept. 0 for a UT1-UTC that is not known may cross one leap second, or some.
+enum class Ut1Kept { no, over_a_leap_second, for_years };
+/// What is wrong with UT1-TAI, s; empty if nothing: where all leap seconds are known UT1-UTC may have 0.9 s,
+/// kept over a leap second 1.1 s. In the future of the table some may be missing: there, and if it is kept
+/// for years, it may have 5 s.
+std::string ut1_fault(const Date& tai, double ut1_minus_tai, Ut1Kept kept = Ut1Kept::no);
 /// Throws BadInput, which begins with `what`, before 1960.
 void require_known_utc(const Date& utc, const std::string& what);
 /// A day of UTC, from midnight on: TAI - UTC at its beginning, how much it grows in 86400 s (before 1972),

@@ -160,15 +160,18 @@ bool before_utc(const Date& tai) {
   return tai < first;
 }
 
-std::string ut1_fault(const Date& tai, double ut1_minus_tai, bool held_for_years) {
+std::string ut1_fault(const Date& tai, double ut1_minus_tai, Ut1Kept kept) {
   static const Date leap_seconds_begin = tai_of_utc({2441317.5, 0.0}, "1972 January 1");
-  constexpr double of_one_source = 1.1, of_many_leap_seconds = 5.0;  // s
+  constexpr double over_a_leap_second = 1.1, over_many = 5.0;  // s
+  constexpr double rounding = 1e-13;                           // s, of differences of up to 100 s
   if (tai < leap_seconds_begin) return {};
   const UtcTime utc = utc_time(tai);
   const double ut1_minus_utc = ut1_minus_tai + utc.tai_minus_utc();
-  const bool is_wide = held_for_years || !leap_seconds_are_known(utc.day);
-  const double largest = is_wide ? of_many_leap_seconds : of_one_source;
-  if (std::abs(ut1_minus_utc) <= largest) return {};
+  const bool is_wide = kept == Ut1Kept::for_years || !leap_seconds_are_known(utc.day);
+  const double largest = is_wide                               ? over_many
+                         : kept == Ut1Kept::over_a_leap_second ? over_a_leap_second
+                                                               : largest_ut1_minus_utc;
+  if (std::abs(ut1_minus_utc) <= largest + rounding) return {};
   return "UT1-TAI is " + text(ut1_minus_tai) + " s, so UT1-UTC " + text(ut1_minus_utc) +
          " s; it must be within " + text(largest) + " s (UTC keeps it below 0.9 s" +
          (is_wide ? ", leap seconds may be missing" : "") + "); UT1-TAI = (UT1-UTC) - (TAI-UTC)";
@@ -241,9 +244,9 @@ Ut1 Ut1::minus_tai(const Quantity<si::time>& difference) {
 }
 
 Ut1 Ut1::minus_utc(const Quantity<si::time>& difference) {
-  if (!(std::abs(difference.value()) <= 1.0)) {
+  if (!(std::abs(difference.value()) <= detail::largest_ut1_minus_utc)) {
     throw BadInput("Ut1::minus_utc: UT1-UTC is " + detail::text(difference.value()) +
-                   " s; it must be within 1 s (UTC keeps it below 0.9 s)");
+                   " s; UTC keeps it within 0.9 s");
   }
   return Ut1{Kind::ut1_by_utc, difference};
 }

@@ -12,8 +12,9 @@ using detail::shown;
 
 void detail::refuse_outside(const std::string& name, const Epoch& epoch, const char* what,
                             const TimeSpan& span) {
-  throw BadInput(name + ": the epoch " + shown(epoch) + " is outside " + what + " " + shown(span.start()) +
-                 " to " + shown(span.end()));
+  const std::string said = shown(epoch), start = shown(span.start()), end = shown(span.end());
+  const char* how = said == start || said == end ? " is less than 1e-6 s outside " : " is outside ";
+  throw BadInput(name + ": the epoch " + said + how + what + " " + start + " to " + end);
 }
 
 TimeSpan from_until(const Epoch& start, const Epoch& end) {

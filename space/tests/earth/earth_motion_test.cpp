@@ -205,6 +205,9 @@ TEST(EarthMotion, RefusesSpansOutsideTheRowsAndEpochsOutsideTheSpan) {
             "EarthMotion: the epoch 2022-04-17T00:00:00.000000 UTC is outside the span, "
             "2022-04-11T00:00:01.000000 UTC to 2022-04-16T23:59:59.000000 UTC");
   EXPECT_THROW((void)earth.rotation(rows.start()), BadInput);
+  EXPECT_EQ(complaint([&] { (void)earth.at(rows.end() - 0.999999999 * second); }),
+            "EarthMotion: the epoch 2022-04-16T23:59:59.000000 UTC is less than 1e-6 s outside the span, "
+            "2022-04-11T00:00:01.000000 UTC to 2022-04-16T23:59:59.000000 UTC");
 }
 
 // 0 for a UT1-UTC that is not known crosses a leap second.

@@ -258,7 +258,7 @@ TEST(EarthOrientation, UnobservedRefusesBadInput) {
   const auto day = from_until(start, 86400.0 * si::second);
   EXPECT_EQ(
       complaint([&] { (void)EarthOrientation::unobserved(day, -37.1 * si::second); }),
-      "EarthOrientation::unobserved: UT1-UTC is -37.1 s; it must be within 1 s (UTC keeps it below 0.9 s)");
+      "EarthOrientation::unobserved: UT1-UTC is -37.1 s; UTC keeps it within 0.9 s");
   EXPECT_THROW((void)EarthOrientation::unobserved(day, std::nan("") * si::second), BadInput);
   EXPECT_EQ(
       complaint([&] { (void)EarthOrientation::unobserved(from_until(start, start), 0.0 * si::second); }),
@@ -296,10 +296,15 @@ TEST(EarthRotation, RefusesALeapSecondTooManyWhereAllAreKnown) {
   parameters.ut1_minus_tai = (-0.5 - 34.0) * si::second;
   const std::string reason =
       "Earth orientation at 2008-09-20T12:25:40.104192 UTC: UT1-TAI is -34.5 s, so UT1-UTC -1.5 s; it "
-      "must be within 1.1 s (UTC keeps it below 0.9 s); UT1-TAI = (UT1-UTC) - (TAI-UTC)";
+      "must be within 0.9 s (UTC keeps it below 0.9 s); UT1-TAI = (UT1-UTC) - (TAI-UTC)";
   EXPECT_EQ(complaint([&] { (void)earth_rotation(epoch, parameters); }), reason);
   EXPECT_EQ(complaint([&] { (void)teme_from_itrf(epoch, parameters); }), reason);
   EXPECT_EQ(complaint([&] { (void)itrf_from_true_of_date(epoch, parameters); }), reason);
+  // Also where UT1-UTC is small, as it is from 2021 to 2026.
+  parameters.ut1_minus_tai = (0.05 - 34.0) * si::second;
+  EXPECT_THROW((void)earth_rotation(epoch, parameters), BadInput);
+  parameters.ut1_minus_tai = (-0.05 - 32.0) * si::second;
+  EXPECT_THROW((void)earth_rotation(epoch, parameters), BadInput);
 }
 
 TEST(EarthRotation, RefusesParametersThatNobodyObserves) {

@@ -31,7 +31,7 @@ EarthOrientationParameters any_parameters(const Epoch& epoch) {
   const auto rate = [](double largest) { return any_part() * largest * (si::radian / si::second); };
   return {angle(4e-6),
           angle(4e-6),
-          0.9 * any_part() * si::second - epoch.tai_minus_utc(),
+          0.89 * any_part() * si::second - epoch.tai_minus_utc(),
           Quantity<si::dimensionless>{any_part() * 1e-7},
           angle(5e-9),
           angle(5e-9),

@@ -20,7 +20,9 @@ struct Ship : moving_frame {};
 template <class Q> Displacement<Gcrf, Q, In<Gcrf>> at(const Vector3d& r) {
   return displacement(of<Q>, relative_to<Gcrf>, vector<si::length>(in<Gcrf>, r));
 }
-constexpr auto as_mu = [](double mu) { return Quantity<si::gravitational_parameter>::from_value(mu); };
+template <class B> constexpr auto mu_of(double mu) {
+  return gravitational_parameter(of<B>, Quantity<si::gravitational_parameter>::from_value(mu));
+}
 
 // Of 40 digits. Near the Earth the two attractions by the Sun differ by 1e-4 to 1e-5 of themselves.
 struct Exact {
@@ -56,7 +58,7 @@ const std::vector<Exact> exact{
 TEST(ThirdBody, FortyDigits) {
   constexpr double rounding = 1e-15;  // of some roundings
   for (const auto& [mu, ship, body, a] : exact) {
-    const auto found = third_body_acceleration(as_mu(mu), at<Ship>(ship), at<sky::Sun>(body));
+    const auto found = third_body_acceleration(mu_of<sky::Sun>(mu), at<Ship>(ship), at<sky::Sun>(body));
     EXPECT_LE((found.coordinates() - a).norm(), rounding * a.norm()) << body.transpose();
   }
 }
@@ -64,7 +66,7 @@ TEST(ThirdBody, FortyDigits) {
 // To first order in r/s: mu/s^3 (3 u (u.r) - r). The next order is r/s of it.
 TEST(ThirdBody, NearTheCentreIsTheTide) {
   const Vector3d s(3e8, -2e8, 1e8), r(20.0, -50.0, 10.0), u = s.normalized();
-  const auto found = third_body_acceleration(sky::moon_mu, at<Ship>(r), at<sky::Moon>(s));
+  const auto found = third_body_acceleration(at<Ship>(r), at<sky::Moon>(s));
   const Vector3d tide = sky::moon_mu.value() / std::pow(s.norm(), 3) * (3 * u * u.dot(r) - r);
   EXPECT_LE((found.coordinates() - tide).norm(), 3.0 * r.norm() / s.norm() * tide.norm());
 }
@@ -73,23 +75,35 @@ TEST(ThirdBody, NearTheCentreIsTheTide) {
 TEST(ThirdBody, TakesSunAndMoon) {
   const auto t = Epoch::from_utc("2024-03-20T00:00:00");
   const auto r = at<Ship>(Vector3d(7e6, 0.0, 0.0));
-  const auto sun = third_body_acceleration(sky::sun_mu, r, geocentric(of<sky::Sun>, t).position);
-  const auto moon = third_body_acceleration(sky::moon_mu, r, geocentric(of<sky::Moon>, t).position);
+  const auto sun = third_body_acceleration(r, geocentric(of<sky::Sun>, t).position);
+  const auto moon = third_body_acceleration(r, geocentric(of<sky::Moon>, t).position);
   EXPECT_NEAR(norm(sun.vector()).value(), 5e-7, 3e-7);
   EXPECT_NEAR(norm(moon.vector()).value(), 1e-6, 6e-7);
+}
+
+// The mu of the Sun and of the Moon need not be said.
+TEST(ThirdBody, KnowsSunAndMoon) {
+  const auto r = at<Ship>(Vector3d(7e6, -2e6, 1e6));
+  const Vector3d s(3e8, -2e8, 1e8);
+  EXPECT_EQ(third_body_acceleration(r, at<sky::Sun>(s)).coordinates(),
+            third_body_acceleration(gravitational_parameter(of<sky::Sun>, sky::sun_mu), r, at<sky::Sun>(s))
+                .coordinates());
+  EXPECT_EQ(third_body_acceleration(r, at<sky::Moon>(s)).coordinates(),
+            third_body_acceleration(gravitational_parameter(of<sky::Moon>, sky::moon_mu), r, at<sky::Moon>(s))
+                .coordinates());
 }
 
 TEST(ThirdBody, Refusals) {
   const Vector3d s(3e8, 0.0, 0.0);
   EXPECT_EQ(
-      complaint([&] { (void)third_body_acceleration(sky::moon_mu, at<Ship>(s), at<sky::Moon>(s)); }),
+      complaint([&] { (void)third_body_acceleration(at<Ship>(s), at<sky::Moon>(s)); }),
       "third_body_acceleration(" + frame_name<Ship>() +
           " relative to earth::Gcrf): mu is 4902800118000 m^3/s^2 and |r| 0 m; mu must be positive, mu/|r|^3 "
           "finite");
-  EXPECT_THROW((void)third_body_acceleration(as_mu(0.0), at<Ship>(Vector3d(1e6, 0, 0)), at<sky::Moon>(s)),
-               BadInput);
-  EXPECT_THROW((void)third_body_acceleration(sky::moon_mu, at<Ship>(Vector3d(1e6, 0, 0)),
-                                             at<sky::Moon>(Vector3d(0, 0, 0))),
+  EXPECT_THROW(
+      (void)third_body_acceleration(mu_of<sky::Moon>(0.0), at<Ship>(Vector3d(1e6, 0, 0)), at<sky::Moon>(s)),
+      BadInput);
+  EXPECT_THROW((void)third_body_acceleration(at<Ship>(Vector3d(1e6, 0, 0)), at<sky::Moon>(Vector3d(0, 0, 0))),
                BadInput);
 }
 

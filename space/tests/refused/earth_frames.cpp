@@ -78,3 +78,16 @@ auto motion(const EarthOrientation& orientation, const Epoch& t) {
 #endif
 }
 }  // namespace motion_of_the_earth_at_an_instant
+
+namespace teme_by_all_parameters {
+// mistake: the rotation in TEME by the rows of a file, not by those of the instant
+// expect: EarthOrientation
+// expect: orientation.parameters\(epoch\)
+auto rotation(const Epoch& t, const EarthOrientation& orientation) {
+#ifdef REPAIRED
+  return teme_from_itrf(t, orientation.parameters(t));
+#else
+  return teme_from_itrf(t, orientation);
+#endif
+}
+}  // namespace teme_by_all_parameters

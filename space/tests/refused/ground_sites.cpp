@@ -135,6 +135,19 @@ auto star(const RightAscensionDeclination& place, const Dcm<Itrf, Gcrf>& R_itrf_
 }
 }  // namespace star_in_the_earth_frame
 
+namespace star_by_two_angles {
+// mistake: a direction by two angles, which do not say which is the right ascension
+// expect: Quantity<(vectrix::)?si::angle
+// expect: RightAscensionDeclination
+auto star(const Quantity<si::angle>& right_ascension, const Quantity<si::angle>& declination) {
+#ifdef REPAIRED
+  return direction_at(in<Gcrf>, {right_ascension, declination});
+#else
+  return direction_at(in<Gcrf>, right_ascension, declination);
+#endif
+}
+}  // namespace star_by_two_angles
+
 namespace geocentric_latitude_for_geodetic {
 // mistake: the geocentric latitude of a place for its geodetic one, which is up to 21 km away
 // expect: GeocentricLatitude

@@ -22,6 +22,45 @@ auto attitude(const Epoch& start, const Epoch& epoch, const Quantity<si::angular
 }
 }  // namespace graph_at_epoch_of_edges_in_seconds
 
+namespace seconds_for_an_epoch {
+// mistake: the rotation of the Earth 60 s after an instant that is not said
+// expect: Quantity<(vectrix::)?si::time
+// expect: a duration is no instant
+auto rotation(const EarthMotion& earth, const Epoch& start) {
+#ifdef REPAIRED
+  return earth.at(start + 60.0 * si::second);
+#else
+  static_cast<void>(start);
+  return earth.at(60.0 * si::second);
+#endif
+}
+}  // namespace seconds_for_an_epoch
+
+namespace text_for_an_epoch {
+// mistake: the text of an instant for the instant
+// expect: scale::Utc
+// expect: a text is no instant
+auto rotation(const EarthMotion& earth, const Epoch& t) {
+#ifdef REPAIRED
+  return earth.at(t);
+#else
+  return earth.at(t.utc());
+#endif
+}
+}  // namespace text_for_an_epoch
+
+namespace number_for_the_text_of_an_epoch {
+// mistake: the number of a modified Julian date for a text
+// expect: from_modified_julian_date
+auto start() {
+#ifdef REPAIRED
+  return Epoch::from_modified_julian_date(scale::utc, 59683.25);
+#else
+  return Epoch::from_utc(59683.25);
+#endif
+}
+}  // namespace number_for_the_text_of_an_epoch
+
 namespace dates_of_two_scales {
 // mistake: compares a date in TT with one in UTC
 // expect: scale::Tt\b

@@ -313,10 +313,10 @@ namespace attraction_by_an_image {
 auto pull(const Ephemeris<sky::Sun>& sun, const Epoch& t,
           const PointMotion<earth::Gcrf, Ship, earth::Gcrf>& motion) {
 #ifdef REPAIRED
-  return third_body_acceleration(sky::sun_mu, motion.position, sun.motion(t).position);
+  return third_body_acceleration(motion.position, sun.motion(t).position);
 #else
   const auto r_sun = motion.position + sun.line_of_sight(t, motion, apparent);
-  return third_body_acceleration(sky::sun_mu, motion.position, r_sun);
+  return third_body_acceleration(motion.position, r_sun);
 #endif
 }
 }  // namespace attraction_by_an_image
@@ -328,27 +328,71 @@ namespace attraction_from_two_origins {
 auto pull(const Displacement<earth::Gcrf, Ship, In<earth::Gcrf>>& r_ship,
           const Displacement<Ship, sky::Moon, In<earth::Gcrf>>& r_ship_moon) {
 #ifdef REPAIRED
-  return third_body_acceleration(sky::moon_mu, r_ship, r_ship + r_ship_moon);
+  return third_body_acceleration(r_ship, r_ship + r_ship_moon);
 #else
-  return third_body_acceleration(sky::moon_mu, r_ship, r_ship_moon);
+  return third_body_acceleration(r_ship, r_ship_moon);
 #endif
 }
 }  // namespace attraction_from_two_origins
 
-namespace attraction_of_a_bare_number {
-// mistake: the attraction of the Moon by a number without a unit
-// expect: Mu = double
-// expect: in an inertial frame
+namespace attraction_by_the_mu_of_another_body {
+// mistake: the attraction of the Moon by the parameter of the Sun
+// expect: GravitationalParameter<(vectrix::)?(sky::)?Sun
+// expect: Displacement<(earth::)?Gcrf, (vectrix::)?(sky::)?Moon
+// expect: mu of b
 auto attraction(const Displacement<Gcrf, Ship, In<Gcrf>>& r_ship,
                 const Displacement<Gcrf, sky::Moon, In<Gcrf>>& r_moon) {
 #ifdef REPAIRED
-  const auto mu = sky::moon_mu;
+  const auto mu = gravitational_parameter(of<sky::Moon>, sky::moon_mu);
 #else
-  const double mu = 4.9e12;
+  const auto mu = gravitational_parameter(of<sky::Sun>, sky::sun_mu);
 #endif
   return third_body_acceleration(mu, r_ship, r_moon);
 }
-}  // namespace attraction_of_a_bare_number
+}  // namespace attraction_by_the_mu_of_another_body
+
+namespace attraction_by_the_mu_of_no_body {
+// mistake: the attraction of the Moon by a parameter that does not say whose it is
+// expect: Quantity<(vectrix::)?si::gravitational_parameter
+// expect: mu of b
+auto attraction(const Displacement<Gcrf, Ship, In<Gcrf>>& r_ship,
+                const Displacement<Gcrf, sky::Moon, In<Gcrf>>& r_moon) {
+#ifdef REPAIRED
+  return third_body_acceleration(r_ship, r_moon);
+#else
+  return third_body_acceleration(sky::sun_mu, r_ship, r_moon);
+#endif
+}
+}  // namespace attraction_by_the_mu_of_no_body
+
+namespace attraction_by_a_body_without_its_mu {
+// mistake: the attraction by a planet, whose parameter has to be given
+// expect: Displacement<(earth::)?Gcrf, (vectrix::)?(sky::)?Jupiter
+// expect: mu of b
+auto attraction(const Displacement<Gcrf, Ship, In<Gcrf>>& r_ship,
+                const Displacement<Gcrf, sky::Jupiter, In<Gcrf>>& r_jupiter,
+                const Quantity<si::gravitational_parameter>& mu) {
+#ifdef REPAIRED
+  return third_body_acceleration(gravitational_parameter(of<sky::Jupiter>, mu), r_ship, r_jupiter);
+#else
+  return third_body_acceleration(r_ship, r_jupiter);
+#endif
+}
+}  // namespace attraction_by_a_body_without_its_mu
+
+namespace parameter_of_a_body_without_a_unit {
+// mistake: the parameter of a body by a number without a unit
+// expect: Mu = double
+// expect: mu in m\^3/s\^2
+auto parameter(const double jupiter_mu) {
+#ifdef REPAIRED
+  const auto mu = Quantity<si::gravitational_parameter>::from_value(jupiter_mu);
+#else
+  const double mu = jupiter_mu;
+#endif
+  return gravitational_parameter(of<sky::Jupiter>, mu);
+}
+}  // namespace parameter_of_a_body_without_a_unit
 
 namespace two_body_acceleration_of_a_bare_number {
 // mistake: the acceleration of an orbit by a number without a unit

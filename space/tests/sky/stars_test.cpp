@@ -237,6 +237,9 @@ TEST(Stars, RefuseWhatIsNoStar) {
        "Star: the radial velocity is 1e+09 m/s; it must be below the speed of light");
   said([&] { (void)with_cosine(place, nan, 0, 1, 0, 2000.0); }, "the rate of right ascension, rad/s, nan");
   said([&] { (void)with_cosine(place, 0, nan, 1, 0, 2000.0); }, "the rate of declination, rad/s, nan");
+  said([&] { (void)with_cosine(place, 0, -1.01e5, 1, 0, 2000.0); },
+       "rad/s; it must be below 1.54e-11 rad/s, 100 arcsec a year");
+  EXPECT_NO_THROW((void)with_cosine(place, 0, -0.99e5, 1, 0, 2000.0));
   said([&] { (void)with_cosine(in_degrees(10.0, 91.0), 0, 0, 1, 0, 2000.0); }, "Star: the declination 1.58");
   said([&] { (void)with_cosine(in_degrees(nan, 9.0), 0, 0, 1, 0, 2000.0); }, "Star: the right ascension nan");
   const auto star = with_cosine(place, 0, 0, 1, 0, 2000.0);

@@ -271,7 +271,7 @@ TEST(TimeScale, RefusesNumbersOutOfRange) {
             "Julian date inf + 0 in TT: it is not finite");
   EXPECT_THROW(Epoch::from_modified_julian_date(scale::tt, 1.0, not_a_number), BadInput);
   EXPECT_EQ(complaint([] { (void)scale::Ut1::minus_utc(-37.1 * si::second); }),
-            "Ut1::minus_utc: UT1-UTC is -37.1 s; it must be within 1 s (UTC keeps it below 0.9 s)");
+            "Ut1::minus_utc: UT1-UTC is -37.1 s; UTC keeps it within 0.9 s");
   EXPECT_THROW((void)scale::Ut1::minus_utc(not_a_number * si::second), BadInput);
   EXPECT_THROW((void)scale::Ut1::minus_tai(infinity * si::second), BadInput);
 }

@@ -49,7 +49,7 @@ class VECTRIX_EXPORT EarthMotion {
     const double* cell;
     double time;  // in cells
   };
-  [[nodiscard]] Place place(const Epoch& epoch) const;
+  [[nodiscard]] inline Place place(const Epoch& epoch) const;
 
   TimeSpan span_;
   double first_day_;  // TAI

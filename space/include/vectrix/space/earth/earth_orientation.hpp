@@ -45,7 +45,7 @@ inline constexpr OffsetsFromIau2006 offsets_from_iau_2006{};
 /// their derivatives by TAI. The functions that take them throw BadInput for one that is not finite, and for
 /// a pole or an offset of more than 60 arcsec, a hundred times what has been observed, more than that in a
 /// day, a gain of UT1 beyond 1e-6, twenty times as much: d(UT1-TAI)/dTAI, not the ratio of the two clocks; or
-/// a UT1-TAI that makes |UT1-UTC| more than 1.1 s, as scale::Ut1 says.
+/// a UT1-TAI that makes |UT1-UTC| more than 0.9 s, as scale::Ut1 says.
 struct EarthOrientationParameters {
   Quantity<si::angle> pole_x, pole_y;    ///< polar motion
   Quantity<si::time> ut1_minus_tai;      ///< UT1-UTC minus the leap seconds, so that it has no jumps
@@ -93,7 +93,7 @@ class VECTRIX_EXPORT EarthOrientation {
   /// dY 10 milliarcsec, since 2000 1; UT1 drifts by up to 4.1 ms a day, 1.9 m on the equator, since 2000 2.5
   /// ms. 0 for UT1-UTC is off by up to 0.9 s, 420 m, and by a second more with each leap second: at() then
   /// refuses |UT1-UTC| of more than 1.1 s, EarthMotion of more than 5 s. Throws BadInput if |UT1-UTC| exceeds
-  /// 1 s, or the span has no duration, has more than 100 years, or starts before 1960.
+  /// 0.9 s, or the span has no duration, has more than 100 years, or starts before 1960.
   static EarthOrientation unobserved(const TimeSpan& span, const Quantity<si::time>& ut1_minus_utc);
 
   [[nodiscard]] const Epoch& first() const { return data_->epochs.front(); }
@@ -114,7 +114,7 @@ class VECTRIX_EXPORT EarthOrientation {
 
   static EarthOrientation of_file(const std::filesystem::path& finals2000A, bool offsets_are_from_iau_2006);
 
-  EarthOrientation(std::vector<Epoch> epochs, std::vector<EarthOrientationParameters> rows);
+  EarthOrientation(std::vector<Epoch> epochs, std::vector<EarthOrientationParameters> rows, bool is_observed);
 
   /// x, y, UT1-TAI, dX, dY, rad and s, and in the other columns their first and second derivatives by TAI,
   /// 1/s. Outside the rows the nearest cubic is continued.
@@ -124,6 +124,7 @@ class VECTRIX_EXPORT EarthOrientation {
   struct Data {
     std::vector<Epoch> epochs;
     std::vector<EarthOrientationParameters> rows;
+    bool is_observed;
   };
   std::shared_ptr<const Data> data_;
 };

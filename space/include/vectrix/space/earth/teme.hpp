@@ -24,6 +24,9 @@ struct Teme : inertial_frame {};
 /// appendix C).
 VECTRIX_EXPORT MovingDcm<earth::Teme, earth::Itrf> teme_from_itrf(
     const Epoch& epoch, const EarthOrientationParameters& parameters);
+template <class Given>
+auto teme_from_itrf(  // an Epoch, and orientation.parameters(epoch) or an EarthMotion
+    const Epoch&, const Given&) -> Refused = delete;
 
 /// The same as an edge of a frame graph, edge(teme(orientation)); of an EarthMotion it is a thousand times
 /// faster.

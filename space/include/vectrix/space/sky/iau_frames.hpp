@@ -84,9 +84,9 @@ concept IauFrame = requires {
 ///     R_body^gcrf = R3(alpha + 90 deg) R1(90 deg - delta) R3(W)
 ///     R3(t) = [cos t, -sin t, 0; sin t, cos t, 0; 0, 0, 1], R1 alike: the transpose of that of the IERS
 /// From the report of 2015 (Archinal and others 2018), the Moon from that of 2009 (Archinal and others 2011).
-/// An edge: edge([](const Epoch& t) { return iau_rotation(of<mars::Iau>, t); }). No year is refused, but the
-/// elements were found from observations of the last centuries. A call takes 10 microseconds, most of it for
-/// TDB.
+/// An edge: edge([](const Epoch& t) { return iau_rotation(of<mars::Iau>, t); }). The elements
+/// were found from observations of the last centuries. Throws BadInput more than 1000 years from 2000. A call
+/// takes 10 microseconds, most of it for TDB.
 template <IauFrame F> AcceleratingDcm<earth::Gcrf, F> iau_rotation(Of<F>, const Epoch& epoch) {
   using Angles = EulerAngles<Intrinsic<3, 1, 3>, earth::Gcrf, F>;
   const auto plain = detail::iau_angles(detail::body_of<typename detail::CentreOf<F>::type>, epoch);

@@ -53,8 +53,8 @@ std::enable_if_t<detail::has_right_ascension<A>, Vector<A, si::dimensionless>> d
   return {detail::trusted,
           detail::direction_of({"direction_at", [] { return "in<" + frame_name<A>() + ">"; }}, place)};
 }
-template <class InFrame, class Given>
+template <class InFrame, class... Given>
 auto direction_at(  // in<A>, RightAscensionDeclination: a inertial, or of date
-    InFrame, const Given&) -> Refused = delete;
+    InFrame, const Given&...) -> Refused = delete;
 
 }  // namespace vectrix

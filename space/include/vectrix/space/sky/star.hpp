@@ -64,9 +64,9 @@ VECTRIX_EXPORT ProperMotion proper_motion_without_cos_declination(
 /// and how it moves. It moves along a straight line, in units of its distance at the catalogue's epoch t0:
 ///     n(t) = direction of  n0 + (t - t0) (m + n0 v_r p/au)
 /// n0 the place, m the proper motion across it, v_r the radial velocity, away from us, p the parallax.
-/// Throws BadInput if a number is not finite, |declination| exceeds pi/2, or the parallax is negative or
-/// above 1 arcsec: no star is nearer. Some catalogues have negative parallaxes for distant stars: 0 stands
-/// for them.
+/// Throws BadInput if a number is not finite, |declination| exceeds pi/2, |m| exceeds 100 arcsec a year, ten
+/// times the fastest, or the parallax is negative or above 1 arcsec: no star is nearer. Some catalogues have
+/// negative parallaxes for distant stars: 0 stands for them.
 class VECTRIX_EXPORT Star {
  public:
   Star(detail::InIcrs, const RightAscensionDeclination& place, const ProperMotion& motion,

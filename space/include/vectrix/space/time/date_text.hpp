@@ -86,6 +86,11 @@ template <ScaleType Scale> class DateTextView : public std::string_view {
   DateTextView(  // a text is read in the scale in which it was written
       const DateText<Written>&)
   = delete;
+  template <class Number>
+    requires std::is_arithmetic_v<Number>
+        DateTextView(  // a text; of a number, Epoch::from_modified_julian_date(scale::utc, day)
+            Number)
+  = delete;
 };
 
 /// A text that is to be read in a scale which is known at run time only: any text, with the scale in which it

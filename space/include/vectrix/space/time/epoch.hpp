@@ -33,6 +33,12 @@ class VECTRIX_EXPORT Epoch {
   template <class Scale>
   Epoch(  // a date is no instant, and no operand of one: Epoch::from_julian_date(date)
       const JulianDate<Scale>&) = delete;
+  template <class S>
+  Epoch(  // a duration is no instant: start + 60.0 * si::second
+      const Quantity<si::time, S>&) = delete;
+  template <class Scale>
+  Epoch(  // a text is no instant: Epoch::from(scale, text)
+      const DateText<Scale>&) = delete;
 
   /// From "2022-04-14T10:22:11.874999" or, by the day of the year, "2022-104T10:22:11.874999", with 0 to 12
   /// decimals; the name of the scale may follow, " UTC", " TT", or in UTC a 'Z'. The second 60 is accepted

@@ -68,12 +68,13 @@ class Ut1 : public TimeScale {
  public:
   Ut1() = delete;  // UT1 needs UT1-TAI: scale::Ut1::minus_tai(...)
   /// Throws BadInput if the difference is not finite. UTC keeps UT1-UTC below 0.9 s. Since 1972 an Epoch
-  /// throws BadInput where it would exceed 1.1 s, as with UT1-UTC in the place of UT1-TAI, or a leap second
-  /// too many; after the release of ERFA and the last row of leap_seconds(), 5 s, for some may be missing.
+  /// throws BadInput where it would exceed that, as with UT1-UTC in the place of UT1-TAI, or with a leap
+  /// second too many unless the result is a UT1-UTC that can be; after the release of ERFA and the last row
+  /// of leap_seconds(), 5 s, for some may be missing.
   VECTRIX_EXPORT static Ut1 minus_tai(const Quantity<si::time>& difference);
   /// A leap second changes the difference by 1 s, so this fits one instant: UTC = UT1 - (UT1-UTC), which is
   /// never in a leap second. An Epoch in one throws BadInput, for it would be read as the second after it.
-  /// Throws BadInput if the difference exceeds 1 s: UTC keeps it below 0.9 s.
+  /// Throws BadInput if the difference exceeds 0.9 s.
   VECTRIX_EXPORT static Ut1 minus_utc(const Quantity<si::time>& difference);
 
  private:
