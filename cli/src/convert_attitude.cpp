@@ -129,6 +129,7 @@ void convert(const AttitudeSource& source, const ConvertOptions& options, std::o
   out << options.out.string() << ": " << attitude.times.size() << " samples of " << attitude.body
       << " relative to " << attitude.reference << '\n';
   for (const std::string& what : attitude.computed) out << "  not to the last digit: " << what << '\n';
+  if (!record.chain.empty()) out << "  multiplied from what the kernel has: " << record.chain << '\n';
   if (const std::size_t breaks = faults_of(record).breaks.count; breaks > 0)
     out << "  left out: " << counted(breaks, "end")
         << " of intervals, behind which nothing is interpolated\n";

@@ -140,7 +140,7 @@ class Frames {
           "attitude, between the samples of " + record.times[step.before].utc(3) + " and " +
               record.times[step.before + 1].utc(3) + " UTC of " + record.file,
           true},
-         step.to_reference.toRotationMatrix(), step.rate);
+         step.at.to_reference.toRotationMatrix(), step.at.rate);
   }
 
   [[nodiscard]] std::vector<std::string> to_root(std::string name) const {

@@ -104,6 +104,7 @@ void turn_to_gcrf(AttitudeRecord& record, const FlownOrbit& orbit,
       reference_motion(record.file, record.reference, from_until(record.times.front(), record.times.back()),
                        orbit, orientation, words);
   for (const Epoch& t : record.times) record.gcrf_from_stated.emplace_back(motion(t));
+  record.motion = nullptr;  // it is relative to the other reference
   record.stated_reference = record.reference;
   record.reference = "GCRF";
 }
