@@ -11,9 +11,8 @@ namespace {
 // "0 to 400; 500 to 900; ", ticks.
 std::string coverage_of(const AttitudeKernel& kernel, double from, double until) {
   std::string text;
-  for (const TimeSpan& span :
-       kernel.coverage(of<Body>, relative_to<Gcrf>, from_until(at_ticks(from), at_ticks(until)),
-                       called<Body>("-77001")))
+  for (const TimeSpan& span : kernel.coverage(
+           of<Body>, relative_to<Gcrf>, from_until(at_ticks(from), at_ticks(until)), called<Body>("-77001")))
     text += std::to_string(std::lround((span.start() - at_ticks(0.0)).value() * 100.0)) + " to " +
             std::to_string(std::lround((span.end() - at_ticks(0.0)).value() * 100.0)) + "; ";
   return text;

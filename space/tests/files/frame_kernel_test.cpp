@@ -101,10 +101,10 @@ TEST(FrameKernel, AMatrixIsWrittenByColumns) {
 TEST(FrameKernel, SaysOnWhatAFrameIsMounted) {
   const auto frames =
       kernel(mounted("TKFRAME_-77100_SPEC = 'MATRIX'\nTKFRAME_-77100_MATRIX = ( 0 1 0  0 0 1  1 0 0 )\n"));
-  const auto* const craft = frames.find("CRAFT");
-  ASSERT_NE(craft, nullptr);
-  EXPECT_EQ(frames.mounted_on(-77100), craft->id);
-  EXPECT_EQ(frames.mounted_on(craft->id), std::nullopt);
+  const auto* const base = frames.find("CRAFT");
+  ASSERT_NE(base, nullptr);
+  EXPECT_EQ(frames.mounted_on(-77100), base->id);
+  EXPECT_EQ(frames.mounted_on(base->id), std::nullopt);
   EXPECT_EQ(frames.mounted_on(-4711), std::nullopt);
 }
 
