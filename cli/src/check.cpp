@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "earth_frame.hpp"
 #include "evidence.hpp"
 #include "figures.hpp"
 #include "other_scales.hpp"
@@ -269,9 +270,9 @@ bool check(const CheckOptions& options, std::ostream& out) {
     throw BadInput("--axis and --target go together: an axis of the body, and what it should look at");
   if (options.axis) require_axis(*options.axis);
   AttitudeRecord record = read_attitude(options.attitude);
-  if (!options.orientation.empty() && record.reference != "ITRF" && options.orbit.message.empty())
-    throw BadInput("--orientation is of ITRF; the attitude is relative to " + record.reference +
-                   ", and there is no --oem");
+  if (!options.orientation.empty() && !is_observed(record.reference) && options.orbit.message.empty())
+    throw BadInput("--orientation is of ITRF, TIRF and CIRF; the attitude is relative to " +
+                   record.reference + ", and there is no --oem");
   const auto span = from_until(record.times.front(), record.times.back());
   OrbitSource source = options.orbit;
   source.orientation = read_orientation(options.orientation, record.times);

@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <limits>
 
+#include "earth_frame.hpp"
 #include "quantile.hpp"
 #include "sample_faults.hpp"
 
@@ -145,8 +146,7 @@ RateEvidence compare_rates(const AttitudeRecord& record) {
     }
     evidence.stated_axes.push_back(difference(q, record.rate_axes));
     evidence.other_axes.push_back(difference(q, other(record.rate_axes)));
-    // TEME turns by 1e-11 rad/s.
-    if (record.gcrf_from_stated.empty() || record.stated_reference == "TEME") continue;
+    if (record.gcrf_from_stated.empty() || is_slow(record.stated_reference)) continue;
     const auto of_gcrf = to_reference(record, reading);
     evidence.of_gcrf_in_body.push_back(difference(of_gcrf, RateAxes::body));
     evidence.of_gcrf_in_gcrf.push_back(difference(of_gcrf, RateAxes::reference));

@@ -200,7 +200,7 @@ FlownOrbit orbit_of_message(const std::filesystem::path& file, const TimeSpan& s
 
 FlownOrbit orbit_of_table(const OrbitFile& source, const TimeSpan& span, const Interpolation& interpolation,
                           const std::optional<EarthOrientation>& orientation) {
-  const OrbitRecord record = read_orbit_in_any_frame(source);
+  const OrbitRecord record = read_orbit_file(source);
   EphemerisMetadata metadata;
   metadata.center_name = "EARTH";
   const std::string file = source.file.string();

@@ -157,13 +157,15 @@ ElementFile element_file(const AttitudeWords& words, const OrbitWords& orbit, Co
   refuse_orbit_words(options);
   const std::string has = words.file.string() + ": has elements of SGP4, which have no samples; ";
   const InterpolationWords& interpolation = message.interpolation;
+  const std::string orientation = options.orientation.string();
   for (const Words& all : {Words{{"--segment", words.segment},
                                  {"--from", words.from},
                                  {"--until", words.until},
                                  {"--time", words.time},
                                  {"--scale", words.scale},
                                  {"--reference", words.reference},
-                                 {"--frame", options.frame}},
+                                 {"--frame", options.frame},
+                                 {"--orientation", orientation}},
                            only_of_attitudes(words), only_of_kernels(words), only_of_orbits(orbit),
                            Words{{"--body", message.body},
                                  {"--aem-version", message.aem_version},
@@ -201,9 +203,8 @@ Content content_of(const AttitudeWords& words, const OrbitWords& orbit, const st
 }
 
 void refuse_orbit_words(const ConvertOptions& options) {
-  if (!files_of(options.orbit).empty() || !options.orientation.empty())
-    throw BadInput(
-        "an orbit, --tle, --omm, --oem or --spk, and --orientation turn an attitude; none is converted");
+  if (!files_of(options.orbit).empty())
+    throw BadInput("an orbit, --tle, --omm, --oem or --spk, turns an attitude; none is converted");
 }
 
 void set_message_words(ConvertOptions& options, const MessageWords& given, bool of_orbit) {

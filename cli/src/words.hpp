@@ -52,7 +52,7 @@ struct Content {
 /// it. Throws BadInput as kind_to_convert(), and for an option that is not of such a file.
 Content content_of(const AttitudeWords& words, const OrbitWords& orbit, const std::string& kind,
                    const std::filesystem::path& out);
-/// Throws BadInput for an orbit or an orientation, which only an attitude can need.
+/// Throws BadInput for an orbit, which only an attitude can need.
 void refuse_orbit_words(const ConvertOptions& options);
 /// Throws BadInput for an option that what is to be written has not.
 void set_message_words(ConvertOptions& options, const MessageWords& words, bool of_orbit);
