@@ -50,7 +50,7 @@ std::string orbit_table(const OrbitRecord& record) {
   return text;
 }
 
-std::string orbit_message(const OrbitRecord& record, const ConvertOptions& options, const OrbitFile& source) {
+std::string orbit_message(const OrbitRecord& record, const ConvertOptions& options, bool is_part) {
   MessageText text = message_text(options.text, record.message, record.time_scale, record.file, {});
   if (!record.message) {
     text.header.version = "2.0";
@@ -61,7 +61,7 @@ std::string orbit_message(const OrbitRecord& record, const ConvertOptions& optio
     text.metadata.interpolation_degree = options.interpolation->degree;
   }
   detail::OrbitLines lines = record.lines;
-  if (!record.message || source.selection.from || source.selection.until)
+  if (!record.message || is_part)
     set_times(text.metadata, lines.lines.front().time, lines.lines.back().time, record.file);
   lines.place = "the message to be written";
   return text_that_reads_back(
@@ -74,14 +74,16 @@ std::vector<Epoch> times_of(const OrbitRecord& record) {
   return times;
 }
 
-}  // namespace
+void require_orbit_name(const ConvertOptions& options, const std::filesystem::path& file) {
+  if (!is_viewer_name(options.out)) (void)is_table_name(options.out, ".oem");
+  if (ending_of(options.out) == ".a") throw BadInput(options.out.string() + ": .a is of an attitude");
+  refuse_input(options.out, {file, options.orientation});
+}
 
-void convert(const OrbitFile& orbit, const ConvertOptions& options, std::ostream& out) {
+// `is_part`: not all of a message.
+void write_orbit(OrbitRecord record, bool is_part, const ConvertOptions& options, std::ostream& out) {
   const bool is_for_viewer = is_viewer_name(options.out),
              is_table = !is_for_viewer && is_table_name(options.out, ".oem");
-  if (ending_of(options.out) == ".a") throw BadInput(options.out.string() + ": .a is of an attitude");
-  refuse_input(options.out, {orbit.file, options.orientation});
-  OrbitRecord record = read_orbit_file(orbit);
   const std::string frame = options.frame.empty() ? "" : stated_earth_frame("--frame", options.frame);
   if (!options.orientation.empty())
     require_observed(options.frame, earth_frame_name(record.lines.ref_frame).value_or(record.lines.ref_frame),
@@ -92,13 +94,25 @@ void convert(const OrbitFile& orbit, const ConvertOptions& options, std::ostream
   write_new(options.out,
             is_for_viewer ? czml_orbit(record, object_name(options.text, record.message, record.file))
             : is_table    ? orbit_table(record)
-                          : orbit_message(record, options, orbit),
+                          : orbit_message(record, options, is_part),
             options.force);
   out << options.out.string() << ": " << record.lines.lines.size() << " samples of an orbit in "
       << record.lines.ref_frame << '\n';
   for (const std::string& what : record.computed) out << "  not to the last digit: " << what << '\n';
   if ((is_table || is_for_viewer) && !record.lines.covariances.empty())
     out << "  left out: " << counted(record.lines.covariances.size(), "covariance") << '\n';
+}
+
+}  // namespace
+
+void convert(const OrbitFile& orbit, const ConvertOptions& options, std::ostream& out) {
+  require_orbit_name(options, orbit.file);
+  write_orbit(read_orbit_file(orbit), orbit.selection.from || orbit.selection.until, options, out);
+}
+
+void convert(const SampledOrbit& orbit, const ConvertOptions& options, std::ostream& out) {
+  require_orbit_name(options, orbit.file);
+  write_orbit(sampled(orbit), false, options, out);
 }
 
 }  // namespace vectrix::cli

@@ -149,7 +149,7 @@ FlownOrbit orbit_of_elements(const std::vector<ElementSet>& all, const std::file
   constexpr double day = 86400.0;
   if (age > longest_age)
     throw BadInput(file.string() + ": the nearest element set, of " + epoch.utc(0) + " UTC, is " +
-                   shown(std::ceil(age / day)) + " days from the attitude; at most " +
+                   shown(std::ceil(age / day)) + " days from the times that are looked at; at most " +
                    shown(longest_age / day) + " are allowed");
   const auto orbit = in_plain_words(file.string(), [&] {
     return flown_in_teme(span, edge(Sgp4<Satellite>(nearest->elements, at_most(longest_age * si::second))));

@@ -179,9 +179,8 @@ void add_convert(CLI::App& app, ConvertWords& words) {
       "Exit code: 0, or 2 if the input is wrong; then nothing is written.\n\n"
       "  vectrix convert attitude.aem attitude.csv --frame GCRF");
   add_attitude(convert, words.attitude,
-               "CCSDS AEM, OEM or OMM (KVN or XML, also in an NDM), a kernel of SPICE (CK), two-line "
-               "elements, or a table "
-               "with a header line");
+               "CCSDS AEM, OEM or OMM (KVN or XML, also in an NDM), a kernel of SPICE (CK, SPK), two-line "
+               "elements, or a table with a header line");
   Options output(convert);
   output
       .add("out", words.options.out, a_file,
@@ -196,6 +195,9 @@ void add_convert(CLI::App& app, ConvertWords& words) {
   orbit.add("--position", words.orbit.position, three_columns, "x, y and z of the position");
   orbit.add("--velocity", words.orbit.velocity, three_columns, "x, y and z of the velocity");
   orbit.choose("--unit", words.orbit.unit, {"m", "km"}, "of the position; of the velocity m/s or km/s");
+  output.add(
+      "--step", words.step, "SECONDS",
+      "of an orbit that has no samples, of two-line elements, an OMM or an SPK: from --from until --until");
   output.add(
       "--frame", words.options.frame, "FRAME",
       "relative to this instead: EME2000 (J2000), GCRF (ICRF), TEME, TOD, MOD, and with --orientation ITRF, "
