@@ -1,5 +1,6 @@
 #include "sampled_orbit.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "attitude_kernel_record.hpp"
@@ -29,7 +30,11 @@ std::vector<Epoch> instants_of(const SampledOrbit& source) {
   if (steps.size() < least || steps.size() > most)
     throw BadInput("--step " + source.step + " makes " + detail::text(steps.size()) +
                    " instants; it must be " + detail::text(least) + " to " + detail::text(most));
-  return {steps.begin(), steps.end()};
+  std::vector<Epoch> instants;
+  constexpr int nanoseconds = 9;  // an Epoch is rounded to 1e-11 s, which a text would show
+  for (const Epoch& t : steps)
+    instants.push_back(std::min(last, Epoch::from_utc(std::string(t.utc(nanoseconds)))));
+  return instants;
 }
 
 }  // namespace

@@ -17,7 +17,8 @@ struct SampledOrbit {
   StatedSatellite satellite{};  // of elements of several
 };
 
-/// Elements by SGP4 in TEME, a kernel in GCRF: from the first instant on, a step apart, until the last.
+/// Elements by SGP4 in TEME, a kernel in GCRF: from the first instant on, a step apart, until the last,
+/// rounded to a nanosecond.
 /// Throws BadInput that names the options which are missing, as orbit_of_elements() and orbit_of_kernel() do,
 /// for fewer than two instants, and for instants that the file does not have.
 OrbitRecord sampled(const SampledOrbit& source);
