@@ -15,8 +15,8 @@ namespace {
 
 using earth::Gcrf;
 
-constexpr std::string_view names[] = {"EME2000", "J2000", "GCRF", "ICRF", "ITRF",
-                                      "TIRF",    "CIRF",  "TEME", "TOD",  "MOD"};
+constexpr std::string_view names_of_earth_frames[] = {"EME2000", "J2000", "GCRF", "ICRF", "ITRF",
+                                                      "TIRF",    "CIRF",  "TEME", "TOD",  "MOD"};
 
 template <class Axes = EarthAxes, class F> MovingDcm<Gcrf, Axes> as_axes(const MovingDcm<Gcrf, F>& moving) {
   return {trust_dcm(to<Gcrf>, from<Axes>, moving.rotation.matrix()),
@@ -67,7 +67,7 @@ const char* earth_frame_names() {
 
 std::string stated_earth_frame(const std::string& what, const std::string& name) {
   if (const auto known = earth_frame_name(name)) return *known;
-  const std::string_view nearest = detail::nearest_name(name, names);
+  const std::string_view nearest = detail::nearest_name(name, names_of_earth_frames);
   throw BadInput(what + " '" + name + "' is none of " + earth_frame_names() +
                  (nearest.empty() ? "" : "; the nearest is '" + std::string(nearest) + "'"));
 }

@@ -18,20 +18,20 @@ namespace {
 
 using Eigen::Quaterniond, Eigen::Vector3d;
 
-constexpr std::int32_t j2000 = 1, ecliptic = 17, itrf = 13000;
+constexpr std::int32_t j2000_number = 1, ecliptic_number = 17, itrf93_number = 13000;
 
-struct Base : moving_frame {};
-struct Frame : moving_frame {};
-Called<Base> base_of(const KernelLink& link) {
-  return called<Base>(detail::text(link.base));
+struct LinkBase : moving_frame {};
+struct LinkFrame : moving_frame {};
+Called<LinkBase> base_of(const KernelLink& link) {
+  return called<LinkBase>(detail::text(link.base));
 }
-Called<Frame> frame_of(const KernelLink& link) {
-  return called<Frame>(detail::text(link.frame));
+Called<LinkFrame> frame_of(const KernelLink& link) {
+  return called<LinkFrame>(detail::text(link.frame));
 }
 
 // The number that a frame has in attitude kernels.
 std::int32_t in_attitudes(std::int32_t frame, const FrameKernel& frames) {
-  return frames.attitude_id_of(detail::claim_of<Frame>(called<Frame>(detail::text(frame))));
+  return frames.attitude_id_of(detail::claim_of<LinkFrame>(called<LinkFrame>(detail::text(frame))));
 }
 
 // What the kernel has a frame relative to in the times of the span, or if it has nothing in them, in others.
@@ -62,9 +62,9 @@ class Factors {
           const TimeSpan& span) {
     graph_.add_frame(frames.shown(chain.root), FrameMotion::moving);
     // From the root on.
-    if (chain.root == ecliptic) {
-      all_.push_back(fixed(graph_.add_frame(frames.shown(j2000), FrameMotion::moving),
-                           graph_.frame(frames.shown(ecliptic)), j2000_from_ecliptic()));
+    if (chain.root == ecliptic_number) {
+      all_.push_back(fixed(graph_.add_frame(frames.shown(j2000_number), FrameMotion::moving),
+                           graph_.frame(frames.shown(ecliptic_number)), j2000_from_ecliptic()));
     }
     for (auto link = chain.links.rbegin(); link != chain.links.rend(); ++link) {
       const NamedFrame base = graph_.frame(frames.shown(link->base)),
@@ -96,13 +96,14 @@ class Factors {
   }
   static Factor mounted(NamedFrame base, NamedFrame frame, const KernelLink& link,
                         const FrameKernel& frames) {
-    const auto R =
-        frames.nearest_rotation(to<Base>, from<Frame>, base_of(link), frame_of(link)).rotation.matrix();
+    const auto R = frames.nearest_rotation(to<LinkBase>, from<LinkFrame>, base_of(link), frame_of(link))
+                       .rotation.matrix();
     return fixed(base, frame, R);
   }
   static Factor of_kernel(NamedFrame base, NamedFrame frame, const KernelLink& link,
                           const AttitudeKernel& kernel, const TimeSpan& span) {
-    const auto attitude = kernel.attitude(of<Frame>, relative_to<Base>, span, base_of(link), frame_of(link));
+    const auto attitude =
+        kernel.attitude(of<LinkFrame>, relative_to<LinkBase>, span, base_of(link), frame_of(link));
     const auto with = [base, frame](const auto& R_base_from_frame, const Vector3d& w, NamedFrame in) {
       const auto rate =
           angular_velocity(Of(frame), RelativeTo(base), vector<si::angular_velocity>(In(in), w));
@@ -168,18 +169,18 @@ void add_times(const Epoch& start, const Epoch& stop, const std::vector<std::vec
 }  // namespace
 
 bool KernelChain::is_direct() const {
-  return links.size() == 1 && !links.front().is_mounted && root == j2000;
+  return links.size() == 1 && !links.front().is_mounted && root == j2000_number;
 }
 
 std::string KernelChain::reference() const {
-  return root == itrf ? "ITRF" : "GCRF";  // J2000 means GCRF in kernels
+  return root == itrf93_number ? "ITRF" : "GCRF";  // J2000 means GCRF in kernels
 }
 
 KernelChain KernelChain::of(std::int32_t frame, const AttitudeKernel& kernel, const FrameKernel& frames,
                             const TimeSpan& span, const std::string& file) {
   KernelChain chain{{}, frame};
   std::set<std::int32_t> passed;
-  while (chain.root != j2000 && chain.root != ecliptic && chain.root != itrf) {
+  while (chain.root != j2000_number && chain.root != ecliptic_number && chain.root != itrf93_number) {
     const std::int32_t id = in_attitudes(chain.root, frames);
     const std::string name = frames.shown(chain.root);
     if (!passed.insert(id).second)
@@ -193,8 +194,9 @@ KernelChain KernelChain::of(std::int32_t frame, const AttitudeKernel& kernel, co
     if (bases.empty() && !mount)
       throw BadInput(file + ": it has " +
                      frames.shown(chain.links.empty() ? frame : chain.links.back().frame) + " relative to " +
-                     name + ", whose attitude is neither in this file nor known: " + frames.shown(j2000) +
-                     ", " + frames.shown(ecliptic) + " and " + frames.shown(itrf) +
+                     name +
+                     ", whose attitude is neither in this file nor known: " + frames.shown(j2000_number) +
+                     ", " + frames.shown(ecliptic_number) + " and " + frames.shown(itrf93_number) +
                      " are, and frames that a frame kernel has mounted on others");
     chain.links.push_back({chain.root, mount ? *mount : *bases.begin(), mount.has_value()});
     chain.root = chain.links.back().base;
@@ -231,16 +233,16 @@ void multiply(const KernelChain& chain, const AttitudeKernel& kernel, const Fram
     }
     const auto base = base_of(link);
     const auto frame = frame_of(link);
-    const auto coverage = kernel.coverage(of<Frame>, relative_to<Base>, span, base, frame);
+    const auto coverage = kernel.coverage(of<LinkFrame>, relative_to<LinkBase>, span, base, frame);
     record.chain += " for " + shown(seconds_of(coverage)) + " s";
     known = in_common(known, coverage);
     times.emplace_back();
-    for (const auto& sample : kernel.samples(of<Frame>, relative_to<Base>, span, base, frame))
+    for (const auto& sample : kernel.samples(of<LinkFrame>, relative_to<LinkBase>, span, base, frame))
       times.back().push_back(sample.time);
-    for (const Epoch& t : kernel.interval_starts(of<Frame>, relative_to<Base>, span, base, frame))
+    for (const Epoch& t : kernel.interval_starts(of<LinkFrame>, relative_to<LinkBase>, span, base, frame))
       starts.push_back(t);
     const std::string hidden =
-        hidden_segments(kernel, kernel.hidden(of<Frame>, relative_to<Base>, span, base, frame));
+        hidden_segments(kernel, kernel.hidden(of<LinkFrame>, relative_to<LinkBase>, span, base, frame));
     record.hidden_segments += (record.hidden_segments.empty() || hidden.empty() ? "" : ", ") + hidden;
     const std::int32_t id = in_attitudes(link.frame, frames);
     for (const AttitudeKernelSegment& segment : kernel.segments()) {
