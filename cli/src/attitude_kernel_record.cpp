@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <fstream>
-#include <map>
 #include <set>
 
 #include "figures.hpp"
+#include "kernel_chain.hpp"
 
 namespace vectrix::cli {
 namespace {
@@ -13,13 +13,19 @@ namespace {
 struct Reference : inertial_frame {};
 struct Body : moving_frame {};
 
-// The number of the frame whose attitude is read.
-std::int32_t frame_of(const DafFile& file, const KernelWords& words, const FrameKernel& frames) {
-  const std::string &named = words.frame, key = words.frame_word.substr(0, words.frame_word.find(' '));
+// Of which frames there are attitudes.
+std::set<std::int32_t> frames_in(const DafFile& file) {
   std::set<std::int32_t> there;
   for (const DafFile::Array& array : file.arrays())
     if (!array.integers.empty()) there.insert(array.integers.front());
   if (there.empty()) throw BadInput(file.place() + ": it has no segments");
+  return there;
+}
+
+// The number of the frame whose attitude is read: one of the file, or one that is mounted.
+std::int32_t frame_of(const DafFile& file, const std::set<std::int32_t>& there, const KernelWords& words,
+                      const FrameKernel& frames) {
+  const std::string &named = words.frame, key = words.frame_word.substr(0, words.frame_word.find(' '));
   const auto id_of_name = [&] {
     try {
       return frames.attitude_id_of(detail::claim_of<Body>(called<Body>(named)));
@@ -30,7 +36,7 @@ std::int32_t frame_of(const DafFile& file, const KernelWords& words, const Frame
     }
   };
   const std::int32_t wanted = named.empty() ? *there.begin() : id_of_name();
-  if (named.empty() ? there.size() != 1 : !there.contains(wanted)) {
+  if (named.empty() ? there.size() != 1 : !there.contains(wanted) && !frames.mounted_on(wanted)) {
     std::string list;
     for (const std::int32_t id : there) list += (list.empty() ? "" : ", ") + detail::text(id);
     throw BadInput(words.frame_place + file.place() + ": it has the frames " + list + "; " +
@@ -39,34 +45,25 @@ std::int32_t frame_of(const DafFile& file, const KernelWords& words, const Frame
   return wanted;
 }
 
-// Segments of a frame relative to another spacecraft frame are not multiplied with those of that frame.
-void require_in_j2000(const std::vector<AttitudeKernelSegment>& segments, std::int32_t frame,
-                      const AttitudeRecord& record, const FrameKernel& frames) {
-  constexpr std::int32_t j2000 = 1;
-  const auto is_there = [&](std::int32_t some) {
-    return std::any_of(segments.begin(), segments.end(), [&](const auto& segment) {
-      return segment.frame == some && segment.reference == j2000;
-    });
-  };
-  if (is_there(frame)) return;
-  const std::int32_t reference = std::find_if(segments.begin(), segments.end(), [&](const auto& segment) {
-                                   return segment.frame == frame;
-                                 })->reference;
-  throw BadInput(record.file + ": it has " + record.body + " relative to " + frames.shown(reference) +
-                 ", not to J2000; the attitude of that frame is " +
-                 (is_there(reference) ? "in this file, and the two are not multiplied here: --ck-frame " +
-                                            detail::text(reference) + " reads it alone"
-                                      : "not in this file"));
-}
-
-std::string hidden_segments(const AttitudeKernel& kernel, const std::vector<HiddenAttitude>& hidden) {
-  std::map<std::size_t, double> seconds;
-  for (const auto& [segment, span] : hidden) seconds[segment] += (span.end() - span.start()).value();
-  std::string text;
-  for (const auto& [segment, sum] : seconds)
-    text += (text.empty() ? "segment " : ", segment ") + detail::text(segment + 1) + " '" +
-            kernel.segments()[segment].name + "' for " + shown(sum) + " s";
-  return text;
+void read_direct(const AttitudeKernel& kernel, std::int32_t frame, const TimeSpan& span,
+                 AttitudeRecord& record) {
+  const auto body = called<Body>(detail::text(frame));
+  const auto reference = called<Reference>("J2000");
+  for (const auto& [time, q_reference_from_body] :
+       kernel.samples(of<Body>, relative_to<Reference>, span, body, reference)) {
+    const auto q = inverse(q_reference_from_body).eigen();
+    record.times.push_back(time);
+    record.numbers.push_back({q.w(), q.x(), q.y(), q.z()});
+  }
+  record.interval_starts = kernel.interval_starts(of<Body>, relative_to<Reference>, span, body, reference);
+  record.hidden_segments =
+      hidden_segments(kernel, kernel.hidden(of<Body>, relative_to<Reference>, span, body, reference));
+  const auto& segments = kernel.segments();
+  if (std::all_of(segments.begin(), segments.end(),
+                  [&](const auto& segment) { return segment.has_rates || segment.frame != frame; })) {
+    for (const auto& w : kernel.recorded_rates(of<Body>, relative_to<Reference>, span, body, reference))
+      record.rates.push_back(w.coordinates());
+  }
 }
 
 }  // namespace
@@ -94,10 +91,13 @@ AttitudeRecord read_kernel(const std::filesystem::path& file, const KernelWords&
   if (words.clock.empty())
     throw BadInput(file.string() + ": a kernel has times of a clock; missing: --sclk FILE");
   const auto frames = words.frames.empty() ? FrameKernel() : FrameKernel::read(words.frames);
-  const std::int32_t frame = frame_of(DafFile::open(file), words, frames);
+  const auto daf = DafFile::open(file);
+  const auto there = frames_in(daf);
+  const std::int32_t frame = frame_of(daf, there, words, frames),
+                     timed = there.contains(frame) ? frame : *there.begin();
   constexpr std::int32_t frames_of_a_spacecraft = 1000;
   const auto clock =
-      SpacecraftClock::read(words.clock, frames.clock_of(frame).value_or(frame / frames_of_a_spacecraft));
+      SpacecraftClock::read(words.clock, frames.clock_of(timed).value_or(timed / frames_of_a_spacecraft));
   const auto kernel = AttitudeKernel::open(file, clock, frames);
 
   const KernelFrame* const known = frames.find(frame);
@@ -105,7 +105,6 @@ AttitudeRecord read_kernel(const std::filesystem::path& file, const KernelWords&
   record.file = file.string();
   record.body = known ? known->name : detail::text(frame);
   record.names_body = known != nullptr;
-  record.reference = "GCRF";  // that is what J2000 means in kernels
   record.stated = {Convention::Scalar::first, Convention::Maps::to_body};
   record.rate_axes = RateAxes::reference;
   record.are_normalised = true;
@@ -116,23 +115,12 @@ AttitudeRecord read_kernel(const std::filesystem::path& file, const KernelWords&
     throw BadInput(record.file + ": its attitude is from " + all.start().utc() + " UTC to " +
                    all.end().utc() + " UTC, none in the times that are asked for");
   const auto span = from_until(first, last);
-  require_in_j2000(kernel.segments(), frame, record, frames);
-  const auto body = called<Body>(detail::text(frame));
-  const auto reference = called<Reference>("J2000");
-  for (const auto& [time, q_reference_from_body] :
-       kernel.samples(of<Body>, relative_to<Reference>, span, body, reference)) {
-    const auto q = inverse(q_reference_from_body).eigen();
-    record.times.push_back(time);
-    record.numbers.push_back({q.w(), q.x(), q.y(), q.z()});
-  }
-  record.interval_starts = kernel.interval_starts(of<Body>, relative_to<Reference>, span, body, reference);
-  record.hidden_segments =
-      hidden_segments(kernel, kernel.hidden(of<Body>, relative_to<Reference>, span, body, reference));
-  const auto& segments = kernel.segments();
-  if (std::all_of(segments.begin(), segments.end(),
-                  [&](const auto& segment) { return segment.has_rates || segment.frame != frame; })) {
-    for (const auto& w : kernel.recorded_rates(of<Body>, relative_to<Reference>, span, body, reference))
-      record.rates.push_back(w.coordinates());
+  const auto chain = KernelChain::of(frame, kernel, frames, span, record.file);
+  record.reference = chain.reference();
+  if (chain.is_direct()) {
+    read_direct(kernel, frame, span, record);
+  } else {
+    multiply(chain, kernel, frames, span, record);
   }
   if (record.size() < 2)
     throw BadInput(record.file + ": fewer than two records are in the times that are asked for");

@@ -21,9 +21,10 @@ void use_leap_seconds_of(const KernelWords& words);
 /// Whether the file begins as a binary kernel or a transfer file does. Throws BadInput if it cannot be read.
 bool is_kernel(const std::filesystem::path& file);
 
-/// The records between the selected times. Throws BadInput as AttitudeKernel does, without a clock, for
-/// several frames of which none is named, and for attitudes relative to another frame than J2000. The leap
-/// seconds are not used here: see above.
+/// The records between the selected times. An attitude relative to another frame of the file, or to one that
+/// is mounted, is multiplied with that of the other one, and so on: kernel_chain.hpp. Throws BadInput as
+/// AttitudeKernel and KernelChain do, without a clock, and for several frames of which none is named. The
+/// leap seconds are not used here: see above.
 AttitudeRecord read_kernel(const std::filesystem::path& file, const KernelWords& words,
                            const Selection& selection);
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -33,6 +34,12 @@ inline RateAxes other(RateAxes axes) {
   return axes == RateAxes::body ? RateAxes::reference : RateAxes::body;
 }
 
+/// q_reference^body, and the rate of the body relative to the reference in its own axes, rad/s.
+struct BodyMotion {
+  Eigen::Quaterniond to_reference;
+  Eigen::Vector3d rate;
+};
+
 /// The attitude of a body as a file has it, with the convention that the file, or who reads it, states. The
 /// frames of these numbers are what is in question, so they have none here.
 struct AttitudeRecord {
@@ -56,6 +63,10 @@ struct AttitudeRecord {
   std::vector<Epoch> interval_starts{};  // of a kernel: to these samples nothing leads from the one before
   // Of a kernel, what later segments of the same time hide: "segment 1 'A' for 20 s, segment 2 'B' for 3 s".
   std::string hidden_segments{};
+  // Of a kernel that has it by way of other frames: what was multiplied, and the motion between samples,
+  // which is not steady; else empty.
+  std::string chain{};
+  std::function<BodyMotion(const Epoch&)> motion{};
   std::optional<double> longest_step{};  // s: a longer one is a gap; by default three times the median
   // By turn_to_gcrf(): the reference of the file, and at every sample its attitude; empty without it.
   std::string stated_reference{};

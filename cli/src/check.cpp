@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "earth_frame.hpp"
 #include "evidence.hpp"
 #include "figures.hpp"
 #include "other_scales.hpp"
@@ -195,7 +196,8 @@ void write_rates(const AttitudeRecord& record, Findings& findings, std::ostream&
       << padded(axes_name(other(stated), record), 14) << '\n';
   constexpr double largest_part = 0.1;  // of the rates
   Comparison made{{}, evidence.stated_axes, largest_part * evidence.rms_rate};
-  made.is_needed = evidence.least_beyond_change > made.largest;
+  const bool is_beyond_change = evidence.least_beyond_change > made.largest;
+  made.is_needed = is_beyond_change && evidence.least_lasting > made.largest;
   for (const auto* const more : {&evidence.other_axes, &evidence.of_gcrf_in_body, &evidence.of_gcrf_in_gcrf})
     made.disagreements.insert(made.disagreements.end(), more->begin(), more->end());
   const auto readings = readings_of(record);
@@ -214,9 +216,14 @@ void write_rates(const AttitudeRecord& record, Findings& findings, std::ostream&
     }
     made.without_fit = evidence.rms_rate > 0.0
                            ? " The nearest leaves " + percent_of(best, evidence.rms_rate) + " of the rates."
-                           : " The rates are zero, and the body turns.";
-    if (!made.is_needed)
+                           : std::string(" The rates are zero, and the ") +
+                                 (made.is_needed ? "body turns." : "attitude is not at rest.");
+    if (!is_beyond_change) {
       made.without_fit += " They change too much from one sample to the next to contradict the file.";
+    } else if (!made.is_needed) {
+      made.without_fit +=
+          " But it does not last from sample to sample: errors of the attitudes do that, and no reading.";
+    }
     const double per_radian = evidence.rms_turn / evidence.rms_rate;
     for (const double factor : {degrees, 1.0 / degrees})
       if (std::abs(per_radian / factor - 1.0) < 0.05)
@@ -269,9 +276,9 @@ bool check(const CheckOptions& options, std::ostream& out) {
     throw BadInput("--axis and --target go together: an axis of the body, and what it should look at");
   if (options.axis) require_axis(*options.axis);
   AttitudeRecord record = read_attitude(options.attitude);
-  if (!options.orientation.empty() && record.reference != "ITRF" && options.orbit.message.empty())
-    throw BadInput("--orientation is of ITRF; the attitude is relative to " + record.reference +
-                   ", and there is no --oem");
+  if (!options.orientation.empty() && !is_observed(record.reference) && options.orbit.message.empty())
+    throw BadInput("--orientation is of ITRF, TIRF and CIRF; the attitude is relative to " +
+                   record.reference + ", and there is no --oem");
   const auto span = from_until(record.times.front(), record.times.back());
   OrbitSource source = options.orbit;
   source.orientation = read_orientation(options.orientation, record.times);

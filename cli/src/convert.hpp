@@ -8,6 +8,7 @@
 #include "interpolation.hpp"
 #include "message_text.hpp"
 #include "orbit_record.hpp"
+#include "sampled_orbit.hpp"
 #include "sources.hpp"
 
 namespace vectrix::cli {
@@ -32,6 +33,9 @@ void convert(const AttitudeSource& attitude, const ConvertOptions& options, std:
 
 /// Writes an orbit as an OEM, of the version of the message that was read or 2.0, or as a table in m and m/s.
 void convert(const OrbitFile& orbit, const ConvertOptions& options, std::ostream& out);
+
+/// The same of one that has no samples.
+void convert(const SampledOrbit& orbit, const ConvertOptions& options, std::ostream& out);
 
 /// A file of elements for SGP4: two lines, or messages.
 struct ElementFile {

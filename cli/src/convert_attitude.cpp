@@ -2,6 +2,7 @@
 #include <vector>
 
 #include "convert.hpp"
+#include "earth_frame.hpp"
 #include "figures.hpp"
 #include "kernel_writer.hpp"
 #include "new_file.hpp"
@@ -74,27 +75,31 @@ void convert(const AttitudeSource& source, const ConvertOptions& options, std::o
   refuse_input(options.out, files_of(AttitudeSource{{}, {}, {}, options.kernel}));
   require_one_line("--body", options.body);
   AttitudeRecord record = read_attitude(source);
-  const bool moves = !inertial(record.reference);
-  if (!files_of(options.orbit).empty() || !options.orientation.empty()) {
-    refuse_input(options.out, files_of(options.orbit));
-    refuse_input(options.out, {options.orientation});
-    if (!moves || options.frame.empty())
-      throw BadInput(
-          "an orbit and --orientation are for --frame, of an attitude relative to a frame that moves; "
-          "this one is relative to " +
-          record.reference);
-  }
-  if (moves && !options.frame.empty()) {
+  refuse_input(options.out, files_of(options.orbit));
+  refuse_input(options.out, {options.orientation});
+  const std::string frame = options.frame.empty() ? "" : stated_earth_frame("--frame", options.frame);
+  const bool is_of_orbit = !earth_frame_name(record.reference);
+  if (!files_of(options.orbit).empty() && (inertial(record.reference) || frame.empty()))
+    throw BadInput(
+        "an orbit is for --frame, of an attitude relative to a frame that moves; this one is relative to " +
+        record.reference);
+  if (!options.orientation.empty() && options.orbit.message.empty())
+    require_observed(options.frame, record.reference, "the attitude is relative to ");
+  const auto orientation = read_orientation(options.orientation, record.times);
+  if (is_of_orbit && !frame.empty()) {
     OrbitSource orbit = options.orbit;
-    orbit.orientation = read_orientation(options.orientation, record.times);
+    orbit.orientation = orientation;
     turn_to_gcrf(record, read_orbit(orbit, from_until(record.times.front(), record.times.back())),
-                 orbit.orientation, reference_options);
+                 orientation, reference_options);
   }
   PlainAttitude attitude = plain(record);
   if (reference_name(options.body))
     throw BadInput("--body " + options.body + " is the name of a reference, not of a body");
   if (!options.body.empty()) attitude.body = options.body;
-  if (!options.frame.empty()) attitude = relative_to_frame(std::move(attitude), inertial_name(options.frame));
+  if (!frame.empty() && frame != attitude.reference) {
+    if (!inertial(frame) || !inertial(attitude.reference)) require_earth(record);
+    attitude = turned(std::move(attitude), frame, orientation, record.file);
+  }
   std::string text;
   if (is_for_spice) {
     attitude = as_in_a_kernel(std::move(attitude));
@@ -129,6 +134,7 @@ void convert(const AttitudeSource& source, const ConvertOptions& options, std::o
   out << options.out.string() << ": " << attitude.times.size() << " samples of " << attitude.body
       << " relative to " << attitude.reference << '\n';
   for (const std::string& what : attitude.computed) out << "  not to the last digit: " << what << '\n';
+  if (!record.chain.empty()) out << "  multiplied from what the kernel has: " << record.chain << '\n';
   if (const std::size_t breaks = faults_of(record).breaks.count; breaks > 0)
     out << "  left out: " << counted(breaks, "end")
         << " of intervals, behind which nothing is interpolated\n";

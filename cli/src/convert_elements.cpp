@@ -56,7 +56,8 @@ bool has_two_lines(const std::filesystem::path& file) {
 void convert(const ElementFile& elements, const ConvertOptions& options, std::ostream& out) {
   const std::string kind = ending_of(options.out);
   if (kind != ".omm" && kind != ".xml")
-    throw BadInput(options.out.string() + ": elements of SGP4 are written as .omm or .xml");
+    throw BadInput(options.out.string() +
+                   ": elements of SGP4 are written as .omm or .xml, and their orbit as .oem, .csv or .czml");
   refuse_input(options.out, {elements.file});
   const GivenText& given = options.text;
   require_one_line("--object-name", given.object_name);

@@ -24,6 +24,9 @@ struct RateEvidence {
   std::vector<double> of_gcrf_in_body{}, of_gcrf_in_gcrf{};
   // What the nearest of these leaves if the mean rate of a step may be off by half of its change in the step.
   double least_beyond_change{};
+  // What of it lasts from one sample to those behind, as that of a wrong reading does: errors of single
+  // samples do not. 0 if it may be chance; all of it if there are too few samples to tell.
+  double least_lasting{};
 };
 RateEvidence compare_rates(const AttitudeRecord& record);
 

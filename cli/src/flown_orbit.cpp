@@ -149,7 +149,7 @@ FlownOrbit orbit_of_elements(const std::vector<ElementSet>& all, const std::file
   constexpr double day = 86400.0;
   if (age > longest_age)
     throw BadInput(file.string() + ": the nearest element set, of " + epoch.utc(0) + " UTC, is " +
-                   shown(std::ceil(age / day)) + " days from the attitude; at most " +
+                   shown(std::ceil(age / day)) + " days from the times that are looked at; at most " +
                    shown(longest_age / day) + " are allowed");
   const auto orbit = in_plain_words(file.string(), [&] {
     return flown_in_teme(span, edge(Sgp4<Satellite>(nearest->elements, at_most(longest_age * si::second))));
@@ -200,7 +200,7 @@ FlownOrbit orbit_of_message(const std::filesystem::path& file, const TimeSpan& s
 
 FlownOrbit orbit_of_table(const OrbitFile& source, const TimeSpan& span, const Interpolation& interpolation,
                           const std::optional<EarthOrientation>& orientation) {
-  const OrbitRecord record = read_orbit_in_any_frame(source);
+  const OrbitRecord record = read_orbit_file(source);
   EphemerisMetadata metadata;
   metadata.center_name = "EARTH";
   const std::string file = source.file.string();

@@ -7,6 +7,7 @@
 #include <vector>
 #include <vectrix/kinematics/named/graph.hpp>
 
+#include "earth_frame.hpp"
 #include "figures.hpp"
 #include "plain_words.hpp"
 #include "quantile.hpp"
@@ -119,7 +120,7 @@ class Frames {
     const auto motion =
         reference_motion(record.file, name, with_t, orbit, scenario.orientation, reference_keys);
     const std::string axes = axes_of_reference(name);
-    hang(name, {"GCRF", axes.empty() ? "true equator, mean equinox of date" : "of the orbit, " + axes, false},
+    hang(name, {"GCRF", axes.empty() ? axes_of_date(name) : "of the orbit, " + axes, false},
          motion(t), {});
   }
 
@@ -140,7 +141,7 @@ class Frames {
           "attitude, between the samples of " + record.times[step.before].utc(3) + " and " +
               record.times[step.before + 1].utc(3) + " UTC of " + record.file,
           true},
-         step.to_reference.toRotationMatrix(), step.rate);
+         step.at.to_reference.toRotationMatrix(), step.at.rate);
   }
 
   [[nodiscard]] std::vector<std::string> to_root(std::string name) const {

@@ -6,6 +6,7 @@
 #include <exception>
 #include <filesystem>
 #include <iostream>
+#include <optional>
 #include <string_view>
 #include <system_error>
 
@@ -93,12 +94,17 @@ bool run_pointing(PointingWords& words) {
 
 bool run_convert(ConvertWords& words) {
   words.options.text.creation_date = now();
-  const Content content = content_of(words.attitude, words.orbit, words.kind, words.options.out);
-  const bool of_orbit = content.kind == Content::Kind::orbit;
+  const Content content = content_of(words.attitude, words.orbit, words.kind, words.options.out, words.step);
+  std::optional<SampledOrbit> sampled;
+  if (content.kind == Content::Kind::sampled)
+    sampled = sampled_orbit_of(words.attitude, words.orbit, words.options, words.step);
+  const bool of_orbit = sampled || content.kind == Content::Kind::orbit;
   if (content.kind != Content::Kind::elements) set_message_words(words.options, words.message, of_orbit);
   if (content.kind == Content::Kind::elements) {
     const auto file = element_file(words.attitude, words.orbit, words.options, words.message);
     convert(file, words.options, std::cout);
+  } else if (sampled) {
+    convert(*sampled, words.options, std::cout);
   } else if (of_orbit) {
     convert(orbit_file(words.attitude, words.orbit), words.options, std::cout);
   } else {

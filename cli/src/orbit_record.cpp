@@ -2,9 +2,11 @@
 
 #include <algorithm>
 
+#include "earth_frame.hpp"
+#include "flown_orbit.hpp"
 #include "message_kind.hpp"
 #include "table_column.hpp"
-#include "target.hpp"
+#include "table_text.hpp"
 
 namespace vectrix::cli {
 namespace {
@@ -24,7 +26,7 @@ OrbitRecord of_table(const OrbitFile& source) {
   for (const auto* const group : {&columns.position, &columns.velocity})
     for (const std::string& name : *group) require_column(table, source.file, name);
   OrbitRecord record{source.file.string(), columns.scale, {}, {}};
-  record.lines.ref_frame = columns.reference;
+  record.lines.ref_frame = stated_earth_frame("the reference", columns.reference);
   std::vector<detail::OrbitLine>& lines = record.lines.lines;
   for (std::size_t row = 0; row < table.rows(); ++row) {
     const auto time = table.value(row, columns.time,
@@ -42,15 +44,24 @@ OrbitRecord of_table(const OrbitFile& source) {
   return record;
 }
 
+PointMotion<OldAxes, Satellite, OldAxes> in_old_axes(const detail::OrbitLine& line) {
+  return {Displacement<OldAxes, Satellite, In<OldAxes>>{detail::trusted, line.position},
+          Velocity<OldAxes, Satellite, ObservedFrom<OldAxes>, In<OldAxes>>{detail::trusted, line.velocity}};
+}
+
+// Of axes that turn.
+void require_turning(const OrbitRecord& record, const std::string& before) {
+  if (record.message && small(record.message->metadata.center_name) != "earth")
+    throw BadInput(record.file + ": CENTER_NAME is '" + record.message->metadata.center_name +
+                   "'; only an orbit about EARTH is turned to or from axes of the Earth");
+  if (record.lines.ref_frame_epoch && !inertial(before))
+    throw BadInput(record.file + ": REF_FRAME_EPOCH stops " + record.lines.ref_frame +
+                   "; it is turned as a frame of date only");
+}
+
 }  // namespace
 
 OrbitRecord read_orbit_file(const OrbitFile& source) {
-  OrbitFile named = source;
-  if (named.columns) named.columns->reference = inertial_name(named.columns->reference);
-  return read_orbit_in_any_frame(named);
-}
-
-OrbitRecord read_orbit_in_any_frame(const OrbitFile& source) {
   OrbitRecord record = source.columns ? of_table(source) : of_message(source);
   auto& lines = record.lines.lines;
   std::vector<Epoch> times;
@@ -64,22 +75,37 @@ OrbitRecord read_orbit_in_any_frame(const OrbitFile& source) {
   return record;
 }
 
-OrbitRecord relative_to_frame(OrbitRecord record, const std::string& reference) {
+OrbitRecord relative_to_frame(OrbitRecord record, const std::string& reference,
+                              const std::optional<EarthOrientation>& orientation) {
   detail::OrbitLines& lines = record.lines;
-  const auto before = inertial(lines.ref_frame);
+  const auto before = earth_frame_name(lines.ref_frame);
   if (!before)
-    throw BadInput(record.file + ": the orbit is in '" + lines.ref_frame +
-                   "'; --frame turns EME2000 and GCRF into each other");
+    throw BadInput(record.file + ": the orbit is in '" + lines.ref_frame + "'; --frame turns " +
+                   earth_frame_names() + " into each other");
   if (*before == reference) return record;
-  const Eigen::Matrix3d R_new_from_old = gcrf_from(reference).transpose() * gcrf_from(*before);
+  if (!inertial(*before) || !inertial(reference)) require_turning(record, *before);
+  const auto turn =
+      turn_of_axes(*before, reference, from_until(lines.lines.front().time, lines.lines.back().time),
+                   orientation, record.file);
+  bool is_left_out = false;
   for (detail::OrbitLine& line : lines.lines) {
-    line.position = R_new_from_old * line.position;
-    line.velocity = R_new_from_old * line.velocity;
-    if (line.acceleration) line.acceleration = R_new_from_old * *line.acceleration;
+    const auto new_from_old = turn(line.time);
+    const auto moved = coincident(new_from_old) * parallel(in_old_axes(line));
+    line.position = moved.translation.coordinates();
+    line.velocity = moved.velocity.coordinates();
+    if (!line.acceleration) continue;
+    if (inertial(*before) && inertial(reference)) {
+      line.acceleration = new_from_old.rotation.matrix() * *line.acceleration;
+    } else {
+      line.acceleration.reset();
+      is_left_out = true;
+    }
   }
   for (OrbitCovariance& covariance : lines.covariances)
     if (covariance.ref_frame.empty()) covariance.ref_frame = lines.ref_frame;
   record.computed.push_back("the orbit is turned from " + *before + " to " + reference);
+  if (is_left_out)
+    record.computed.emplace_back("the accelerations, which axes that turn would change, are left out");
   lines.ref_frame = reference;
   return record;
 }

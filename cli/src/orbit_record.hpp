@@ -33,14 +33,17 @@ struct OrbitRecord {
   std::vector<std::string> computed{};  // which numbers are not those of the file, and why
 };
 
-/// Throws BadInput as the message or the table does, for times that do not increase, and for fewer than two
-/// samples. Of a table the reference must be EME2000 or GCRF.
+/// Throws BadInput as the message or the table does, for times that do not increase, for fewer than two
+/// samples, and for a table in a frame that is none of earth_frame_name().
 OrbitRecord read_orbit_file(const OrbitFile& source);
-/// The same of a table in ITRF too.
-OrbitRecord read_orbit_in_any_frame(const OrbitFile& source);
 
-/// In EME2000 or GCRF instead. Covariances keep their frame, and name it. Throws BadInput if the orbit is in
-/// neither of the two.
-OrbitRecord relative_to_frame(OrbitRecord record, const std::string& reference);
+/// In another frame of earth_frame_name() instead, observed from it:
+///     r^new = R_old^new r^old,    v^new = R_old^new (v^old + w x r^old),    w of the old axes relative to
+///     the new
+/// Covariances keep their frame, and name it. Accelerations are left out where axes turn. Throws BadInput for
+/// an orbit in another frame, in one of date that REF_FRAME_EPOCH stops, or about another centre than the
+/// Earth where axes turn, and as earth_frame() does.
+OrbitRecord relative_to_frame(OrbitRecord record, const std::string& reference,
+                              const std::optional<EarthOrientation>& orientation);
 
 }  // namespace vectrix::cli

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "earth_frame.hpp"
 #include "figures.hpp"
-#include "target.hpp"
 
 namespace vectrix::cli {
 namespace {
@@ -65,15 +65,34 @@ PlainAttitude relative_to_frame(PlainAttitude attitude, const std::string& refer
   if (!inertial(attitude.reference))
     throw BadInput("the attitude is relative to " + attitude.reference + ", and has to be relative to " +
                    reference + "; --frame " + reference + " turns it");
-  // R_new^old.
-  const Eigen::Matrix3d R_new_from_old = gcrf_from(reference).transpose() * gcrf_from(attitude.reference);
-  const Eigen::Quaterniond turn(R_new_from_old);
-  for (auto& n : attitude.quaternions) {
-    const Eigen::Quaterniond q = turn * Eigen::Quaterniond(n[0], n[1], n[2], n[3]);
+  return turned(std::move(attitude), reference, std::nullopt, "");
+}
+
+PlainAttitude turned(PlainAttitude attitude, const std::string& reference,
+                     const std::optional<EarthOrientation>& orientation, const std::string& file) {
+  if (reference == attitude.reference) return attitude;
+  const auto turn =
+      turn_of_axes(attitude.reference, reference, from_until(attitude.times.front(), attitude.times.back()),
+                   orientation, file);
+  const double unit = attitude.rates_in_degrees ? degrees : 1.0;
+  const bool in_body = attitude.rate_axes == RateAxes::body;
+  Eigen::Quaterniond q_new_from_old = Eigen::Quaterniond::Identity();  // from one to the next of one sign
+  for (std::size_t i = 0; i < attitude.times.size(); ++i) {
+    const auto new_from_old = turn(attitude.times[i]);
+    auto& n = attitude.quaternions[i];
+    const Eigen::Quaterniond q_old_from_body(n[0], n[1], n[2], n[3]);
+    Eigen::Quaterniond next(new_from_old.rotation.matrix());
+    if (next.dot(q_new_from_old) < 0.0) next.coeffs() *= -1.0;
+    q_new_from_old = next;
+    const Eigen::Quaterniond q = q_new_from_old * q_old_from_body;
     n = {q.w(), q.x(), q.y(), q.z()};
+    if (attitude.rates.empty()) continue;
+    // Of the old axes relative to the new ones, and of the body relative to the old ones.
+    const Eigen::Vector3d &w_axes = new_from_old.angular_velocity.coordinates(), &w = attitude.rates[i];
+    attitude.rates[i] = in_body
+                            ? Eigen::Vector3d(w + q_old_from_body.normalized().conjugate() * (unit * w_axes))
+                            : Eigen::Vector3d(new_from_old.rotation.matrix() * (w + unit * w_axes));
   }
-  if (attitude.rate_axes == RateAxes::reference)
-    for (Eigen::Vector3d& w : attitude.rates) w = R_new_from_old * w;
   attitude.computed.push_back("the attitude is turned from " + attitude.reference + " to " + reference);
   attitude.reference = reference;
   return attitude;

@@ -22,8 +22,12 @@ struct PlainAttitude {
 
 /// The numbers of the record, only in another order and with other signs.
 PlainAttitude plain(const AttitudeRecord& record);
-/// Relative to EME2000 or GCRF instead.
+/// Relative to EME2000 or GCRF instead. Throws BadInput unless it is relative to one of them.
 PlainAttitude relative_to_frame(PlainAttitude attitude, const std::string& reference);
+/// Relative to another frame of earth_frame_name() instead, also its rates. Throws BadInput, which begins
+/// with the file, as earth_frame().
+PlainAttitude turned(PlainAttitude attitude, const std::string& reference,
+                     const std::optional<EarthOrientation>& orientation, const std::string& file);
 /// As a message can have it: quaternions of norm 1 within a hundredth, and rates in degrees. If one
 /// quaternion is not so, all are divided by their norms.
 PlainAttitude as_in_a_message(PlainAttitude attitude);

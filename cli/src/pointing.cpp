@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "angle_figures.hpp"
+#include "earth_frame.hpp"
 #include "figures.hpp"
 #include "hidden.hpp"
 #include "new_file.hpp"
@@ -170,9 +171,10 @@ bool pointing(const PointingOptions& options, std::ostream& out) {
   AttitudeRecord record = read_attitude(options.attitude);
   require_utc(record);
   if (!options.orientation.empty() && !std::holds_alternative<StationTarget>(options.target) &&
-      record.reference != "ITRF" && options.orbit.message.empty())
-    throw BadInput("--orientation is of a station and of ITRF; the target is " + name_of(options.target) +
-                   ", the attitude is relative to " + record.reference + ", and there is no --oem");
+      !is_observed(record.reference) && options.orbit.message.empty())
+    throw BadInput("--orientation is of a station and of ITRF, TIRF and CIRF; the target is " +
+                   name_of(options.target) + ", the attitude is relative to " + record.reference +
+                   ", and there is no --oem");
   OrbitSource source = options.orbit;
   source.orientation = read_orientation(options.orientation, record.times);
   const FlownOrbit orbit = read_orbit(source, from_until(record.times.front(), record.times.back()));

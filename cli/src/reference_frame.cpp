@@ -2,13 +2,13 @@
 
 #include <map>
 
+#include "earth_frame.hpp"
 #include "table_text.hpp"
 #include "target.hpp"
 
 namespace vectrix::cli {
 namespace {
 
-using earth::Gcrf, earth::Itrf, earth::Teme;
 using Eigen::Matrix3d;
 
 struct Orbit : moving_frame {};
@@ -28,14 +28,11 @@ Matrix3d of_orbit(const std::string& reference, const SatelliteMotion& motion) {
 }  // namespace
 
 std::optional<std::string> reference_name(const std::string& name) {
-  if (const auto known = inertial(name)) return known;
-  static const std::map<std::string, const char*> names{
-      {"teme", "TEME"}, {"temeofdate", "TEME"}, {"lvlh", "LVLH"}, {"vvlh", "LVLH"},
-      {"rtn", "RTN"},   {"rsw", "RTN"},         {"qsw", "RTN"},   {"ric", "RTN"},
-      {"tnw", "TNW"},   {"ntw", "NTW"},         {"vnc", "VNC"}};
+  if (const auto known = earth_frame_name(name)) return known;
+  static const std::map<std::string, const char*> names{{"lvlh", "LVLH"}, {"vvlh", "LVLH"}, {"rtn", "RTN"},
+                                                        {"rsw", "RTN"},   {"qsw", "RTN"},   {"ric", "RTN"},
+                                                        {"tnw", "TNW"},   {"ntw", "NTW"},   {"vnc", "VNC"}};
   std::string word = small(name);
-  if (word.starts_with("itrf") && word.find_first_not_of("-0123456789", 4) == std::string::npos)
-    return "ITRF";
   constexpr std::string_view rotating = "_rotating";
   if (word.ends_with(rotating)) word.resize(word.size() - rotating.size());
   const auto found = names.find(word);
@@ -44,7 +41,7 @@ std::optional<std::string> reference_name(const std::string& name) {
 }
 
 const char* reference_names() {
-  return "EME2000, J2000, GCRF, ICRF, ITRF, TEME, LVLH, RTN, RSW, TNW, NTW and VNC";
+  return "EME2000, J2000, GCRF, ICRF, ITRF, TIRF, CIRF, TEME, TOD, MOD, LVLH, RTN, RSW, TNW, NTW and VNC";
 }
 
 std::string axes_of_reference(const std::string& reference) {
@@ -74,17 +71,11 @@ std::function<Matrix3d(const Epoch&)> reference_motion(const std::string& file, 
                                                        const std::optional<EarthOrientation>& orientation,
                                                        const ReferenceWords& words) {
   const std::string given = file + ": the attitude is relative to " + reference;
-  if (inertial(reference)) return [R = gcrf_from(reference)](const Epoch&) { return R; };
-  if (reference == "TEME") {
-    // Over ITRF: the turn of the Earth cancels.
-    const EarthMotion earth(EarthOrientation::unobserved(span, 0.0 * si::second), span);
-    const auto graph = frame_graph(edge(earth), edge(teme(earth)));
-    return [graph](const Epoch& t) { return graph.at(t).rotation(to<Gcrf>, from<Teme>).matrix(); };
-  }
-  if (reference == "ITRF") {
-    if (!orientation)
-      throw BadInput(given + ", which needs the orientation of the Earth; missing: " + words.orientation);
-    return [earth = EarthMotion(*orientation, span)](const Epoch& t) { return earth.rotation(t).matrix(); };
+  if (earth_frame_name(reference)) {
+    const auto frame =
+        earth_frame(reference, span, orientation,
+                    given + ", which needs the orientation of the Earth; missing: " + words.orientation);
+    return [frame](const Epoch& t) { return frame(t).rotation.matrix(); };
   }
   if (!orbit) throw BadInput(given + ", a frame of the orbit; missing: " + words.orbit);
   return [orbit, reference](const Epoch& t) { return of_orbit(reference, orbit(t)); };
@@ -104,6 +95,7 @@ void turn_to_gcrf(AttitudeRecord& record, const FlownOrbit& orbit,
       reference_motion(record.file, record.reference, from_until(record.times.front(), record.times.back()),
                        orbit, orientation, words);
   for (const Epoch& t : record.times) record.gcrf_from_stated.emplace_back(motion(t));
+  record.motion = nullptr;  // it is relative to the other reference
   record.stated_reference = record.reference;
   record.reference = "GCRF";
 }

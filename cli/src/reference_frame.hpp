@@ -10,8 +10,7 @@
 namespace vectrix::cli {
 
 /// The one name here of a frame relative to which an attitude may be given; nothing for another frame.
-///     GCRF (ICRF), EME2000 (J2000)
-///     ITRF, of any year; TEME (TEMEOFDATE): true equator, mean equinox of date
+///     one of earth_frame_name(), or
 ///     of the orbit, r and v relative to GCRF, h = r x v:
 ///     LVLH (VVLH)        z along -r, y along -h        RTN (RSW, QSW, RIC)  x along r, z along h
 ///     TNW                x along v, z along h          NTW                  y along v, z along h
@@ -36,7 +35,7 @@ std::optional<EarthOrientation> read_orientation(const std::filesystem::path& fi
                                                  const std::vector<Epoch>& times);
 
 /// R_gcrf^reference at a time of the span. Throws BadInput, with the file, for a frame of an orbit without
-/// one, and ITRF without the orientation of the Earth.
+/// one, and an observed frame without the orientation of the Earth.
 std::function<Eigen::Matrix3d(const Epoch&)> reference_motion(
     const std::string& file, const std::string& reference, const TimeSpan& span, const FlownOrbit& orbit,
     const std::optional<EarthOrientation>& orientation, const ReferenceWords& words);

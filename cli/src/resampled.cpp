@@ -22,7 +22,8 @@ std::optional<std::size_t> step_with(const AttitudeRecord& record, double longes
   return std::nullopt;
 }
 
-AttitudeStep in_step(const AttitudeRecord& record, std::size_t i, const Epoch& t) {
+BodyMotion in_step(const AttitudeRecord& record, std::size_t i, const Epoch& t) {
+  if (record.motion) return record.motion(t);
   struct Reference : inertial_frame {};
   struct Body : moving_frame {};
   const auto quaternion = [&](std::size_t k) {
@@ -36,7 +37,7 @@ AttitudeStep in_step(const AttitudeRecord& record, std::size_t i, const Epoch& t
                    record.times[i + 1].utc(3) + " UTC the attitude turns by " + shown(degrees * turn) +
                    " deg, nearly half a turn: which way is not known, and no attitude between them");
   const auto motion = Slerp(record.times[i], q0, record.times[i + 1], q1)(t);
-  return {i, Eigen::Quaterniond(motion.rotation.matrix()), motion.angular_velocity.coordinates()};
+  return {Eigen::Quaterniond(motion.rotation.matrix()), motion.angular_velocity.coordinates()};
 }
 
 // As a file of this convention has them.
@@ -55,7 +56,7 @@ AttitudeStep step_at(const AttitudeRecord& record, const Epoch& t) {
   if (!step)
     throw BadInput(record.file + ": " + t.utc() + " UTC is in a gap or outside the samples, " +
                    record.times.front().utc() + " UTC to " + record.times.back().utc() + " UTC");
-  return in_step(record, *step, t);
+  return {*step, in_step(record, *step, t)};
 }
 
 AttitudeRecord resampled(const AttitudeRecord& record, const std::vector<Epoch>& times) {

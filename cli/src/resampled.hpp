@@ -7,11 +7,11 @@
 
 namespace vectrix::cli {
 
-/// The attitude at an instant between two samples, turning at a constant rate the shortest way.
+/// The attitude at an instant between two samples: `motion` of the record, or else turning at a constant rate
+/// the shortest way.
 struct AttitudeStep {
   std::size_t before;  // the sample before the instant, or at it
-  Eigen::Quaterniond to_reference;
-  Eigen::Vector3d rate;  // of the body relative to the reference, in the body, rad/s
+  BodyMotion at;
 };
 /// Throws BadInput outside the samples, in a gap, and within a step that turns by nearly half a turn: which
 /// way is not known.

@@ -50,6 +50,7 @@ void write_head(const AttitudeRecord& record, const SampleFaults& faults, std::o
         << "; the scalar is " << (record.stated.scalar == Convention::Scalar::first ? "first" : "last")
         << ".\n";
   }
+  if (!record.chain.empty()) out << "Multiplied from what the kernel has: " << record.chain << ".\n";
   if (const std::string axes = axes_of_reference(record.reference_of_file()); !axes.empty())
     out << record.reference_of_file() << " is taken as CCSDS has it, of the orbit relative to GCRF: " << axes
         << ".\n";

@@ -23,10 +23,4 @@ std::optional<std::string> inertial(const std::string& name) {
   return std::nullopt;
 }
 
-std::string inertial_name(const std::string& name) {
-  const auto known = inertial(name);
-  if (!known) throw BadInput("the reference '" + name + "' is none of EME2000, J2000, GCRF, ICRF");
-  return *known;
-}
-
 }  // namespace vectrix::cli

@@ -49,7 +49,5 @@ const auto& segment_of(const Message& message, const Selection& selection,
 
 /// EME2000 or GCRF, of the names EME2000, J2000, GCRF and ICRF in any capitals; nothing for another frame.
 std::optional<std::string> inertial(const std::string& name);
-/// Throws BadInput for another frame.
-std::string inertial_name(const std::string& name);
 
 }  // namespace vectrix::cli

@@ -103,7 +103,7 @@ std::string czml_orbit(const OrbitRecord& orbit, const std::string& object) {
   const bool is_fixed = frame.starts_with("ITRF");
   if (!is_fixed && frame != "GCRF")
     throw BadInput(orbit.file + ": the orbit is in " + frame +
-                   "; CZML has GCRF and ITRF. --frame GCRF turns EME2000 to GCRF");
+                   "; CZML has GCRF and ITRF. --frame GCRF turns it");
   if (orbit.message && small(orbit.message->metadata.center_name) != "earth")
     throw BadInput(orbit.file + ": the centre is " + orbit.message->metadata.center_name +
                    "; of CZML it is the Earth");

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <initializer_list>
+#include <utility>
 
 #include "message_kind.hpp"
 #include "scales.hpp"
@@ -110,6 +111,31 @@ OrbitColumns columns_of(const AttitudeWords& words, const OrbitWords& orbit) {
   return {words.time, scales().at(words.scale), position, velocity, orbit.unit == "km", words.reference};
 }
 
+Content content_without_step(const AttitudeWords& words, const OrbitWords& orbit, const std::string& kind,
+                             const std::filesystem::path& out) {
+  using Kind = Content::Kind;
+  const std::string file = words.file.string();
+  const bool of_kernel = is_kernel(words.file);
+  if (!of_kernel && is_message(words.file)) {
+    const auto [found, others] = kind_to_convert(words.file, kind, out);
+    if (found == "omm") return {Kind::elements, others};
+    refuse(only_of_orbits(orbit), file + ": is a message and says itself what its data are; ",
+           " is of a table");
+    return {found == "oem" ? Kind::orbit : Kind::attitude, others};
+  }
+  refuse({{"--kind", kind}}, file + ": is no message; ", " is of a combined one");
+  if (of_kernel && is_orbit_kernel(words.file)) return {Kind::sampled};
+  if (of_kernel) {
+    refuse(only_of_orbits(orbit), file + ": is a kernel and says itself what its data are; ",
+           " is of a table");
+    return {Kind::attitude};
+  }
+  if (has_two_lines(words.file)) return {Kind::elements};
+  if (!orbit.position.empty() || !orbit.velocity.empty()) return {Kind::orbit};
+  refuse({{"--unit", orbit.unit}}, file + ": ", " is of an orbit; missing: --position and --velocity");
+  return {Kind::attitude};
+}
+
 }  // namespace
 
 AttitudeSource attitude_source(const AttitudeWords& words, bool writes_kernel) {
@@ -157,13 +183,15 @@ ElementFile element_file(const AttitudeWords& words, const OrbitWords& orbit, Co
   refuse_orbit_words(options);
   const std::string has = words.file.string() + ": has elements of SGP4, which have no samples; ";
   const InterpolationWords& interpolation = message.interpolation;
+  const std::string orientation = options.orientation.string();
   for (const Words& all : {Words{{"--segment", words.segment},
                                  {"--from", words.from},
                                  {"--until", words.until},
                                  {"--time", words.time},
                                  {"--scale", words.scale},
                                  {"--reference", words.reference},
-                                 {"--frame", options.frame}},
+                                 {"--frame", options.frame},
+                                 {"--orientation", orientation}},
                            only_of_attitudes(words), only_of_kernels(words), only_of_orbits(orbit),
                            Words{{"--body", message.body},
                                  {"--aem-version", message.aem_version},
@@ -176,34 +204,38 @@ ElementFile element_file(const AttitudeWords& words, const OrbitWords& orbit, Co
   return {words.file};
 }
 
+SampledOrbit sampled_orbit_of(const AttitudeWords& words, const OrbitWords& orbit, ConvertOptions& options,
+                              const std::string& step) {
+  const std::string has = words.file.string() + ": has no samples; ";
+  for (const Words& all : {Words{{"--segment", words.segment},
+                                 {"--time", words.time},
+                                 {"--scale", words.scale},
+                                 {"--reference", words.reference}},
+                           only_of_attitudes(words), only_of_kernels(words), only_of_orbits(orbit)})
+    refuse(all, has, " is not of it");
+  SampledOrbit source{words.file, words.from, words.until, step};
+  // Of the file that is converted, not of one that turns an attitude.
+  source.satellite.value = std::exchange(options.orbit.satellite.value, "");
+  if (!source.satellite.value.empty() && is_orbit_kernel(words.file))
+    refuse({{"--satellite", source.satellite.value}}, has, " is of elements");
+  return source;
+}
+
 Content content_of(const AttitudeWords& words, const OrbitWords& orbit, const std::string& kind,
-                   const std::filesystem::path& out) {
-  using Kind = Content::Kind;
-  const std::string file = words.file.string();
-  const bool of_kernel = is_kernel(words.file);
-  if (!of_kernel && is_message(words.file)) {
-    const auto [found, others] = kind_to_convert(words.file, kind, out);
-    if (found == "omm") return {Kind::elements, others};
-    refuse(only_of_orbits(orbit), file + ": is a message and says itself what its data are; ",
-           " is of a table");
-    return {found == "oem" ? Kind::orbit : Kind::attitude, others};
-  }
-  refuse({{"--kind", kind}}, file + ": is no message; ", " is of a combined one");
-  if (of_kernel) {
-    refuse(only_of_orbits(orbit), file + ": is a kernel and says itself what its data are; ",
-           " is of a table");
-    return {Kind::attitude};
-  }
-  if (has_two_lines(words.file)) return {Kind::elements};
-  if (!orbit.position.empty() || !orbit.velocity.empty()) return {Kind::orbit};
-  refuse({{"--unit", orbit.unit}}, file + ": ", " is of an orbit; missing: --position and --velocity");
-  return {Kind::attitude};
+                   const std::filesystem::path& out, const std::string& step) {
+  const Content content = content_without_step(words, orbit, kind, out);
+  if (content.kind == Content::Kind::sampled) return content;
+  const bool is_orbit =
+      !step.empty() || ending_of(out) == ".oem" || ending_of(out) == ".csv" || ending_of(out) == ".czml";
+  if (content.kind == Content::Kind::elements && is_orbit) return {Content::Kind::sampled, content.left_out};
+  refuse({{"--step", step}}, words.file.string() + ": has samples; ",
+         " is of elements of SGP4, or of a kernel of an orbit (SPK)");
+  return content;
 }
 
 void refuse_orbit_words(const ConvertOptions& options) {
-  if (!files_of(options.orbit).empty() || !options.orientation.empty())
-    throw BadInput(
-        "an orbit, --tle, --omm, --oem or --spk, and --orientation turn an attitude; none is converted");
+  if (!files_of(options.orbit).empty())
+    throw BadInput("an orbit, --tle, --omm, --oem or --spk, turns an attitude; none is converted");
 }
 
 void set_message_words(ConvertOptions& options, const MessageWords& given, bool of_orbit) {

@@ -42,17 +42,23 @@ OrbitFile orbit_file(const AttitudeWords& words, const OrbitWords& orbit);
 ElementFile element_file(const AttitudeWords& words, const OrbitWords& orbit, ConvertOptions& options,
                          const MessageWords& message);
 
+/// Takes the satellite from the options, which have no other use for it. Throws BadInput for an option that
+/// is not of an orbit without samples.
+SampledOrbit sampled_orbit_of(const AttitudeWords& words, const OrbitWords& orbit, ConvertOptions& options,
+                              const std::string& step);
+
 /// What is to be converted, and what a combined message has besides, "OEM, 2 APM".
 struct Content {
-  enum class Kind { attitude, orbit, elements };
+  enum class Kind { attitude, orbit, sampled, elements };  // sampled: an orbit that has no samples
   Kind kind;
   std::string left_out{};
 };
 /// Of a table, --position and --velocity say that it is an orbit; of a combined message, `kind` or `out` says
-/// it. Throws BadInput as kind_to_convert(), and for an option that is not of such a file.
+/// it. Elements are an orbit if there is a step, or `out` is of samples. Throws BadInput as
+/// kind_to_convert(), and for an option that is not of such a file.
 Content content_of(const AttitudeWords& words, const OrbitWords& orbit, const std::string& kind,
-                   const std::filesystem::path& out);
-/// Throws BadInput for an orbit or an orientation, which only an attitude can need.
+                   const std::filesystem::path& out, const std::string& step = "");
+/// Throws BadInput for an orbit, which only an attitude can need.
 void refuse_orbit_words(const ConvertOptions& options);
 /// Throws BadInput for an option that what is to be written has not.
 void set_message_words(ConvertOptions& options, const MessageWords& words, bool of_orbit);

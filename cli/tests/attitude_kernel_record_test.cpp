@@ -66,22 +66,6 @@ TEST(AttitudeKernelRecord, HasTheRatesOfItsFrame) {
   EXPECT_TRUE(rates("-152950001").empty());
 }
 
-TEST(AttitudeKernelRecord, SaysWhyAFrameIsNotRelativeToJ2000) {
-  DafTestArray mounted = segment(-152950001, false);
-  mounted.integers[1] = -152950000;
-  const auto refused = [&](const std::vector<DafTestArray>& segments) {
-    const TemporaryFile file(daf_bytes("CK", segments));
-    return complaint(
-        [&] { (void)read_kernel(file.path(), {.clock = clock_file, .frame = "-152950001"}, {}); },
-        file.path());
-  };
-  const std::string has =
-      "FILE: it has -152950001 relative to -152950000, not to J2000; the attitude of that frame is ";
-  EXPECT_EQ(refused({mounted}), has + "not in this file");
-  EXPECT_EQ(refused({segment(-152950000, false), mounted}),
-            has + "in this file, and the two are not multiplied here: --ck-frame -152950000 reads it alone");
-}
-
 // The second segment begins in the middle of the first one, and is turned from it.
 TEST(AttitudeKernelRecord, SaysWhatLaterSegmentsHide) {
   constexpr double half = 5000.0;

@@ -208,10 +208,11 @@ TEST(Check, RefusesWhatItCannotCompare) {
   options.target = Target::moon;
   EXPECT_EQ(refusal(options), "the direction of the Moon needs an orbit: --tle, --omm, --oem or --spk");
   options = cubesat();
-  options.attitude.columns->reference = "TOD";
+  options.attitude.columns->reference = "MCI";
   EXPECT_EQ(refusal(options),
-            "the reference 'TOD' is none of EME2000, J2000, GCRF, ICRF, ITRF, TEME, LVLH, RTN, RSW, TNW, NTW "
-            "and VNC");
+            "the reference 'MCI' is none of EME2000, J2000, GCRF, ICRF, ITRF, TIRF, CIRF, TEME, TOD, MOD, "
+            "LVLH, RTN, "
+            "RSW, TNW, NTW and VNC");
   options = cubesat();
   options.orbit.message = "some.oem";
   EXPECT_EQ(refusal(options),

@@ -205,7 +205,11 @@ TEST(ConvertOrbit, RefusesWhatItCannotSay) {
   };
   const auto in = folder.written("in.oem", message("ITRF2000"));
   EXPECT_EQ(refusal({in}, "out.oem", "GCRF"),
-            "FILE: the orbit is in 'ITRF2000'; --frame turns EME2000 and GCRF into each other");
+            "FILE: from ITRF to GCRF needs the orientation of the Earth; missing: --orientation FILE");
+  EXPECT_EQ(
+      refusal({folder.written("mci.oem", message("MCI"))}, "out.oem", "GCRF"),
+      "FILE: the orbit is in 'MCI'; --frame turns EME2000, J2000, GCRF, ICRF, ITRF, TIRF, CIRF, TEME, TOD "
+      "and MOD into each other");
   EXPECT_TRUE(says(refusal({in}, "out.aem"),
                    "the name ends in none of .oem, .xml, .csv, .czml and .a, which say what to write"));
   EXPECT_EQ(refusal({in}, "in.oem"), "FILE: is the same file as " + in.string() + ", which is read");

@@ -257,7 +257,8 @@ TEST(Convert, RefusesWhatWouldLoseOrOverwriteSomething) {
             "FILE: the name ends in none of .aem, .bc, .xml, .csv, .czml and .a, which say what to write");
   options.out = folder.file("new.aem");
   options.frame = "ITRF";
-  EXPECT_EQ(refusal(in), "the reference 'ITRF' is none of EME2000, J2000, GCRF, ICRF");
+  EXPECT_EQ(refusal(in),
+            "FILE: from EME2000 to ITRF needs the orientation of the Earth; missing: --orientation FILE");
   options.frame = "";
   for (const char* body : {"A\nB", "A\tB", "A\x7f"}) {
     options.body = body;

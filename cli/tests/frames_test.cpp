@@ -47,8 +47,8 @@ TEST(Frames, AreTheProductOfTheirFactors) {
   const auto step = step_at(flown.record, t);
   const auto said = text("ctim.toml", "radiometer", "ICRF", "2023-04-20T05:30:00 UTC");
   const Eigen::Quaterniond body_from_radiometer = flown.frames.body_from("radiometer", {});
-  EXPECT_LE(turn(said).angularDistance(step.to_reference * body_from_radiometer), rounding);
-  const Vector3d w = body_from_radiometer.conjugate() * step.rate * (180.0 / std::numbers::pi);
+  EXPECT_LE(turn(said).angularDistance(step.at.to_reference * body_from_radiometer), rounding);
+  const Vector3d w = body_from_radiometer.conjugate() * step.at.rate * (180.0 / std::numbers::pi);
   EXPECT_LE((rate(said) - w).norm(), printed);
   EXPECT_GT(w.norm(), 0.01);
   const auto back = text("ctim.toml", "ICRF", "radiometer", "2023-04-20T05:30:00 UTC");

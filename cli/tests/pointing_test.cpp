@@ -324,7 +324,8 @@ TEST(Pointing, RefusesWhatIsNotStated) {
   EXPECT_EQ(refusal([&](auto& o) { o.target = station, o.correction.reset(); }),
             "Boulder turns with the Earth; missing: --orientation FILE, finals2000A of the IERS");
   EXPECT_EQ(refusal([](auto& o) { o.orientation = "finals.txt"; }),
-            "--orientation is of a station and of ITRF; the target is the Sun, the attitude is relative to "
+            "--orientation is of a station and of ITRF, TIRF and CIRF; the target is the Sun, the attitude "
+            "is relative to "
             "GCRF, and "
             "there is no --oem");
   const auto year_before = data / "finals2000A_april_2022.txt";

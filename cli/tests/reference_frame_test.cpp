@@ -34,11 +34,13 @@ TEST(ReferenceName, IsOneForManyNames) {
   is("J2000", "EME2000");
   is("icrf", "GCRF");
   is("TEMEOFDATE", "TEME");
+  is("TOD_EARTH", "TOD");
+  is("cirf", "CIRF");
   is("ITRF-97", "ITRF");
   is("LVLH_ROTATING", "LVLH");
   is("RSW", "RTN");
   is("tnw_rotating", "TNW");
-  for (const char* name : {"SC_BODY_1", "LVLH_INERTIAL", "TOD", "ITRFOLD", "LVLH2", "_ROTATING", ""})
+  for (const char* name : {"SC_BODY_1", "LVLH_INERTIAL", "MCI", "ITRFOLD", "LVLH2", "_ROTATING", ""})
     EXPECT_EQ(reference_name(name), std::nullopt) << name;
 }
 
@@ -185,8 +187,9 @@ TEST_F(RelativeTo, LvlhIsOneFrameEverywhere) {
       complaint([&] { (void)check(options, out); }, file),
       "FILE: the attitude is relative to LVLH, a frame of the orbit; missing: --tle, --omm, --oem or --spk");
   options.orientation = finals;
-  EXPECT_EQ(complaint([&] { (void)check(options, out); }, file),
-            "--orientation is of ITRF; the attitude is relative to LVLH, and there is no --oem");
+  EXPECT_EQ(
+      complaint([&] { (void)check(options, out); }, file),
+      "--orientation is of ITRF, TIRF and CIRF; the attitude is relative to LVLH, and there is no --oem");
 
   const std::string text = "version = 1\ntitle = \"T\"\n[attitude]\nfile = \"" + file.string() +
                            "\"\n[orbit]\ntle = \"" + cubesat_orbit().elements.string() +

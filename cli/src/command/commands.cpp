@@ -54,10 +54,10 @@ void add_attitude(CLI::App& command, AttitudeWords& words, const char* what) {
             "the four columns in their order");
   table.choose("--scalar", words.scalar, {"first", "last"}, "which of them is the scalar");
   table.choose("--maps", words.maps, {"body", "reference"}, "to whose axes R(q) takes coordinates");
-  table.add("--reference", words.reference, "FRAME",
-            "EME2000, J2000, GCRF or ICRF; of an attitude also ITRF, TEME, and of the orbit LVLH, RTN, RSW, "
-            "TNW, NTW "
-            "or VNC");
+  table.add(
+      "--reference", words.reference, "FRAME",
+      "EME2000, J2000, GCRF, ICRF, ITRF, TIRF, CIRF, TEME, TOD or MOD; of an attitude also, of the orbit, "
+      "LVLH, RTN, RSW, TNW, NTW or VNC");
   table.add("--rates", words.rates, three_columns, "the rate of the body relative to the reference");
   table.choose("--rate-unit", words.rate_unit, {"rad/s", "deg/s"}, "of the rates");
   table.choose("--rate-axes", words.rate_axes, {"body", "reference"}, "of the rates");
@@ -106,7 +106,7 @@ void add_check(CLI::App& app, CheckWords& words) {
   Options compared(check, "To compare with");
   add_orbit(compared, words.options.orbit, words.interpolation);
   compared.add("--orientation", words.options.orientation, a_file,
-               "how the Earth turns, for ITRF: finals2000A of the IERS");
+               "how the Earth turns, for ITRF, TIRF and CIRF: finals2000A of the IERS");
   add_axis(compared, words.target);
   compared.choose("--target", words.target.target, plain_target_names(),
                   "earth is its centre; velocity is relative to GCRF");
@@ -179,9 +179,8 @@ void add_convert(CLI::App& app, ConvertWords& words) {
       "Exit code: 0, or 2 if the input is wrong; then nothing is written.\n\n"
       "  vectrix convert attitude.aem attitude.csv --frame GCRF");
   add_attitude(convert, words.attitude,
-               "CCSDS AEM, OEM or OMM (KVN or XML, also in an NDM), a kernel of SPICE (CK), two-line "
-               "elements, or a table "
-               "with a header line");
+               "CCSDS AEM, OEM or OMM (KVN or XML, also in an NDM), a kernel of SPICE (CK, SPK), two-line "
+               "elements, or a table with a header line");
   Options output(convert);
   output
       .add("out", words.options.out, a_file,
@@ -196,7 +195,13 @@ void add_convert(CLI::App& app, ConvertWords& words) {
   orbit.add("--position", words.orbit.position, three_columns, "x, y and z of the position");
   orbit.add("--velocity", words.orbit.velocity, three_columns, "x, y and z of the velocity");
   orbit.choose("--unit", words.orbit.unit, {"m", "km"}, "of the position; of the velocity m/s or km/s");
-  output.add("--frame", words.options.frame, "EME2000|GCRF", "relative to this instead");
+  output.add(
+      "--step", words.step, "SECONDS",
+      "of an orbit that has no samples, of two-line elements, an OMM or an SPK: from --from until --until");
+  output.add(
+      "--frame", words.options.frame, "FRAME",
+      "relative to this instead: EME2000 (J2000), GCRF (ICRF), TEME, TOD, MOD, and with --orientation ITRF, "
+      "TIRF or CIRF");
   Options turn(convert, "Orbit and Earth, for --frame");
   add_orbit(turn, words.options.orbit);
   turn.add("--orientation", words.options.orientation, a_file,

@@ -33,7 +33,7 @@ struct ConvertWords {
   AttitudeWords attitude;
   OrbitWords orbit;
   MessageWords message;
-  std::string kind;  // of a combined message
+  std::string kind, step;  // of a combined message; of an orbit that has no samples, s
   ConvertOptions options;
 };
 

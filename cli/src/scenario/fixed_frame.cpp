@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "plain_words.hpp"
+#include "reference_frame.hpp"
 
 namespace vectrix::cli {
 namespace {

@@ -165,6 +165,8 @@ void add_choices(Report& report, const Scenario& scenario, const Flight& flight)
     report.choices.push_back(
         {"rates of the file",
          "not shown: they are relative to " + record.reference + ", and the page to GCRF", "the program"});
+  if (!record.chain.empty())
+    report.choices.push_back({"multiplied from what the kernel has", record.chain, record.file});
   if (!record.hidden_segments.empty())
     report.choices.push_back({"hidden by later segments of the kernel", record.hidden_segments, record.file});
   if (!record.no_rates.empty()) report.choices.push_back({"rates of the file", record.no_rates, record.file});

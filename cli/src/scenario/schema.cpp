@@ -100,7 +100,8 @@ Key attitude() {
        table("quaternion", optional, "the quaternions of a table",
              {several("columns", Kind::texts, needed, 4, "their columns, in the order of the file"),
               scalar(needed),
-              maps("; one is a reference: EME2000 (J2000), GCRF (ICRF), TEME, ITRF, or a frame of the orbit, "
+              maps("; one is a reference: EME2000 (J2000), GCRF (ICRF), TEME, TOD, MOD, CIRF, TIRF, ITRF, or "
+                   "a frame of the orbit, "
                    "LVLH, "
                    "RTN (RSW), TNW, NTW or VNC")}),
        table("rates", optional, "angular velocities of a table: compared with the turns of the quaternions",

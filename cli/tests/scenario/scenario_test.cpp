@@ -28,7 +28,7 @@ class ScenarioWords : public ::testing::Test, protected ScenarioFolder {
 TEST_F(ScenarioWords, SayBetweenWhichFramesTheQuaternionMaps) {
   EXPECT_EQ(refusal("to = \"GCRF\"", "to = \"sensor\""),
             "FILE:9:8: 'body' and 'sensor' are both bodies; one of them must be a reference: EME2000, J2000, "
-            "GCRF, ICRF, ITRF, TEME, LVLH, RTN, RSW, TNW, NTW and VNC");
+            "GCRF, ICRF, ITRF, TIRF, CIRF, TEME, TOD, MOD, LVLH, RTN, RSW, TNW, NTW and VNC");
   EXPECT_EQ(refusal("from = \"body\"", "from = \"J2000\""),
             "FILE:9:8: 'J2000' and 'GCRF' are both references; one of them must be the body");
   const auto to_reference = read(plain).attitude.columns->stated;
@@ -171,9 +171,9 @@ TEST_F(ScenarioWords, RefuseTheNamesOfOtherFramesForABody) {
             "FILE:9:8: 'ITRF' and 'GCRF' are both references; one of them must be the body");
   EXPECT_EQ(refusal(maps, "{ from = \"body\", to = \"teme\" }"), "nothing was thrown");
   EXPECT_EQ(
-      refusal(maps, "{ from = \"body\", to = \"tod\" }"),
-      "FILE:9:8: 'body' and 'tod' are both bodies; one of them must be a reference: EME2000, J2000, GCRF, "
-      "ICRF, ITRF, TEME, LVLH, RTN, RSW, TNW, NTW and VNC");
+      refusal(maps, "{ from = \"body\", to = \"mci\" }"),
+      "FILE:9:8: 'body' and 'mci' are both bodies; one of them must be a reference: EME2000, J2000, GCRF, "
+      "ICRF, ITRF, TIRF, CIRF, TEME, TOD, MOD, LVLH, RTN, RSW, TNW, NTW and VNC");
   const std::string mounted =
       "[[frame]]\nname = \"LVLH\"\n[frame.quaternion]\nnumbers = [1, 0, 0, 0]\nscalar = \"first\"\n"
       "maps = { from = \"LVLH\", to = \"body\" }\n";

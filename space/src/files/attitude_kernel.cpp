@@ -195,6 +195,21 @@ std::vector<detail::KernelAttitudeRecord> AttitudeKernel::records(const detail::
   return records;
 }
 
+std::vector<TimeSpan> AttitudeKernel::coverage_of(const detail::FrameClaim& b, const detail::FrameClaim& a,
+                                                  const TimeSpan& span) const {
+  std::vector<detail::TickSpan> all;
+  for (const detail::AttitudeRecords& segment : load(segments_of(b, a, span), span)) {
+    if (segment.type() == 1) continue;
+    for (const detail::TickSpan& interval : segment.intervals())
+      if (interval.to - interval.from > segment.rounding()) all.push_back(interval);
+  }
+  std::sort(all.begin(), all.end(), [](const auto& x, const auto& y) { return x.from < y.from; });
+  std::vector<TimeSpan> spans;
+  for (const detail::TickSpan& one : detail::joined(all))
+    spans.push_back(from_until(clock_.epoch({one.from}), clock_.epoch({one.to})));
+  return spans;
+}
+
 std::vector<HiddenAttitude> AttitudeKernel::hidden_of(const detail::FrameClaim& b,
                                                       const detail::FrameClaim& a,
                                                       const TimeSpan& span) const {

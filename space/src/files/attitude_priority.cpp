@@ -15,15 +15,7 @@ class Covered {
     const auto middle = all_.insert(all_.end(), more.begin(), more.end());
     std::inplace_merge(all_.begin(), middle, all_.end(),
                        [](const TickSpan& a, const TickSpan& b) { return a.from < b.from; });
-    std::vector<TickSpan> joined;
-    for (const TickSpan& next : all_) {
-      if (!joined.empty() && next.from <= joined.back().to) {
-        joined.back().to = std::max(joined.back().to, next.to);
-      } else {
-        joined.push_back(next);
-      }
-    }
-    all_ = std::move(joined);
+    all_ = joined(all_);
   }
   [[nodiscard]] bool has(double ticks, double rounding) const {
     const auto next = ending_from(ticks - rounding);
@@ -102,6 +94,18 @@ bool begins_behind(const Placed& before, const Placed& next) {
 }
 
 }  // namespace
+
+std::vector<TickSpan> joined(const std::vector<TickSpan>& sorted) {
+  std::vector<TickSpan> all;
+  for (const TickSpan& next : sorted) {
+    if (!all.empty() && next.from <= all.back().to) {
+      all.back().to = std::max(all.back().to, next.to);
+    } else {
+      all.push_back(next);
+    }
+  }
+  return all;
+}
 
 Eigen::Quaterniond CountingRecord::q_a_from_b() const {
   if (segment->type() != 2) return segment->q_a_from_b(record);

@@ -9,6 +9,9 @@
 
 namespace vectrix::detail {
 
+/// Stretches in the order of their begins, as those that do not touch.
+std::vector<TickSpan> joined(const std::vector<TickSpan>& sorted);
+
 /// A record, or of type 2 a point of an interval, at an instant that no later segment knows.
 struct CountingRecord {
   const AttitudeRecords* segment;

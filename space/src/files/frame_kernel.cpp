@@ -197,6 +197,11 @@ std::optional<FrameKernel::Mount> FrameKernel::mount_of(std::int32_t id) const {
   return mount;
 }
 
+std::optional<std::int32_t> FrameKernel::mounted_on(std::int32_t id) const {
+  const auto mount = mount_of(id);
+  return mount ? std::optional(mount->relative) : std::nullopt;
+}
+
 std::optional<detail::KernelRotation> FrameKernel::climb(std::int32_t from, std::int32_t to) const {
   detail::KernelRotation R{Eigen::Matrix3d::Identity(), 0.0};
   for (std::size_t steps = 0; from != to; ++steps) {

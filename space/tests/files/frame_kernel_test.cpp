@@ -98,6 +98,16 @@ TEST(FrameKernel, AMatrixIsWrittenByColumns) {
   EXPECT_LT(((R * unit_y(in<Deck>)).coordinates() - Eigen::Vector3d::UnitZ()).norm(), rounding);
 }
 
+TEST(FrameKernel, SaysOnWhatAFrameIsMounted) {
+  const auto frames =
+      kernel(mounted("TKFRAME_-77100_SPEC = 'MATRIX'\nTKFRAME_-77100_MATRIX = ( 0 1 0  0 0 1  1 0 0 )\n"));
+  const auto* const base = frames.find("CRAFT");
+  ASSERT_NE(base, nullptr);
+  EXPECT_EQ(frames.mounted_on(-77100), base->id);
+  EXPECT_EQ(frames.mounted_on(base->id), std::nullopt);
+  EXPECT_EQ(frames.mounted_on(-4711), std::nullopt);
+}
+
 TEST(FrameKernel, AQuaternionTakesTheFrameToTheOneItIsMountedOn) {
   // A turn of the deck by 90 deg about z: its x axis is the craft's y.
   const auto frames =

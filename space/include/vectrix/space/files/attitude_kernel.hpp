@@ -182,6 +182,18 @@ class VECTRIX_EXPORT AttitudeKernel {
       Of<B>, RelativeTo<A>, const TimeSpan&, const Given&...) const
       -> detail::UnclaimedPair<A, B, Given...> = delete;
 
+  /// When attitude() answers, within the span: the intervals of all segments, joined where they touch. What
+  /// is there may be no motion from one to the next: interval_starts() says where. Type 1 has none.
+  template <Frame B, Frame A, class... Given>
+  [[nodiscard]] detail::ClaimedPair<A, B, std::vector<TimeSpan>, Given...> coverage(
+      Of<B>, RelativeTo<A>, const TimeSpan& span, const Given&... called) const {
+    return coverage_of(detail::claim_among<B>(called...), detail::claim_among<A>(called...), span);
+  }
+  template <class B, class A, class... Given>
+  auto coverage(  // of<B>, relative_to<A>, span; if F has no standard name in a file: called<F>("NAME")
+      Of<B>, RelativeTo<A>, const TimeSpan&, const Given&...) const
+      -> detail::UnclaimedPair<A, B, Given...> = delete;
+
   /// The stretches of segments whose samples do not count, in the order of the file.
   template <Frame B, Frame A, class... Given>
   [[nodiscard]] detail::ClaimedPair<A, B, std::vector<HiddenAttitude>, Given...> hidden(
@@ -219,6 +231,8 @@ class VECTRIX_EXPORT AttitudeKernel {
                                                      const Epoch& t,
                                                      const Quantity<si::time>& tolerance) const;
   [[nodiscard]] const Eigen::Vector3d& rate_of(const detail::KernelAttitudeRecord& record) const;
+  [[nodiscard]] std::vector<TimeSpan> coverage_of(const detail::FrameClaim& b, const detail::FrameClaim& a,
+                                                  const TimeSpan& span) const;
   [[nodiscard]] std::vector<HiddenAttitude> hidden_of(const detail::FrameClaim& b,
                                                       const detail::FrameClaim& a,
                                                       const TimeSpan& span) const;

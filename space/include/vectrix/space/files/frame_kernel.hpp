@@ -66,6 +66,9 @@ class VECTRIX_EXPORT FrameKernel {
   /// CK_..._SCLK of a frame of class 3: the clock of its attitude kernels.
   [[nodiscard]] std::optional<std::int32_t> clock_of(std::int32_t class_id) const;
 
+  /// The number of the frame on which one of class 4 is mounted; nothing for others.
+  [[nodiscard]] std::optional<std::int32_t> mounted_on(std::int32_t id) const;
+
   /// R_a^b where one of the frames is mounted on the other, or on one that is. Throws BadInput that names
   /// both if it is not; and if the numbers of the file differ from a rotation by more than
   /// orthonormality_tolerance: nearest_rotation() projects.
