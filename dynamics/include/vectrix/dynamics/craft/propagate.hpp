@@ -83,6 +83,9 @@ typename TrajectoryOf<C, HeldTypes<Parts...>>::type fly(const char* action,
   problem.at_segment_start = [&](double t, std::span<double> y, std::span<const ode::Event> ended_by) {
     flight.change(t, y, ended_by);
   };
+  problem.why_not_finite = [&](double, double t, std::span<const double> y) {
+    return flight.not_finite(t, y.data());
+  };
   try {
     ode::Solution solution = solve(problem, flight);
     return {trusted, std::move(solution), flight.take_history()};
@@ -113,10 +116,11 @@ typename detail::TrajectoryOf<C, detail::HeldTypes<Parts...>>::type propagate(
   return detail::fly("propagate", scenario, start, how, detail::problem_of(craft, how), solve);
 }
 
-template <CraftType C, class... Parts, CraftType GivenC, class How = CraftPropagation>
-  requires(!std::is_same_v<C, GivenC> || !std::is_same_v<How, CraftPropagation>)
-auto propagate(  // a state of the scenario's craft, and how: CraftPropagation
-    const CraftScenario<C, Parts...>&, const CraftState<GivenC>&, const How&) -> Refused = delete;
+template <class State, class How = CraftPropagation>
+Refused propagate(const Refused& scenario, const State&, const How&);
+template <class Scenario, class State, class How = CraftPropagation>
+auto propagate(  // scenario(craft, ...), a state of its craft, and how: CraftPropagation
+    const Scenario&, const State&, const How&) -> Refused = delete;
 
 /// The accelerations at a time of a trajectory, and what the joints transmit, under the loads of its scenario
 /// with the values held then. Throws BadInput outside [start, end].
