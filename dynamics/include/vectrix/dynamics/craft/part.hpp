@@ -89,9 +89,9 @@ BodyPart<B, kind, P> body(const MassProperties<Whole, B, In<B>>& mass, const Bod
   return {detail::plain_body(frame_name<B>, frame_name<P>, kind, X_p_from_b.rotation.matrix(),
                              X_p_from_b.translation.coordinates(), joint.axes_b, detail::mass_numbers(mass))};
 }
-template <class Mass, class Joint>
-auto body(  // body(mass, joint): mass from the origin and in the axes of the frame b that hangs on the joint
-    const Mass&, const Joint&) -> Refused = delete;
+template <class... Given>
+auto body(  // body(mass, joint), the hub body(mass, free_in<I>); mass from the origin and in the axes of b
+    const Given&...) -> Refused = delete;
 
 /// A balanced rotor inside a body, which contains its mass: it turns about a unit vector of the body with the
 /// inertia J_s. It has no place, hence no edge.
