@@ -152,7 +152,7 @@ NamedMotion NamedSpacecraft::motion(const NamedState& state, const Quantity<si::
   Evaluation evaluate(core_, loads, held);
   std::vector<double> ydot(state.numbers().size());
   evaluate(time.value(), time.value(), state.numbers().data(), ydot.data());
-  detail::require_finite_rates(core_->core(), time.value(), ydot, [&] {
+  detail::require_finite_rates(core_->core(), "motion", time.value(), ydot, [&] {
     return evaluate.not_finite(time.value(), time.value(), state.numbers().data());
   });
   return {detail::trusted, core_, time.value(), state.numbers(), std::move(ydot), std::move(evaluate.work)};

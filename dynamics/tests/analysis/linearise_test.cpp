@@ -378,6 +378,13 @@ TEST(Linearise, RefusesDerivativesThatAreNotFinite) {
   const std::string text = vectrix_test::message<BadInput>([&] { linearise(scenario(craft, root), start); });
   EXPECT_NE(text.find("linearise"), std::string::npos);
   EXPECT_NE(text.find("by spin of " + frame_name<Wheel>() + " [rad/s] is "), std::string::npos) << text;
+
+  const auto lost = [](const auto&, auto& forces) { forces.motor(of<Wheel>, std::nan("") * N_m); };
+  const std::string named = vectrix_test::message<BadInput>([&] { linearise(scenario(craft, lost), start); });
+  EXPECT_NE(named.find("linearise of the craft of "), std::string::npos) << named;
+  EXPECT_NE(named.find(": load 1 of 1: the motor torque on " + frame_name<Wheel>() + " is nan N m"),
+            std::string::npos)
+      << named;
 }
 
 }  // namespace

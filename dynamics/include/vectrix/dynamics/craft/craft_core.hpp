@@ -81,7 +81,8 @@ void place_for_loads(const multibody::Tree<S>& tree, const S* y, multibody::Work
 /// none. `work` is that of place_for_loads() with the loads.
 VECTRIX_EXPORT std::string not_finite_load(const PlainSpacecraft& craft, const multibody::Work<double>& work);
 /// Throws BadInput with the name of a number whose derivative is not finite, and with what `why` says then.
-VECTRIX_EXPORT void require_finite_rates(const CraftCore& core, double time, std::span<const double> ydot,
+VECTRIX_EXPORT void require_finite_rates(const CraftCore& core, const char* action, double time,
+                                         std::span<const double> ydot,
                                          const std::function<std::string()>& why);
 
 }  // namespace vectrix::detail

@@ -235,7 +235,7 @@ CraftMotion<C> motion(const C& craft, const CraftState<C>& state, const Loads&..
     const double t = state.time().value();
     rates(t, state.data(), ydot.data());
     const auto why = [&] { return rates.not_finite(t, state.data()); };
-    detail::require_finite_rates(*craft.core(), t, ydot, std::ref(why));
+    detail::require_finite_rates(*craft.core(), "motion", t, ydot, std::ref(why));
     return {detail::trusted, craft.core(), state, ydot, std::move(rates.work())};
   }
 }
