@@ -36,8 +36,8 @@ const auto rad_s = si::radian / si::second;
 
 namespace body_on_a_joint_of_another {
 // mistake: the mass properties of one body with the joint of another
-// expect: Given = .(vectrix::)?MassProperties<Boom
-// expect: , (vectrix::)?BodyJoint<.*Panel
+// expect: Mass = (vectrix::)?MassProperties<Boom
+// expect: Given = .(vectrix::)?BodyJoint<.*Panel
 auto part(const MassProperties<Boom>& boom, const MassProperties<Panel>& panel,
           const Transform<Hub, Panel>& X) {
 #ifdef REPAIRED

@@ -2,6 +2,7 @@
 
 #include <concepts>
 #include <type_traits>
+#include <vectrix/dynamics/craft/about_frames.hpp>
 #include <vectrix/frames/operators.hpp>
 #include <vectrix/frames/units.hpp>
 
@@ -33,7 +34,7 @@ auto prescribed(const Given&... given) {
   return detail::Prescribed<Given...>::make(given...);
 }
 template <class... Given, class Result = typename detail::Prescribed<Given...>::given>
-  requires(!detail::Prescribed<Given...>::fits)
+  requires(detail::about_frames<Given...> && !detail::Prescribed<Given...>::fits)
 auto prescribed(  // craft, of<B>, f: JointMotion{rad, rad/s, rad/s^2}, two of a gimbal; rotor: RotorMotion
     const Given&...) -> Refused = delete;
 

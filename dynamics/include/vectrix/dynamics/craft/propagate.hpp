@@ -64,6 +64,13 @@ inline constexpr bool requires_run = requires(const Part& part, const CraftState
   part.require_run(start, end);
 };
 
+template <class Scenario, class State> inline constexpr bool is_run = CraftType<Scenario>;
+template <class C, class... Parts, class State>
+inline constexpr bool is_run<CraftScenario<C, Parts...>, State> = true;
+template <class Scenario, class C> inline constexpr bool is_run<Scenario, CraftState<C>> = true;
+template <class GivenC, class... Parts, class C>
+inline constexpr bool is_run<CraftScenario<GivenC, Parts...>, CraftState<C>> = true;
+
 /// Runs a scenario until how.end: `solve(problem, flight)` integrates the problem, which comes with its
 /// tolerances and method. No step crosses a change.
 template <CraftType C, class... Parts, class How, class Solve>
@@ -119,6 +126,7 @@ typename detail::TrajectoryOf<C, detail::HeldTypes<Parts...>>::type propagate(
 template <class State, class How = CraftPropagation>
 Refused propagate(const Refused& scenario, const State&, const How&);
 template <class Scenario, class State, class How = CraftPropagation>
+  requires(detail::is_run<Scenario, State>)
 auto propagate(  // scenario(craft, ...), a state of its craft, and how: CraftPropagation
     const Scenario&, const State&, const How&) -> Refused = delete;
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <concepts>
+#include <vectrix/dynamics/craft/about_frames.hpp>
 #include <vectrix/frames/operators.hpp>
 #include <vectrix/frames/units.hpp>
 
@@ -18,6 +19,12 @@ template <class Q, class U> inline constexpr bool starts_length = moves_by<si::l
 /// names few.
 template <class First, class... Given> struct Started { static constexpr bool fits = false; };
 
+/// Whether a start is meant: of<B> or several of them, or a name and quantities.
+template <class Given> inline constexpr bool starts_with_unit = false;
+template <class U> inline constexpr bool starts_with_unit<Quantity<U>> = true;
+template <class First, class... Given>
+inline constexpr bool is_start_of = is_of<First> || (starts_with_unit<Given> || ...);
+
 }  // namespace detail
 
 /// The start of a joint: of a hinge its angle and rate, of a slider its length and rate, of a gimbal the
@@ -32,7 +39,7 @@ auto starts(const First& first, const Given&... given) {
   return detail::Started<First, Given...>::make(first, given...);
 }
 template <class First, class... Given>
-  requires(!detail::Started<First, Given...>::fits)
+  requires(detail::is_start_of<First, Given...> && !detail::Started<First, Given...>::fits)
 auto starts(  // angle and rate, of a gimbal both; length and rate; of each a value, or a std::array of all
     const First&, const Given&...) -> Refused = delete;
 

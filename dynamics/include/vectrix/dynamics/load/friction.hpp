@@ -187,6 +187,7 @@ JointFriction<C, On, Effort, Speed, Damping> friction(const C&, Of<On>, const Qu
   return {coulomb, breakaway, stribeck_speed, viscous};
 }
 template <class... Given>
+  requires(detail::about_frames<Given...>)
 auto friction(  // craft, of<B>, M_c, M_s, u_s, c; hinge, rotor: N m, rad/s, N m s/rad; slider: N, m/s, N s/m
     const Given&...) -> Refused = delete;
 

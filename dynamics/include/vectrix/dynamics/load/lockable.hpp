@@ -75,6 +75,7 @@ LockableJoint<C, B> lockable(const C&, Of<B>, const Locked<B>& at_start = {}) {
   return {at_start};
 }
 template <class... Given>
+  requires(detail::about_frames<Given...>)
 auto lockable(  // craft, of<B>: a body of C on a joint that moves, or a rotor; at the start a Locked<B>
     const Given&...) -> Refused = delete;
 

@@ -53,6 +53,7 @@ MagnetorquerLoad<C, B, F> magnetorquer(const C&, Of<B>, const F& field) {
   return {field};
 }
 template <class... Given>
+  requires(detail::about_frames<Given...>)
 auto magnetorquer(  // craft, of<B>, f: on a body or mount of C; f(const Now<C>&) gives tesla in a frame of C
     const Given&...) -> Refused = delete;
 

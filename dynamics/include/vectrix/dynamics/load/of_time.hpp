@@ -36,6 +36,7 @@ OfTime<C, On, F> of_time(const C&, Of<On>, const F& function) {
   return {function};
 }
 template <class... Given>
+  requires(detail::about_frames<Given...>)
 auto of_time(  // craft, of<B>, f(t): torque, force, wrench in frames of C; an effort on a joint; N m, rotor
     const Given&...) -> Refused = delete;
 

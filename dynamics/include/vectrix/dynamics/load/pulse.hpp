@@ -46,6 +46,7 @@ template <CraftType C, class On, class Given>
     return {detail::finite("pulse", "load", given), start, end};
   }
 template <class... Given>
+  requires(detail::about_frames<Given...>)
 auto pulse(  // craft, of<B>, x, t_1, t_2: torque, force, wrench in frames of C; an effort on a joint; N m
     const Given&...) -> Refused = delete;
 

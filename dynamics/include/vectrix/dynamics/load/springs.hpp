@@ -31,6 +31,7 @@ JointSpring<C, B, K, Q> spring(const C&, Of<B>, const Quantity<K>& stiffness, co
   return {detail::finite(load, "stiffness", stiffness), detail::finite(load, "place of rest", at_rest)};
 }
 template <class... Given>
+  requires(detail::about_frames<Given...>)
 auto spring(  // spring(craft, of<B>, k, q_0): b on a hinge, N m/rad and rad, or on a slider, N/m and m
     const Given&...) -> Refused = delete;
 
@@ -41,6 +42,7 @@ JointDamper<C, B, D> damper(const C&, Of<B>, const Quantity<D>& damping) {
   return {detail::finite(detail::on_joint<B>("damper"), "damping", damping)};
 }
 template <class... Given>
+  requires(detail::about_frames<Given...>)
 auto damper(  // damper(craft, of<B>, c): b on a hinge, N m s/rad, or on a slider, N s/m
     const Given&...) -> Refused = delete;
 

@@ -109,6 +109,7 @@ JointStops<C, B, K, D, Q> stop_at(const C&, Of<B>, const Quantity<Q>& lower, con
           detail::not_negative(load, "damping", damping)};
 }
 template <class... Given>
+  requires(detail::about_frames<Given...>)
 auto stop_at(  // craft, of<B>, lower, upper, k, c; hinge: rad, N m/rad, N m s/rad; slider: m, N/m, N s/m
     const Given&...) -> Refused = delete;
 
