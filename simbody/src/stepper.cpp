@@ -19,6 +19,7 @@ class SimbodyStepper final : public ode::Stepper {
   SimbodyStepper(const PlainSpacecraft& craft, const ode::Problem& problem, const SimbodyPropagation& how,
                  const LoadsFound& loads)
       : craft_(craft),
+        problem_(problem),
         tree_(simbody_craft(craft)),
         found_(loads),
         engine_(tree_, how.pair, how.accuracy, how.time_scale.value(),
@@ -55,40 +56,19 @@ class SimbodyStepper final : public ode::Stepper {
 
   void load(double elapsed, const double* y, SimbodyLoads& at) {
     const double t = time(elapsed);
+    bool finite = true;
     try {
-      copy_loads(found_(t, y), at);
+      const multibody::Work<double>& found = found_(t, y);
+      finite = not_finite_load(craft_, found).empty();
+      copy_loads(found, at);
     } catch (...) {
       throw ode::Trouble{ode::flag::rhs_failed, t, "a load threw", std::current_exception()};
     }
-    require_finite(t, at);
-  }
-  void require_finite(double t, const SimbodyLoads& at) const {
-    const auto require = [&](std::span<const double> numbers, const char* what, const std::string& of) {
-      for (const double number : numbers)
-        if (!std::isfinite(number))
-          throw ode::Trouble{ode::flag::rhs_failed, t,
-                             what + of + " is " + text(number) + " at t = " + text(t), nullptr};
-    };
-    for (std::size_t b = 0; b < at.forces.size(); ++b) {
-      const std::string& name = b == 0 ? craft_.hub : tree_.links[b - 1].name;
-      require(at.forces[b], "the force on ", name);
-      require(at.torques[b], "the torque on ", name);
-    }
-    std::span<const double> efforts = at.efforts, given = at.given;
-    for (const PlainBody& body : craft_.bodies) {
-      const std::size_t count = counts_of(body.joint).speeds;
-      require(efforts.first(count), "the effort of ", body.name);
-      require(given.first(count), "the given acceleration of ", body.name);
-      efforts = efforts.subspan(count);
-      given = given.subspan(count);
-    }
-    for (std::size_t i = 0; i < at.motors.size(); ++i) {
-      require(std::span(at.motors).subspan(i, 1), "the motor torque of ", craft_.rotors[i].name);
-      require(std::span(at.given_spins).subspan(i, 1), "the given acceleration of ", craft_.rotors[i].name);
-    }
-    for (std::size_t i = 0; i < at.modal.size(); ++i)
-      require(std::span(at.modal).subspan(i, 1), "the force on ", craft_.modes[i].name);
-    require(at.field_i, "the field on ", craft_.hub);
+    if (!finite)
+      throw ode::Trouble{ode::flag::rhs_failed, t,
+                         "a load is not finite at t = " + text(t) +
+                             ode::detail::why_not_finite(problem_, start_, t, std::span(y, state_.size())),
+                         nullptr};
   }
   /// An exception of Simbody itself: no step is short enough.
   template <class Action> void guarded(double elapsed, const Action& action) const {
@@ -102,6 +82,7 @@ class SimbodyStepper final : public ode::Stepper {
   }
 
   const PlainSpacecraft& craft_;
+  const ode::Problem& problem_;
   SimbodyCraft tree_;
   const LoadsFound& found_;
   SimbodyEngine engine_;

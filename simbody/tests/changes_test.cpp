@@ -177,14 +177,14 @@ TEST(SimbodyRun, says_which_load_is_no_number) {
         [nan, f](const Now<Sat>& now, Forces<Sat>& forces) { f(forces, now.time() > 2.0 * s ? nan : 0.0); };
   };
   expect_says(run(about([](Forces<Sat>& f, double x) { f.motor(of<WheelOfHub>, x * N_m); })),
-              "the motor torque of vectrix_test");
-  expect_says(run(about([](Forces<Sat>& f, double x) { f.effort(of<Boom>, x * N_m); })), "the effort of");
+              "load 1 of 1: the motor torque on vectrix_test");
+  expect_says(run(about([](Forces<Sat>& f, double x) { f.effort(of<Boom>, x * N_m); })), "load 1 of 1: the effort on the joint of");
   expect_says(run([](const Now<Sat>&, Forces<Sat>& f) {
                 const auto most = vector(in<Hub>, 1.5e308 * N, 0.0 * N, 0.0 * N);
                 f.force(of<Boom>, most);
                 f.force(of<Boom>, most);
               }),
-              "the force on");
+              "load 1 of 1: the force on");
 }
 
 // A load decides by the time, without a held value: the steps of both cross the ends of the lock, and the

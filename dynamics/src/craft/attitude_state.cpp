@@ -75,6 +75,12 @@ ode::Problem with_dcm(ode::Problem problem) {
     rhs(segment_start, t, numbers.of(z), ydot);
     write_rates(z, ydot, zdot);
   };
+  if (problem.why_not_finite) {
+    problem.why_not_finite = [why = std::move(problem.why_not_finite), numbers = StateNumbers(size)](
+                                 double segment_start, double t, std::span<const double> z) mutable {
+      return why(segment_start, t, numbers.of(z));
+    };
+  }
   for (ode::Root& root : problem.roots) {
     root.function = [function = std::move(root.function), numbers = StateNumbers(size)](
                         double t, std::span<const double> z) mutable { return function(t, numbers.of(z)); };

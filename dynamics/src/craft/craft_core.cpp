@@ -158,11 +158,13 @@ void require_state(const CraftCore& core, const char* action, std::span<const do
   }
   require_inertia(core, action, y.data());
 }
-void require_finite_rates(const CraftCore& core, double time, std::span<const double> ydot) {
+void require_finite_rates(const CraftCore& core, const char* action, double time,
+                          std::span<const double> ydot, const std::function<std::string()>& why) {
   const std::size_t bad = not_finite(ydot);
   if (bad == ydot.size()) return;
-  throw BadInput("motion" + of_the_craft(core) + " at " + text(time) + " s: the derivative of " +
-                 core.component_names[bad] + " is " + text(ydot[bad]));
+  const std::string cause = why();
+  throw BadInput(action + of_the_craft(core) + " at " + text(time) + " s: the derivative of " +
+                 core.component_names[bad] + " is " + text(ydot[bad]) + (cause.empty() ? "" : ": " + cause));
 }
 
 }  // namespace vectrix::detail

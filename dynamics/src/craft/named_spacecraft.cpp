@@ -84,6 +84,20 @@ struct Evaluation {
 
   void operator()(double segment_start, double t, const double* y, double* ydot) {
     core->tree().place(y, work);
+    hold(t);
+    add_loads(segment_start, t, y);
+    core->tree().solve(y, ydot, work);
+  }
+  /// What is held or loads that is not finite; empty if there is none.
+  std::string not_finite(double segment_start, double t, const double* y) {
+    detail::place_for_loads(core->tree(), y, work);
+    hold(t);
+    add_loads(segment_start, t, y);
+    return detail::not_finite_load(core->plain(), work);
+  }
+
+ private:
+  void hold(double t) {
     for (const HeldPart& part : held) {
       const auto& accelerations = part.how.accelerations();
       const auto how = accelerations ? multibody::Hold::driven : multibody::Hold::locked;
@@ -96,11 +110,11 @@ struct Evaluation {
       std::copy_n(given.begin(), part.speeds,
                   &(part.links == 0 ? work.given_spins : work.given)[part.first_speed]);
     }
-    if (loads) {
-      NamedForces forces{detail::trusted, *core, work};
-      loads(NamedNow{detail::trusted, *core, segment_start, t, y, work}, forces);
-    }
-    core->tree().solve(y, ydot, work);
+  }
+  void add_loads(double segment_start, double t, const double* y) {
+    if (!loads) return;
+    NamedForces forces{detail::trusted, *core, work};
+    loads(NamedNow{detail::trusted, *core, segment_start, t, y, work}, forces);
   }
 };
 
@@ -138,7 +152,9 @@ NamedMotion NamedSpacecraft::motion(const NamedState& state, const Quantity<si::
   Evaluation evaluate(core_, loads, held);
   std::vector<double> ydot(state.numbers().size());
   evaluate(time.value(), time.value(), state.numbers().data(), ydot.data());
-  detail::require_finite_rates(core_->core(), time.value(), ydot);
+  detail::require_finite_rates(core_->core(), "motion", time.value(), ydot, [&] {
+    return evaluate.not_finite(time.value(), time.value(), state.numbers().data());
+  });
   return {detail::trusted, core_, time.value(), state.numbers(), std::move(ydot), std::move(evaluate.work)};
 }
 
@@ -174,6 +190,10 @@ ode::Problem NamedSpacecraft::problem(const NamedState& state, const Quantity<si
   problem.rhs = [evaluate = Evaluation(core_, loads, held)](
                     double segment_start, double t, std::span<const double> y,
                     std::span<double> ydot) mutable { evaluate(segment_start, t, y.data(), ydot.data()); };
+  problem.why_not_finite = [evaluate = Evaluation(core_, loads, held)](double segment_start, double t,
+                                                                       std::span<const double> y) mutable {
+    return evaluate.not_finite(segment_start, t, y.data());
+  };
   problem.initial_state = state.numbers();
   problem.start = start.value();
   problem.end = end.value();

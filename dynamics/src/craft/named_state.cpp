@@ -93,7 +93,7 @@ double named_number(const NamedView& view, NamedNumber number, std::string_view 
 
 }  // namespace detail
 
-NamedStart starts(const NamedMovingDcm& R_p_from_b) {
+NamedStart detail::start_of(const NamedMovingDcm& R_p_from_b) {
   std::vector<double> w;
   detail::append(w, R_p_from_b.angular_velocity().coordinates());
   return {detail::trusted,
@@ -103,7 +103,7 @@ NamedStart starts(const NamedMovingDcm& R_p_from_b) {
           w,
           R_p_from_b.rotation().to().name()};
 }
-NamedStart starts(const NamedMovingTransform& X_p_from_b) {
+NamedStart detail::start_of(const NamedMovingTransform& X_p_from_b) {
   std::vector<double> positions = detail::quaternion_numbers(X_p_from_b.turning().rotation().matrix()),
                       speeds;
   detail::append(positions, X_p_from_b.translation().coordinates());

@@ -20,6 +20,8 @@ using vectrix::detail::text;
 /// At least, so that a segment has the six nodes of dense output, if the method has no interpolant of its
 /// own.
 constexpr double steps_per_segment = 5.0;
+/// With fewer on average it is not the method that needs many steps, but the changes that make many segments.
+constexpr std::size_t steps_of_short_segments = 10;
 
 }  // namespace
 
@@ -170,6 +172,14 @@ double Run::time(double elapsed) const {
 }
 
 std::string Run::what_limits_the_steps() const {
+  const std::size_t segments = record_->segments.size();
+  if (steps_of_short_segments * segments > record_->statistics.steps) {
+    const auto& events = record_->events;
+    return ": they are in " + text(segments) + " smooth segments" +
+           (!events.empty() && events.back().time == segment_start_
+                ? ", the last of which begins at the zero of " + problem_.roots[events.back().root].name
+                : "");
+  }
   const std::string worst = stepper_->worst_component();
   const std::vector<double>& times = record_->times;
   if (worst.empty() || times.size() < 2) return "";

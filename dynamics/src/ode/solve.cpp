@@ -15,6 +15,17 @@ namespace vectrix::ode {
 Failure::Failure(const std::string& text, double time, std::size_t step, int flag, Solution solution)
     : std::runtime_error(text), time_(time), step_(step), flag_(flag), solution_(std::move(solution)) {}
 
+std::string detail::why_not_finite(const Problem& problem, double segment_start, double t,
+                                   std::span<const double> y) {
+  if (!problem.why_not_finite) return "";
+  try {
+    const std::string why = problem.why_not_finite(segment_start, t, y);
+    return why.empty() ? why : ": " + why;
+  } catch (const std::exception&) {  // the rates that are not finite are the failure
+    return "";
+  }
+}
+
 Solution detail::solve_with(const Problem& problem,
                             const std::function<std::unique_ptr<Stepper>()>& make_stepper) {
   check(problem);

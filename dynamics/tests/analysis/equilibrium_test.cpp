@@ -213,8 +213,22 @@ TEST(Equilibrium, IsRefusedWhereThereIsNone) {
        {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
     const std::string text = vectrix_test::message<BadInput>(
         [&] { equilibrium(scenario(chain, effort(bad), held), guess, fine); });
-    EXPECT_NE(text.find("at the guess the second derivative of "), std::string::npos) << text;
+    EXPECT_NE(text.find("equilibrium of the craft of "), std::string::npos) << text;
+    EXPECT_NE(text.find(": load 1 of 2: the effort on the joint of " + frame_name<Far>() + " is "),
+              std::string::npos)
+        << text;
   }
+  // Of the guess itself, and of the guess at rest.
+  const auto over_speed = []<class S>(const OnChain<S>& now, Forces<Chain, S>& forces) {
+    const S u = now.speed(of<Far>).value();
+    forces.effort(of<Far>, Quantity<si::force, S>::from_value(S(1.0 / u)));
+  };
+  auto numbers = guess.numbers();
+  numbers[Chain::shape::speed_at<Far>] = 1.0;
+  const auto moving = state_from_numbers(chain, guess.time(), numbers);
+  const std::string text =
+      vectrix_test::message<BadInput>([&] { equilibrium(scenario(chain, over_speed, held), moving, fine); });
+  EXPECT_NE(text.find("at the guess the second derivative of "), std::string::npos) << text;
 }
 
 // In a circular orbit the principal axes of a body lie along the vertical, the velocity and the normal of the

@@ -170,6 +170,53 @@ TEST(Linearise, TheDerivativesAreThoseOfTheFlow) {
   }
 }
 
+// C by differences of what is measured at departed states, and D by the torque, in which the motion is
+// linear.
+TEST(Linearise, TheOutputsAreThoseOfTheMotion) {
+  RandomCraft random(20261202);
+  constexpr double e = 1e-3;  // what is left after one step of Richardson goes with e^4
+  const Every craft(random);
+  const auto start = random_state(craft, random);
+  const auto loads = loads_of(craft);
+  const auto flight = std::apply([&](const auto&... load) { return scenario(craft, load...); }, loads);
+  const auto acceleration = [](const auto& at) { return at.acceleration(of<Probe>, in<Boom>); };
+  const auto torque = [](const auto& at) { return at.joint_torque(of<Antenna>, in<Mass>).vector(); };
+  const auto system = linearise(flight, start, inputs(torque_input(of<spacecraft_test::Camera>, in<Probe>)),
+                                outputs(output("acceleration", acceleration), output("torque", torque)));
+  const auto measured = [&](const Numbers& y, const Vector3d& M) -> VectorXd {
+    const auto by_hand = [&](const Now<Every>&, Forces<Every>& forces) {
+      forces.torque(of<spacecraft_test::Camera>, vector<si::torque>(in<Probe>, M));
+    };
+    const auto moved = std::apply(
+        [&](const auto&... load) {
+          return motion(craft, state_from_numbers(craft, start.time(), y), load..., by_hand);
+        },
+        loads);
+    VectorXd both(6);
+    both << acceleration(moved).coordinates(), torque(moved).coordinates();
+    return both;
+  };
+  const Vector3d none = Vector3d::Zero();
+  const auto difference = [&](Index k, double off) -> VectorXd {
+    const Numbers ahead = departed(start.numbers(), k, off), behind = departed(start.numbers(), k, -off);
+    return (measured(ahead, none) - measured(behind, none)) / (2.0 * off);
+  };
+  const double scale = 1.0 + system.C.cwiseAbs().maxCoeff();
+  for (Index k = 0; k < size; ++k) {
+    const VectorXd coarse = difference(k, 2.0 * e), fine = difference(k, e), error = (coarse - fine) / 3.0;
+    EXPECT_LE((fine - error - system.C.col(k)).cwiseAbs().maxCoeff(),
+              0.02 * error.cwiseAbs().maxCoeff() + 1e-9 * scale)
+        << system.state_names[static_cast<std::size_t>(k)];
+  }
+  EXPECT_GT(system.D.cwiseAbs().maxCoeff(), 0.0);
+  for (Index i = 0; i < 3; ++i)
+    EXPECT_LE(
+        (measured(start.numbers(), Vector3d::Unit(i)) - measured(start.numbers(), none) - system.D.col(i))
+            .cwiseAbs()
+            .maxCoeff(),
+        1e-10 * (1.0 + system.D.cwiseAbs().maxCoeff()));
+}
+
 // The words find the rows: of each, a number of the state that only this row changes.
 TEST(Linearise, WordsFindTheRows) {
   RandomCraft random(20261130);
@@ -331,6 +378,13 @@ TEST(Linearise, RefusesDerivativesThatAreNotFinite) {
   const std::string text = vectrix_test::message<BadInput>([&] { linearise(scenario(craft, root), start); });
   EXPECT_NE(text.find("linearise"), std::string::npos);
   EXPECT_NE(text.find("by spin of " + frame_name<Wheel>() + " [rad/s] is "), std::string::npos) << text;
+
+  const auto lost = [](const auto&, auto& forces) { forces.motor(of<Wheel>, std::nan("") * N_m); };
+  const std::string named = vectrix_test::message<BadInput>([&] { linearise(scenario(craft, lost), start); });
+  EXPECT_NE(named.find("linearise of the craft of "), std::string::npos) << named;
+  EXPECT_NE(named.find(": load 1 of 1: the motor torque on " + frame_name<Wheel>() + " is nan N m"),
+            std::string::npos)
+      << named;
 }
 
 }  // namespace

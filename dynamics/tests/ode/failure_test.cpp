@@ -1,4 +1,5 @@
 #include <limits>
+#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -184,6 +185,27 @@ TEST_P(OdeFailure, step_limit) {
   EXPECT_EQ(failure.step(), 50U);
   EXPECT_EQ(failure.solution().node_count(), 51U);
   EXPECT_EQ(failure.time(), failure.solution().end());
+}
+
+// A relay that is switched back as soon as it has switched: a sliding mode, of ever shorter segments.
+TEST_P(OdeFailure, step_limit_of_changes_without_end_names_the_zero) {
+  Problem problem = oscillator(GetParam(), 20.0, 1e-9);
+  const auto acceleration = std::make_shared<double>(-1.0);
+  problem.rhs = [acceleration](double, double, State y, std::span<double> ydot) {
+    ydot[0] = y[1];
+    ydot[1] = *acceleration;
+  };
+  problem.initial_state = {0.2, 0.3};
+  const auto g = [](double, State y) { return y[1] + 0.5 * y[0]; };
+  problem.roots = {{"above", g, Direction::rising, false, true},
+                   {"below", g, Direction::falling, false, true}};
+  problem.at_segment_start = [acceleration](double, std::span<double>, std::span<const Event> ended_by) {
+    for (const Event& event : ended_by) *acceleration = event.root == 0 ? -1.0 : 1.0;
+  };
+  problem.max_steps = 2000;
+  const Failure failure = failure_of(problem);
+  expect_text(failure, "max_steps = 2000 reached: they are in ");
+  expect_text(failure, " smooth segments, the last of which begins at the zero of ");
 }
 
 // y_1 follows cos t at once: an explicit method must take steps of its time constant.

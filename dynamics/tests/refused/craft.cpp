@@ -32,13 +32,12 @@ struct Sat : decltype(make_sat()) {
   Sat() : decltype(make_sat())(make_sat()) {}
 };
 
-using AtRest = MovingTransform<Gcrf, Hub>;
 const auto rad_s = si::radian / si::second;
 
 namespace body_on_a_joint_of_another {
 // mistake: the mass properties of one body with the joint of another
 // expect: Mass = (vectrix::)?MassProperties<Boom
-// expect: Joint = (vectrix::)?BodyJoint<.*Panel
+// expect: Given = .(vectrix::)?BodyJoint<.*Panel
 auto part(const MassProperties<Boom>& boom, const MassProperties<Panel>& panel,
           const Transform<Hub, Panel>& X) {
 #ifdef REPAIRED
@@ -210,7 +209,7 @@ auto at(const Sat& sat, const CraftState<Sat>& now, const Dcm<Gcrf, Itrf>& R_i_f
 
 namespace spring_on_a_fixed_body {
 // mistake: a spring on a body that is fixed
-// expect: B = Box
+// expect: Given = .Sat, (vectrix::)?Of<Box>
 auto at(const Sat& sat, const CraftState<Sat>& now) {
   const auto k = 3.0 * si::newton_metre / si::radian;
 #ifdef REPAIRED
@@ -220,72 +219,6 @@ auto at(const Sat& sat, const CraftState<Sat>& now) {
 #endif
 }
 }  // namespace spring_on_a_fixed_body
-
-namespace start_given_twice {
-// mistake: one start given twice
-// expect: StartIsGivenTwice<Wheel>
-auto start(const Sat& sat, const AtRest& X) {
-  const auto panel = starts(of<Panel>, 0.1 * si::radian, 0.0 * rad_s);
-#ifdef REPAIRED
-  return state(sat, 0.0 * si::second, X, panel, spins(of<Wheel>, 1.0 * rad_s));
-#else
-  return state(sat, 0.0 * si::second, X, panel, spins(of<Wheel>, 1.0 * rad_s), spins(of<Wheel>, 2.0 * rad_s));
-#endif
-}
-}  // namespace start_given_twice
-
-namespace start_in_metres {
-// mistake: a length as the start of a hinge
-// expect: StartIsNotThatOf<.*slider.*hinge
-auto start(const Sat& sat, const AtRest& X) {
-  const auto wheel = spins(of<Wheel>, 1.0 * rad_s);
-#ifdef REPAIRED
-  return state(sat, 0.0 * si::second, X, starts(of<Panel>, 0.1 * si::radian, 0.0 * rad_s), wheel);
-#else
-  return state(sat, 0.0 * si::second, X, starts(of<Panel>, 0.1 * si::metre, 0.0 * (si::metre / si::second)),
-               wheel);
-#endif
-}
-}  // namespace start_in_metres
-
-namespace start_of_a_name {
-// mistake: a start of the run-time form, with a name, in a craft of types
-// expect: IsNoStart<(vectrix::)?NamedStart>
-auto start(const Sat& sat, const AtRest& X) {
-  const auto wheel = spins(of<Wheel>, 1.0 * rad_s);
-#ifdef REPAIRED
-  return state(sat, 0.0 * si::second, X, starts(of<Panel>, 0.1 * si::radian, 0.0 * rad_s), wheel);
-#else
-  return state(sat, 0.0 * si::second, X, starts("Panel", 0.1 * si::radian, 0.0 * rad_s), wheel);
-#endif
-}
-}  // namespace start_of_a_name
-
-namespace state_without_craft {
-// mistake: the craft of a state is left out
-// expect: IsNoCraft<
-auto start(const Sat& sat, const AtRest& X) {
-  const auto panel = starts(of<Panel>, 0.1 * si::radian, 0.0 * rad_s);
-#ifdef REPAIRED
-  return state(sat, 0.0 * si::second, X, panel, spins(of<Wheel>, 1.0 * rad_s));
-#else
-  return static_cast<void>(sat), state(0.0 * si::second, X, panel, spins(of<Wheel>, 1.0 * rad_s));
-#endif
-}
-}  // namespace state_without_craft
-
-namespace start_left_out {
-// mistake: a joint without a start: none is zero by default
-// expect: StartIsMissing<Panel>
-auto start(const Sat& sat, const AtRest& X) {
-  const auto wheel = spins(of<Wheel>, 1.0 * rad_s);
-#ifdef REPAIRED
-  return state(sat, 0.0 * si::second, X, starts(of<Panel>, 0.1 * si::radian, 0.0 * rad_s), wheel);
-#else
-  return state(sat, 0.0 * si::second, X, wheel);
-#endif
-}
-}  // namespace start_left_out
 
 namespace torque_in_a_frame_elsewhere {
 // mistake: a torque in a frame that the craft does not have
@@ -315,3 +248,15 @@ auto graph(const Sat& sat, const Transform<Gcrf, Itrf>& X_i_from_e, const Transf
 #endif
 }
 }  // namespace an_edge_that_the_craft_has
+
+namespace hub_without_its_frame {
+// mistake: the hub, without the frame in which it moves
+// expect: the hub body\(mass, free_in<I>\)
+auto craft(const MassProperties<Hub>& mass) {
+#ifdef REPAIRED
+  return spacecraft(body(mass, free_in<Gcrf>));
+#else
+  return spacecraft(body(mass));
+#endif
+}
+}  // namespace hub_without_its_frame

@@ -218,7 +218,7 @@ auto change() {
 namespace a_start_of_another_craft {
 // mistake: the scenario of one craft with the state of another
 // expect: propagate
-// expect: a state of the scenario's craft
+// expect: a state of its craft
 auto fly(const Sat& sat, const CraftState<Sat>& start, const CraftState<Probe>& other,
          const CraftPropagation& how) {
 #ifdef REPAIRED

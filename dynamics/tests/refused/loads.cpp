@@ -97,7 +97,7 @@ auto push(const Sat& sat) {
 
 namespace a_pulse_about_another_origin {
 // mistake: a wrench on the panel about the origin of the hub
-// expect: a wrench
+// expect: wrench in frames of C
 auto push(const Sat& sat, const Wrench<Hub, In<Hub>>& W_h_h,
           const Displacement<Hub, Panel, In<Hub>>& r_hp_h) {
 #ifdef REPAIRED
@@ -173,7 +173,7 @@ void lock(Forces<Sat>& forces) {
 
 namespace a_latch_of_the_hub {
 // mistake: the hub can be locked, which hangs on nothing
-// expect: of a body of the craft C on a joint that moves, or a rotor; at the start a Locked<B>
+// expect: a body of C on a joint that moves, or a rotor; at the start a Locked<B>
 auto latch(const Sat& sat) {
 #ifdef REPAIRED
   return lockable(sat, of<Panel>);
@@ -185,7 +185,7 @@ auto latch(const Sat& sat) {
 
 namespace friction_of_a_wheel_in_newtons {
 // mistake: the friction of a wheel in newtons
-// expect: on a hinge or rotor
+// expect: hinge, rotor: N m
 auto rub(const Sat& sat) {
   const auto c = 1e-3 * N_m / (rad / s);
 #ifdef REPAIRED
@@ -198,7 +198,7 @@ auto rub(const Sat& sat) {
 
 namespace friction_on_the_hub {
 // mistake: friction on the hub, which hangs on nothing
-// expect: on a hinge or rotor
+// expect: hinge, rotor: N m
 auto rub(const Sat& sat) {
   const auto c = 1e-3 * N_m / (rad / s);
 #ifdef REPAIRED
@@ -224,7 +224,7 @@ auto flight(const Sat& sat) {
 
 namespace a_stop_in_metres {
 // mistake: the stops of a hinge in metres
-// expect: of a hinge: rad
+// expect: hinge: rad
 auto stops(const Sat& sat) {
   const auto k = 100.0 * N_m / rad;
   const auto c = 1.0 * N_m / (rad / s);
@@ -238,7 +238,7 @@ auto stops(const Sat& sat) {
 
 namespace limits_of_a_slider_as_angles {
 // mistake: the stops of a slider as angles, with a stiffness that makes a force of them
-// expect: of a slider: m
+// expect: slider: m
 auto stops(const Sat& sat) {
   const auto c = 1.0 * si::newton / (si::metre / s);
 #ifdef REPAIRED
@@ -251,7 +251,7 @@ auto stops(const Sat& sat) {
 
 namespace stops_of_a_slider_with_the_damping_of_a_hinge {
 // mistake: the damping of the stops of a slider for an angular velocity
-// expect: of a slider: m, N/m, N s/m
+// expect: slider: m, N/m, N s/m
 auto stops(const Sat& sat) {
   const auto k = 100.0 * si::newton / si::metre;
 #ifdef REPAIRED
@@ -324,123 +324,6 @@ auto flight(const Sat& sat, const Vector<Gcrf, si::magnetic_flux_density>& B_i, 
 }
 }  // namespace coils_without_a_dipole
 
-namespace a_scan_in_degrees {
-// mistake: the speed of a hinge that is scanned in deg/s
-// expect: JointMotion<(vectrix::)?si::angle, (vectrix::)?si::degree_per_second_unit
-// expect: of a hinge: JointMotion\{rad, rad/s, rad/s\^2\}
-auto scan(const Sat& sat) {
-#ifdef REPAIRED
-  const auto rate = 1.0 * rad / s;
-#else
-  const auto rate = 57.3 * si::degree_per_second;
-#endif
-  const auto turning = [=](const Quantity<si::time>& t) {
-    return JointMotion{t.in(s)*rad, rate, 0.0 * rad / s / s};
-  };
-  return prescribed(sat, of<Panel>, turning);
-}
-}  // namespace a_scan_in_degrees
-
-namespace a_scan_in_metres {
-// mistake: the speed of a hinge that is scanned in m/s
-// expect: JointMotion<(vectrix::)?si::angle, (vectrix::)?si::velocity
-// expect: of a hinge: JointMotion\{rad, rad/s, rad/s\^2\}
-auto scan(const Sat& sat) {
-#ifdef REPAIRED
-  const auto rate = 1.0 * rad / s;
-#else
-  const auto rate = 1.0 * si::metre / s;
-#endif
-  const auto turning = [=](const Quantity<si::time>& t) {
-    return JointMotion{t.in(s)*rad, rate, 0.0 * rad / s / s};
-  };
-  return prescribed(sat, of<Panel>, turning);
-}
-}  // namespace a_scan_in_metres
-
-namespace a_scan_without_units {
-// mistake: the angle of a scan as a bare number
-// expect: each with its unit: rad, rad/s, rad/s\^2
-auto scan(const Quantity<si::time>& t) {
-#ifdef REPAIRED
-  return JointMotion{t.in(s)*rad, 1.0 * rad / s, 0.0 * rad / s / s};
-#else
-  return JointMotion{t.in(s), 1.0 * rad / s, 0.0 * rad / s / s};
-#endif
-}
-}  // namespace a_scan_without_units
-
-namespace a_speed_of_a_wheel_that_is_a_unit {
-// mistake: a unit where the acceleration of a wheel is due
-// expect: \{speed, acceleration\}, each with its unit: rad/s, rad/s\^2
-auto throttle(const Quantity<si::time>&) {
-#ifdef REPAIRED
-  return RotorMotion{30.0 * rad / s, 1.0 * rad / s / s};
-#else
-  return RotorMotion{30.0 * rad / s, rad / s / s};
-#endif
-}
-}  // namespace a_speed_of_a_wheel_that_is_a_unit
-
-namespace a_scan_of_what_hangs_nowhere {
-// mistake: the motion of a joint of the hub, which hangs on nothing
-// expect: B = (.*::)?Hub
-// expect: of a hinge: JointMotion
-auto scan(const Sat& sat) {
-  const auto still = [](const Quantity<si::time>&) {
-    return JointMotion{0.1 * rad, 0.0 * rad / s, 0.0 * rad / s / s};
-  };
-#ifdef REPAIRED
-  return prescribed(sat, of<Panel>, still);
-#else
-  return prescribed(sat, of<Hub>, still);
-#endif
-}
-}  // namespace a_scan_of_what_hangs_nowhere
-
-namespace a_drive_by_a_torque {
-// mistake: a torque where the acceleration of a hinge is due
-// expect: rad/s\^2 of a hinge
-void drive(Forces<Sat>& forces) {
-#ifdef REPAIRED
-  forces.drive(of<Panel>, 0.1 * rad / s / s);
-#else
-  forces.drive(of<Panel>, 0.1 * N_m);
-#endif
-}
-}  // namespace a_drive_by_a_torque
-
-namespace a_wheel_with_the_motion_of_a_joint {
-// mistake: an angle for a wheel, whose state is its speed alone
-// expect: rotor: RotorMotion
-auto throttle(const Sat& sat) {
-  const auto steady = [](const Quantity<si::time>&) {
-#ifdef REPAIRED
-    return RotorMotion{30.0 * rad / s, 0.0 * rad / s / s};
-#else
-    return JointMotion{0.1 * rad, 30.0 * rad / s, 0.0 * rad / s / s};
-#endif
-  };
-  return prescribed(sat, of<Wheel>, steady);
-}
-}  // namespace a_wheel_with_the_motion_of_a_joint
-
-namespace an_axis_of_a_hinge {
-// mistake: the motion about one axis of a gimbal, on a hinge
-// expect: AboutAxis<1>
-// expect: gimbal: two, or an axis
-auto scan(const Sat& sat) {
-  const auto still = [](const Quantity<si::time>&) {
-    return JointMotion{0.1 * rad, 0.0 * rad / s, 0.0 * rad / s / s};
-  };
-#ifdef REPAIRED
-  return prescribed(sat, of<Panel>, still);
-#else
-  return prescribed(sat, of<Panel>, about_axis<1>, still);
-#endif
-}
-}  // namespace an_axis_of_a_hinge
-
 namespace the_same_load_on_a_type {
 // mistake: one spring where a function is due that gives that of each joint
 // expect: each\(of_each<A, B>, f\)
@@ -466,3 +349,27 @@ auto blades() {
   return starts(of_numbered<Blade, 1, 3>, angles, 0.0 * rad / s);
 }
 }  // namespace starts_of_fewer
+
+namespace a_spring_without_its_craft {
+// mistake: the craft of a spring is left out
+// expect: spring\(craft, of<B>, k, q_0\)
+auto panel_spring(const Sat& sat) {
+#ifdef REPAIRED
+  return spring(sat, of<Panel>, 2.0 * N_m / rad, 0.0 * rad);
+#else
+  return static_cast<void>(sat), spring(of<Panel>, 2.0 * N_m / rad, 0.0 * rad);
+#endif
+}
+}  // namespace a_spring_without_its_craft
+
+namespace a_spring_without_its_rest {
+// mistake: a spring without its place of rest
+// expect: spring\(craft, of<B>, k, q_0\)
+auto panel_spring(const Sat& sat) {
+#ifdef REPAIRED
+  return spring(sat, of<Panel>, 2.0 * N_m / rad, 0.0 * rad);
+#else
+  return spring(sat, of<Panel>, 2.0 * N_m / rad);
+#endif
+}
+}  // namespace a_spring_without_its_rest

@@ -21,7 +21,7 @@ template <CraftType C, class... Parts>
            detail::FaultOfLinear<C, C, CraftScenario<C, Parts...>, CraftInputs<>, CraftOutputs<>>, Nothing>)
 CraftState<C> equilibrium(const CraftScenario<C, Parts...>& scenario, const CraftState<C>& guess,
                           const EquilibriumTolerances& tolerances) {
-  const auto start = detail::start_of_run(scenario, guess);
+  const auto start = detail::start_of_run("equilibrium", scenario, guess);
   const detail::CraftCore& core = *scenario.craft().core();
   auto rates = detail::dual_rates<C>(detail::in_duals(core), detail::held_loads(scenario.parts(), start.held),
                                      detail::InputLoad<C, Dual>{nullptr});

@@ -5,6 +5,7 @@
 #include <array>
 #include <concepts>
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <tuple>
 #include <type_traits>
@@ -29,18 +30,24 @@ template <class Given> struct AreNoOutputs {};
 
 namespace detail {
 
-/// A state as it is when a run starts from it, and what the run then holds.
+/// A state as it is when a run starts from it, and what the run then holds. Throws BadInput if its rates are
+/// not finite, with the load that makes them so.
 template <CraftType C, class HeldTuple> struct StartOfRun {
   std::array<double, C::state_size> y;
   HeldTuple held;
 };
 template <CraftType C, class... Parts>
-StartOfRun<C, HeldTypes<Parts...>> start_of_run(const CraftScenario<C, Parts...>& scenario,
+StartOfRun<C, HeldTypes<Parts...>> start_of_run(const char* action,
+                                                const CraftScenario<C, Parts...>& scenario,
                                                 const CraftState<C>& state) {
   const double t = state.time().value();
   Flight<C, Parts...> flight(scenario, t, t + std::max(16.0 * same_instant(t, t), 1e-300));
   auto y = state.numbers();
   flight.change(t, y, {});
+  std::array<double, C::state_size> ydot{};
+  flight.rates(t, y.data(), ydot.data());
+  const auto why = [&] { return flight.not_finite(t, y.data()); };
+  require_finite_rates(*scenario.craft().core(), action, t, ydot, std::ref(why));
   return {y, flight.values()};
 }
 
@@ -126,7 +133,7 @@ LinearCraft<C, Input...> linearise(const CraftScenario<C, Parts...>& scenario, c
                                    const CraftOutputs<F...>& outputs = {}) {
   using Motion = CraftMotion<C, Dual>;
   constexpr std::size_t inputs = (std::size_t{0} + ... + detail::InputOn<C, Input>::size);
-  const auto start = detail::start_of_run(scenario, state);
+  const auto start = detail::start_of_run("linearise", scenario, state);
   const detail::CraftCore& core = *scenario.craft().core();
   const auto duals = detail::in_duals(core);
   const detail::ErrorsOfState errors(core);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -68,7 +69,20 @@ VECTRIX_EXPORT void require_finite_time(const CraftCore& core, const char* actio
 VECTRIX_EXPORT void require_state(const CraftCore& core, const char* action, std::span<const double> y);
 /// Throws BadInput: a joint is driven, and also locked or driven again.
 [[noreturn]] VECTRIX_EXPORT void refuse_to_hold_twice(const std::string& what);
-/// Throws BadInput with the name of a number whose derivative is not finite.
-VECTRIX_EXPORT void require_finite_rates(const CraftCore& core, double time, std::span<const double> ydot);
+/// Places a tree in which no body needs a force: the (n, f) of its bodies are then those of the loads alone,
+/// with the opposite sign.
+template <class S>
+void place_for_loads(const multibody::Tree<S>& tree, const S* y, multibody::Work<S>& work) {
+  tree.place(y, work);
+  work.hub.n = work.hub.f = multibody::zero_column<S>();
+  for (auto& link : work.links) link.I.n = link.I.f = multibody::zero_column<S>();
+}
+/// What loads have given that is not finite, as "the motor torque on Wheel is nan N m"; empty if there is
+/// none. `work` is that of place_for_loads() with the loads.
+VECTRIX_EXPORT std::string not_finite_load(const PlainSpacecraft& craft, const multibody::Work<double>& work);
+/// Throws BadInput with the name of a number whose derivative is not finite, and with what `why` says then.
+VECTRIX_EXPORT void require_finite_rates(const CraftCore& core, const char* action, double time,
+                                         std::span<const double> ydot,
+                                         const std::function<std::string()>& why);
 
 }  // namespace vectrix::detail

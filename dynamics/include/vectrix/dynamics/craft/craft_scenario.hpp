@@ -10,6 +10,7 @@
 #include <type_traits>
 #include <utility>
 #include <vectrix/dynamics/craft/changes.hpp>
+#include <vectrix/dynamics/craft/given_function.hpp>
 #include <vectrix/dynamics/craft/motion.hpp>
 
 namespace vectrix {
@@ -153,7 +154,7 @@ template <class F, class R, class... Given> struct ArgumentsOfMember<R (F::*)(Gi
   using type = std::tuple<std::remove_cvref_t<Given>...>;
 };
 template <class C, class Load> constexpr auto taken_by_load() {
-  if constexpr (std::invocable<const Load&, const Now<C>&, Forces<C>&>)
+  if constexpr (is_load<C, Load>)
     return std::type_identity<std::tuple<>>{};
   else if constexpr (requires { &Load::template operator()<double>; })
     return RestOf<2, typename ArgumentsOfMember<decltype(&Load::template operator()<double>)>::type>{};
@@ -171,8 +172,10 @@ struct FirstNotHeld<HeldTuple, std::tuple<X, Rest...>>
 
 template <class Function, class Before, class Tuple> struct CallableWith;
 template <class Function, class... Before, class... X>
-struct CallableWith<Function, std::tuple<Before...>, std::tuple<X...>>
-    : std::bool_constant<std::invocable<const Function&, Before..., const X&...>> {};
+    struct CallableWith<Function, std::tuple<Before...>, std::tuple<X...>>
+    : std::bool_constant < requires(const Function& f, Before... before, const X&... x) {
+  f(before..., x...);
+} > {};
 
 /// Whether a function of the state and of held values gives a number or a quantity: a condition has no zero.
 template <class Value>
@@ -182,12 +185,15 @@ template <class C, class G, class Tuple> struct GivesSize;
 template <class C, class G, class... X> struct GivesSize<C, G, std::tuple<X...>> {
   static constexpr bool test() {
     using Seen = typename SeenBy<C, Arguments<G>>::type;
-    if constexpr (std::invocable<const G&, const Seen&, const X&...>)
-      return is_size<std::remove_cvref_t<std::invoke_result_t<const G&, const Seen&, const X&...>>>;
-    else
-      return false;
+    return requires(const G& g, const Seen& seen, const X&... x) {
+      requires is_size<std::remove_cvref_t<decltype(g(seen, x...))>>;
+    };
   }
 };
+
+/// Of a function that is not called as it should be; Refused if the compiler has said what is wrong in it.
+template <bool has_error, class Mistake>
+using FaultOfCall = std::type_identity<std::conditional_t<has_error, Refused, Mistake>>;
 
 /// The mistake of one part.
 template <class C, class HeldTuple, class Part> struct FaultOfPart {
@@ -199,7 +205,7 @@ template <class C, class HeldTuple, class Part> struct FaultOfPart {
       return std::type_identity<Lack>{};
     } else if constexpr (!CallableWith<Part, std::tuple<const Now<C>&, Forces<C>&>,
                                        TakenByLoad<C, Part>>::value) {
-      return std::type_identity<IsNoLoad<Part>>{};
+      return FaultOfCall<has_error<Part, const Now<C>&, Forces<C>&>(), IsNoLoad<Part>>{};
     } else {
       return std::type_identity<Nothing>{};
     }
@@ -216,7 +222,7 @@ template <class C, class HeldTuple, class F> struct FaultOfUpdate {
     constexpr bool called = CallableWith<F, std::tuple<const Now<C>&>, Taken<F>>::value;
     if constexpr (!is_becomes<F> &&
                   (std::is_void_v<X> || !called || std::is_same_v<Arguments<F>, std::tuple<>>)) {
-      return std::type_identity<IsNoChange<F>>{};
+      return FaultOfCall<has_error<F, const Now<C>&>(), IsNoChange<F>>{};
     } else {
       return std::type_identity<Lack>{};
     }
@@ -246,7 +252,7 @@ template <class C, class HeldTuple, class G, class F> struct FaultOfPart<C, Held
     if constexpr (!std::is_same_v<Lack, Nothing>) {
       return std::type_identity<Lack>{};
     } else if constexpr (!GivesSize<C, G, Taken<G>>::test()) {
-      return std::type_identity<IsNoFunctionOfTheState<G>>{};
+      return FaultOfCall<has_error<G, const Now<C>&>(), IsNoFunctionOfTheState<G>>{};
     } else {
       return FaultOfUpdate<C, HeldTuple, F>{};
     }

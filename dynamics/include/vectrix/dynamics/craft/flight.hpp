@@ -6,6 +6,7 @@
 #include <limits>
 #include <memory>
 #include <span>
+#include <string>
 #include <tuple>
 #include <type_traits>
 #include <utility>
@@ -125,6 +126,11 @@ template <CraftType C, class... Parts> class Flight {
   const multibody::Work<double>& loads(double t, const double* y) {
     solved_ = false;
     return rates_.loads(t, y);
+  }
+  /// As CraftRates::not_finite(), with the values that are held now.
+  std::string not_finite(double t, const double* y) {
+    solved_ = false;
+    return rates_.not_finite(t, y);
   }
   std::vector<double> breakpoints(double start, double end) const {
     const auto lists_of = [](const auto&... part) { return std::vector<const TickList*>{&part.list...}; };

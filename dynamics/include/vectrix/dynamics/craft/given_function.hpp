@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vectrix/frames/export.hpp>
 
@@ -19,6 +20,31 @@ template <class Door, class F> void require_function(const Door& door, const F& 
   if constexpr (may_be_empty<F>)
     if (!function) refuse_empty_function(door());
 }
+/// What is called where a function takes no such arguments.
+struct TakesAnything {
+  void operator()(...) const;
+};
+template <class F> struct OrAnything : F, TakesAnything {
+  using F::operator();
+  using TakesAnything::operator();
+};
+template <class F> struct AndCallOperator : F, TakesAnything {};
+/// Whether the result of a function of these arguments is not known, because its body has an error: the
+/// compiler has said it, and what the function is given to need not refuse it again.
+template <class F, class... Given> constexpr bool has_error() {
+  if constexpr (!std::is_class_v<F> || std::is_final_v<F>) {
+    return false;
+  } else if constexpr (requires { &AndCallOperator<F>::operator(); }) {
+    return false;  // F has no call operator
+  } else if constexpr (std::is_invocable_v<const F&, Given...>) {
+    return false;
+  } else {
+    return !requires(const OrAnything<F>& f, Given... given) {
+      f(given...);
+    };
+  }
+}
+
 /// The function itself, if it is one.
 template <class Door, class F> F given_function(const Door& door, F function) {
   require_function(door, function);

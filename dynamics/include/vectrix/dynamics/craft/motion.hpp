@@ -3,7 +3,9 @@
 #include <array>
 #include <concepts>
 #include <cstddef>
+#include <functional>
 #include <memory>
+#include <string>
 #include <tuple>
 #include <type_traits>
 #include <utility>
@@ -31,10 +33,14 @@ auto in_a_scenario(  // motion_at(scenario, trajectory, time): the load has a he
                      // changes
     const Load&) -> Refused = delete;
 
-/// The results of the loads; their mistakes are found here, near the call of the user.
-template <class C, class... Loads>
-using CheckedLoads = std::tuple<std::type_identity<decltype(std::declval<const Loads&>()(
-    std::declval<const Now<C>&>(), std::declval<Forces<C>&>()))>...>;
+/// Whether it can act; a mistake in a generic one is found here, near the call of the user.
+template <class C, class Load>
+inline constexpr bool is_load = requires(const Load& load, const Now<C>& now, Forces<C>& forces) {
+  load(now, forces);
+};
+template <class Load>
+auto acts(  // a load is a function of const Now<C>& and Forces<C>&
+    const Load&) -> Refused = delete;
 
 /// ydot = f(t, y) of a craft with its loads, in the order given. One for each thread.
 template <class C, class S, class... Loads> class CraftRatesIn {
@@ -52,15 +58,36 @@ template <class C, class S, class... Loads> class CraftRatesIn {
   /// The loads alone, for another engine: the (n, f) of each body are those of its loads, with the opposite
   /// sign.
   const multibody::Work<S>& loads(double t, const S* y) {
-    core_->tree.place(y, work_);
-    work_.hub.n = work_.hub.f = multibody::zero_column<S>();
-    for (auto& link : work_.links) link.I.n = link.I.f = multibody::zero_column<S>();
+    place_for_loads(core_->tree, y, work_);
     add_loads(t, y);
     return work_;
+  }
+  /// The first load that gives what is not finite, and what; empty if there is none.
+  std::string not_finite(double t, const S* y) {
+    if constexpr (sizeof...(Loads) == 0)
+      return "";
+    else
+      return first_not_finite(t, y, std::index_sequence_for<Loads...>{});
   }
   multibody::Work<S>& work() { return work_; }
 
  private:
+  template <std::size_t... i> std::string first_not_finite(double t, const S* y, std::index_sequence<i...>) {
+    std::string found;
+    const auto is_not_finite = [&](const auto& load, std::size_t number) {
+      place_for_loads(core_->tree, y, work_);
+      const Now<C, S> now{trusted, *core_, t, y, work_};
+      Forces<C, S> forces{trusted, now, work_};
+      load(now, forces);
+      found = not_finite_load(core_->plain, work_);
+      if (found.empty()) return false;
+      found = "load " + text(number) + " of " + text(sizeof...(i)) + ": " + found;
+      return true;
+    };
+    if ((is_not_finite(std::get<i>(loads_), i + 1) || ...)) return found;
+    found = not_finite_load(core_->plain, loads(t, y));
+    return found.empty() ? found : "the loads together: " + found;
+  }
   [[gnu::always_inline]] void add_loads(double t, const S* y) {
     if constexpr (sizeof...(Loads) > 0) {
       const Now<C, S> now{trusted, *core_, t, y, work_};
@@ -199,13 +226,16 @@ template <CraftType C, class... Loads>
 CraftMotion<C> motion(const C& craft, const CraftState<C>& state, const Loads&... loads) {
   if constexpr ((detail::has_held_value<C, Loads> || ...)) {
     return (detail::in_a_scenario(loads), ...);
+  } else if constexpr (!(detail::is_load<C, Loads> && ...)) {
+    constexpr std::size_t bad = detail::first_of<!detail::is_load<C, Loads>...>();
+    return detail::acts(std::get<bad>(std::tie(loads...)));
   } else {
-    static_cast<void>(sizeof(detail::CheckedLoads<C, Loads...>));
     detail::CraftRates<C, Loads...> rates(craft, loads...);
     typename CraftState<C>::Numbers ydot{};
     const double t = state.time().value();
     rates(t, state.data(), ydot.data());
-    detail::require_finite_rates(*craft.core(), t, ydot);
+    const auto why = [&] { return rates.not_finite(t, state.data()); };
+    detail::require_finite_rates(*craft.core(), "motion", t, ydot, std::ref(why));
     return {detail::trusted, craft.core(), state, ydot, std::move(rates.work())};
   }
 }

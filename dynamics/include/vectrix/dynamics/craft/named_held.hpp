@@ -1,12 +1,15 @@
 #pragma once
 
 #include <array>
+#include <concepts>
 #include <functional>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vectrix/dynamics/craft/given_function.hpp>
 #include <vectrix/dynamics/craft/plain_spacecraft.hpp>
+#include <vectrix/dynamics/craft/prescribing.hpp>
 #include <vectrix/frames/units.hpp>
 
 namespace vectrix {
@@ -43,51 +46,65 @@ inline NamedHeld locked(std::string name) {
 
 namespace detail {
 
-template <class F> F given_acceleration(const std::string& body, F acceleration) {
-  return given_function([&] { return "prescribed(\"" + body + "\")"; }, std::move(acceleration));
+/// The kind of the joint that has such an acceleration, or such two.
+template <class Given> inline constexpr auto joint_of_acceleration = std::optional<JointKind>{};
+template <>
+inline constexpr auto joint_of_acceleration<Quantity<si::angular_acceleration>> =
+    std::optional{JointKind::hinge};
+template <>
+inline constexpr auto joint_of_acceleration<Quantity<si::acceleration>> = std::optional{JointKind::slider};
+template <>
+inline constexpr auto joint_of_acceleration<std::array<Quantity<si::angular_acceleration>, 2>> =
+    std::optional{JointKind::gimbal};
+
+template <class U> std::array<double, 2> acceleration_numbers(const Quantity<U>& a) {
+  return {a.value(), 0.0};
 }
+template <class U> std::array<double, 2> acceleration_numbers(const std::array<Quantity<U>, 2>& a) {
+  return {a[0].value(), a[1].value()};
+}
+template <class F>
+NamedHeld prescribed_by_name(const std::string& body, JointKind joint, const F& acceleration, int axis = 0) {
+  require_function([&] { return "prescribed(\"" + body + "\")"; }, acceleration);
+  return {trusted, body, joint,
+          [acceleration](double t) { return acceleration_numbers(acceleration(t * si::second)); }, axis};
+}
+
+/// prescribed("name", f): a hinge, a rotor, a slider, or both axes of a gimbal, with the given acceleration,
+/// which must be smooth between the breakpoints of the run and at them: it is not told on which side of one
+/// it is asked. Throws BadInput for an empty std::function.
+template <class Name, class F>
+  requires std::convertible_to<const Name&, std::string>
+struct Prescribed<Name, F> {
+  static constexpr bool fits = true;
+  static auto make(const Name& body, const F& acceleration) {
+    constexpr auto joint = joint_of_acceleration<typename GivenMotion<F>::type>;
+    static_assert(
+        joint || has_error<F, const Quantity<si::time>&>(),
+        "prescribed(\"name\", f): f(t) gives an acceleration, rad/s^2 of a hinge or rotor, m/s^2 of a "
+        "slider, a std::array of two of a gimbal");
+    if constexpr (joint)
+      return prescribed_by_name(body, *joint, acceleration);
+    else
+      return Refused{};
+  }
+};
+/// A gimbal about one axis, 1 or 2; about the other it is free.
+template <class Name, class F>
+  requires std::convertible_to<const Name&, std::string>
+struct Prescribed<Name, int, F> {
+  static constexpr bool fits = true;
+  static auto make(const Name& body, int axis, const F& acceleration) {
+    constexpr bool turns = joint_of_acceleration<typename GivenMotion<F>::type> == JointKind::hinge;
+    static_assert(turns || has_error<F, const Quantity<si::time>&>(),
+                  "prescribed(\"name\", axis, f): f(t) gives the acceleration about this axis, rad/s^2");
+    if constexpr (turns)
+      return prescribed_by_name(body, JointKind::gimbal, acceleration, axis);
+    else
+      return Refused{};
+  }
+};
 
 }  // namespace detail
-
-/// A hinge, a rotor, a slider, or both axes of a gimbal, with the given acceleration, which must be smooth
-/// between the breakpoints of the run and at them: it is not told on which side of one it is asked. Throws
-/// BadInput for an empty std::function.
-inline NamedHeld prescribed(
-    const std::string& body,
-    std::function<Quantity<si::angular_acceleration>(const Quantity<si::time>&)> acceleration) {
-  return {detail::trusted, body, JointKind::hinge,
-          [given = detail::given_acceleration(body, std::move(acceleration))](double t) {
-            return std::array{given(t * si::second).value(), 0.0};
-          }};
-}
-inline NamedHeld prescribed(
-    const std::string& body,
-    std::function<Quantity<si::acceleration>(const Quantity<si::time>&)> acceleration) {
-  return {detail::trusted, body, JointKind::slider,
-          [given = detail::given_acceleration(body, std::move(acceleration))](double t) {
-            return std::array{given(t * si::second).value(), 0.0};
-          }};
-}
-inline NamedHeld prescribed(
-    const std::string& body,
-    std::function<std::array<Quantity<si::angular_acceleration>, 2>(const Quantity<si::time>&)>
-        accelerations) {
-  return {detail::trusted, body, JointKind::gimbal,
-          [given = detail::given_acceleration(body, std::move(accelerations))](double t) {
-            const auto both = given(t * si::second);
-            return std::array{both[0].value(), both[1].value()};
-          }};
-}
-
-/// A gimbal about one axis, 1 or 2; about the other it is free.
-inline NamedHeld prescribed(
-    const std::string& body, int axis,
-    std::function<Quantity<si::angular_acceleration>(const Quantity<si::time>&)> acceleration) {
-  return {detail::trusted, body, JointKind::gimbal,
-          [given = detail::given_acceleration(body, std::move(acceleration))](double t) {
-            return std::array{given(t * si::second).value(), 0.0};
-          },
-          axis};
-}
 
 }  // namespace vectrix

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <concepts>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -7,6 +8,7 @@
 #include <variant>
 #include <vector>
 #include <vectrix/dynamics/craft/plain_spacecraft.hpp>
+#include <vectrix/dynamics/craft/starting.hpp>
 #include <vectrix/frames/export.hpp>
 #include <vectrix/kinematics/named/transform.hpp>
 
@@ -42,27 +44,47 @@ class VECTRIX_EXPORT NamedStart {
   std::vector<double> positions_, speeds_;
 };
 
-/// A hinge; a slider; a gimbal.
-inline NamedStart starts(std::string name, const Quantity<si::angle>& angle,
-                         const Quantity<si::angular_velocity>& rate) {
-  return {detail::trusted, std::move(name), JointKind::hinge, {angle.value()}, {rate.value()}};
-}
-inline NamedStart starts(std::string name, const Quantity<si::length>& length,
-                         const Quantity<si::velocity>& rate) {
-  return {detail::trusted, std::move(name), JointKind::slider, {length.value()}, {rate.value()}};
-}
-inline NamedStart starts(std::string name, const Quantity<si::angle>& angle_1,
-                         const Quantity<si::angular_velocity>& rate_1, const Quantity<si::angle>& angle_2,
-                         const Quantity<si::angular_velocity>& rate_2) {
-  return {detail::trusted,
-          std::move(name),
-          JointKind::gimbal,
-          {angle_1.value(), angle_2.value()},
-          {rate_1.value(), rate_2.value()}};
-}
+namespace detail {
+
 /// A ball joint, by R_b^p and w_pb^b; a free joint, with r_pb^p and v_pb|p^p. The body is the frame b.
-VECTRIX_EXPORT NamedStart starts(const NamedMovingDcm& R_p_from_b);
-VECTRIX_EXPORT NamedStart starts(const NamedMovingTransform& X_p_from_b);
+VECTRIX_EXPORT NamedStart start_of(const NamedMovingDcm& R_p_from_b);
+VECTRIX_EXPORT NamedStart start_of(const NamedMovingTransform& X_p_from_b);
+
+template <class Name, class Q, class U>
+  requires std::convertible_to<const Name&, std::string>
+struct Started<Name, Q, U> {
+  static constexpr bool fits = starts_angle<Q, U> || starts_length<Q, U>;
+  static NamedStart make(const Name& name, const Q& coordinate, const U& rate) {
+    if constexpr (starts_angle<Q, U>)
+      return {trusted, name, JointKind::hinge, {coordinate.value()}, {rate.value()}};
+    else
+      return {trusted, name, JointKind::slider, {coordinate.value()}, {rate.value()}};
+  }
+};
+template <class Name, class Q, class U, class V, class W>
+  requires std::convertible_to<const Name&, std::string>
+struct Started<Name, Q, U, V, W> {
+  static constexpr bool fits = starts_angle<Q, U> && starts_angle<V, W>;
+  static NamedStart make(const Name& name, const Q& angle_1, const U& rate_1, const V& angle_2,
+                         const W& rate_2) {
+    return {trusted,
+            name,
+            JointKind::gimbal,
+            {angle_1.value(), angle_2.value()},
+            {rate_1.value(), rate_2.value()}};
+  }
+};
+template <> struct Started<NamedMovingDcm> {
+  static constexpr bool fits = true;
+  static NamedStart make(const NamedMovingDcm& R_p_from_b) { return start_of(R_p_from_b); }
+};
+template <> struct Started<NamedMovingTransform> {
+  static constexpr bool fits = true;
+  static NamedStart make(const NamedMovingTransform& X_p_from_b) { return start_of(X_p_from_b); }
+};
+
+}  // namespace detail
+
 /// The speed of a rotor relative to its body; a mode's coordinate, kg^1/2 m, and its rate.
 inline NamedStart spins(std::string name, const Quantity<si::angular_velocity>& speed) {
   return {detail::trusted, std::move(name), NamedStart::Rotor{}, {}, {speed.value()}};

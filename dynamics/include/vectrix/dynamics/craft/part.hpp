@@ -29,6 +29,9 @@ struct PartCounts {
             rotors + b.rotors, modes + b.modes, mounts + b.mounts};
   }
 };
+template <class Given> inline constexpr bool is_mass = false;
+template <class Whole, class P, class D, class S>
+inline constexpr bool is_mass<MassProperties<Whole, P, D, S>> = true;
 constexpr PartCounts counts_of_body(JointKind kind) {
   const JointCounts joint = counts_of(kind);
   return {1, joint.links, joint.positions, joint.speeds};
@@ -89,9 +92,10 @@ BodyPart<B, kind, P> body(const MassProperties<Whole, B, In<B>>& mass, const Bod
   return {detail::plain_body(frame_name<B>, frame_name<P>, kind, X_p_from_b.rotation.matrix(),
                              X_p_from_b.translation.coordinates(), joint.axes_b, detail::mass_numbers(mass))};
 }
-template <class Mass, class Joint>
-auto body(  // body(mass, joint): mass from the origin and in the axes of the frame b that hangs on the joint
-    const Mass&, const Joint&) -> Refused = delete;
+template <class Mass, class... Given>
+  requires(detail::is_mass<Mass>)
+auto body(  // body(mass, joint), the hub body(mass, free_in<I>); mass from the origin and in the axes of b
+    const Mass&, const Given&...) -> Refused = delete;
 
 /// A balanced rotor inside a body, which contains its mass: it turns about a unit vector of the body with the
 /// inertia J_s. It has no place, hence no edge.

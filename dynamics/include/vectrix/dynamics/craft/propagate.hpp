@@ -64,6 +64,13 @@ inline constexpr bool requires_run = requires(const Part& part, const CraftState
   part.require_run(start, end);
 };
 
+template <class Scenario, class State> inline constexpr bool is_run = CraftType<Scenario>;
+template <class C, class... Parts, class State>
+inline constexpr bool is_run<CraftScenario<C, Parts...>, State> = true;
+template <class Scenario, class C> inline constexpr bool is_run<Scenario, CraftState<C>> = true;
+template <class GivenC, class... Parts, class C>
+inline constexpr bool is_run<CraftScenario<GivenC, Parts...>, CraftState<C>> = true;
+
 /// Runs a scenario until how.end: `solve(problem, flight)` integrates the problem, which comes with its
 /// tolerances and method. No step crosses a change.
 template <CraftType C, class... Parts, class How, class Solve>
@@ -82,6 +89,9 @@ typename TrajectoryOf<C, HeldTypes<Parts...>>::type fly(const char* action,
   problem.roots = flight.roots();
   problem.at_segment_start = [&](double t, std::span<double> y, std::span<const ode::Event> ended_by) {
     flight.change(t, y, ended_by);
+  };
+  problem.why_not_finite = [&](double, double t, std::span<const double> y) {
+    return flight.not_finite(t, y.data());
   };
   try {
     ode::Solution solution = solve(problem, flight);
@@ -113,10 +123,12 @@ typename detail::TrajectoryOf<C, detail::HeldTypes<Parts...>>::type propagate(
   return detail::fly("propagate", scenario, start, how, detail::problem_of(craft, how), solve);
 }
 
-template <CraftType C, class... Parts, CraftType GivenC, class How = CraftPropagation>
-  requires(!std::is_same_v<C, GivenC> || !std::is_same_v<How, CraftPropagation>)
-auto propagate(  // a state of the scenario's craft, and how: CraftPropagation
-    const CraftScenario<C, Parts...>&, const CraftState<GivenC>&, const How&) -> Refused = delete;
+template <class State, class How = CraftPropagation>
+Refused propagate(const Refused& scenario, const State&, const How&);
+template <class Scenario, class State, class How = CraftPropagation>
+  requires(detail::is_run<Scenario, State>)
+auto propagate(  // scenario(craft, ...), a state of its craft, and how: CraftPropagation
+    const Scenario&, const State&, const How&) -> Refused = delete;
 
 /// The accelerations at a time of a trajectory, and what the joints transmit, under the loads of its scenario
 /// with the values held then. Throws BadInput outside [start, end].

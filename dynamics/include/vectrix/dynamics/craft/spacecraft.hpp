@@ -6,6 +6,7 @@
 #include <tuple>
 #include <type_traits>
 #include <utility>
+#include <vectrix/dynamics/craft/about_frames.hpp>
 #include <vectrix/dynamics/craft/shape.hpp>
 
 namespace vectrix {

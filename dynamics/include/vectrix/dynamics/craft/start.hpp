@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <vectrix/dynamics/craft/craft_numbers.hpp>
 #include <vectrix/dynamics/craft/spacecraft.hpp>
+#include <vectrix/dynamics/craft/starting.hpp>
 #include <vectrix/kinematics/points/moving_transform.hpp>
 
 namespace vectrix {
@@ -31,11 +32,8 @@ namespace detail {
 
 template <JointKind kind, class Q, class U>
 inline constexpr bool is_axis =
-    std::convertible_to<const Q&, Quantity<typename JointUnits<kind>::coordinate>>&&
-        std::convertible_to<const U&, Quantity<typename JointUnits<kind>::speed>>;
+    moves_by<typename JointUnits<kind>::coordinate, typename JointUnits<kind>::speed, Q, U>;
 
-/// What starts() makes of what it is given: one function for all, so that a refusal names few.
-template <class First, class... Given> struct Started { static constexpr bool fits = false; };
 template <class B, class Q, class U> struct Started<Of<B>, Q, U> {
   static constexpr JointKind kind = is_axis<JointKind::hinge, Q, U> ? JointKind::hinge : JointKind::slider;
   static constexpr bool fits = is_axis<kind, Q, U>;
@@ -74,27 +72,7 @@ template <class P, class B> struct Started<MovingTransform<P, B>> {
   }
 };
 
-/// The words of the run-time form are names.
-template <class First> inline constexpr bool is_of_frames = false;
-template <class B> inline constexpr bool is_of_frames<Of<B>> = true;
-template <class... B> inline constexpr bool is_of_frames<OfEach<B...>> = true;
-
 }  // namespace detail
-
-/// The start of a joint: of a hinge its angle and rate, of a slider its length and rate, of a gimbal the
-/// angle and rate about each axis; of a ball joint R_b^p and w_pb^b, of a free joint X_b^p with its rates. Of
-/// several hinges or sliders, one value for all, or a std::array:
-///     starts(of<Panel>, 0.1 * rad, 0.0 * (rad / s)), starts(R_p_from_b)
-///     starts(of_numbered<Panel, 1, 2>, std::array{0.1 * rad, 0.2 * rad}, 0.0 * (rad / s))
-template <class First, class... Given>
-  requires(detail::Started<First, Given...>::fits)
-auto starts(const First& first, const Given&... given) {
-  return detail::Started<First, Given...>::make(first, given...);
-}
-template <class First, class... Given>
-  requires(detail::is_of_frames<First> && !detail::Started<First, Given...>::fits)
-auto starts(  // angle and rate, of a gimbal both; length and rate; of each a value, or a std::array of all
-    const First&, const Given&...) -> Refused = delete;
 
 /// The speed of a rotor relative to its body.
 template <Point W> SpinStart<W> spins(Of<W>, const Quantity<si::angular_velocity>& speed) {

@@ -99,6 +99,13 @@ template <class C, class Motion, class... Starts> constexpr auto fault_of_state(
     return std::type_identity<IsNoCraft<C>>{};
 }
 
+/// Refused starts have said why.
+template <class C, class Motion, class... Starts> struct MakesState {
+  using Fault = StateFault<C, Motion, Starts...>;
+  static constexpr bool value = std::is_same_v<Fault, Nothing> || std::is_same_v<Fault, Refused>;
+  using type = std::conditional_t<std::is_same_v<Fault, Refused>, Refused, CraftState<C>>;
+};
+
 template <CraftType C>
 CraftState<C> checked_state(const C& craft, const char* action, const Quantity<si::time>& t,
                             const std::array<double, C::state_size>& y) {
@@ -123,8 +130,13 @@ CraftState<C> state_from_numbers(const C& craft, const Quantity<si::time>& t,
 /// The hub of turning_in<I> needs a MovingDcm only. Throws BadInput for a number that is not finite, and for
 /// a craft all whose mass is on a line.
 template <CraftType C, class Motion, class... Starts>
-  requires std::is_same_v<detail::StateFault<C, Motion, Starts...>, Nothing> CraftState<C> state(
-      const C& craft, const Quantity<si::time>& t, const Motion& X_i_from_hub, const Starts&... starts) {
+  requires(detail::MakesState<C, Motion, Starts...>::value)
+typename detail::MakesState<C, Motion, Starts...>::type state(const C& craft, const Quantity<si::time>& t,
+                                                              const Motion& X_i_from_hub,
+                                                              const Starts&... starts) {
+  if constexpr (std::is_same_v<detail::StateFault<C, Motion, Starts...>, Refused>) {
+    return Refused{};
+  } else {
     typename CraftState<C>::Numbers y{};
     detail::put_hub(X_i_from_hub, y.data());
     (detail::for_each_part(
@@ -133,6 +145,7 @@ template <CraftType C, class Motion, class... Starts>
      ...);
     return detail::checked_state(craft, "state", t, y);
   }
+}
 template <class C, class Time, class Motion, class... Starts,
           class Fault = typename decltype(detail::fault_of_state<C, Motion, Starts...>())::type>
   requires(!std::is_same_v<Fault, Nothing>)

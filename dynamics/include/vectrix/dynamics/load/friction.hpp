@@ -186,9 +186,9 @@ JointFriction<C, On, Effort, Speed, Damping> friction(const C&, Of<On>, const Qu
   detail::not_negative(load, "viscous damping", viscous);
   return {coulomb, breakaway, stribeck_speed, viscous};
 }
-template <class C, class On, class Effort, class Breakaway, class Speed, class Damping>
-auto friction(  // on a hinge or rotor: M_c, M_s in N m, u_s in rad/s, c in N m s/rad; on a slider: N, m/s, N
-                // s/m
-    const C&, Of<On>, const Effort&, const Breakaway&, const Speed&, const Damping&) -> Refused = delete;
+template <class... Given>
+  requires(detail::about_frames<Given...>)
+auto friction(  // craft, of<B>, M_c, M_s, u_s, c; hinge, rotor: N m, rad/s, N m s/rad; slider: N, m/s, N s/m
+    const Given&...) -> Refused = delete;
 
 }  // namespace vectrix

@@ -74,8 +74,9 @@ template <CraftType C, class B>
 LockableJoint<C, B> lockable(const C&, Of<B>, const Locked<B>& at_start = {}) {
   return {at_start};
 }
-template <class C, class B, class... Start>
-auto lockable(  // of a body of the craft C on a joint that moves, or a rotor; at the start a Locked<B>
-    const C&, Of<B>, const Start&...) -> Refused = delete;
+template <class... Given>
+  requires(detail::about_frames<Given...>)
+auto lockable(  // craft, of<B>: a body of C on a joint that moves, or a rotor; at the start a Locked<B>
+    const Given&...) -> Refused = delete;
 
 }  // namespace vectrix

@@ -52,8 +52,9 @@ template <CraftType C, class B, class F>
 MagnetorquerLoad<C, B, F> magnetorquer(const C&, Of<B>, const F& field) {
   return {field};
 }
-template <class C, class B, class F>
-auto magnetorquer(  // of<B>, f: on a body or mount of C; f(const Now<C>&) gives tesla in a frame of C
-    const C&, Of<B>, const F&) -> Refused = delete;
+template <class... Given>
+  requires(detail::about_frames<Given...>)
+auto magnetorquer(  // craft, of<B>, f: on a body or mount of C; f(const Now<C>&) gives tesla in a frame of C
+    const Given&...) -> Refused = delete;
 
 }  // namespace vectrix

@@ -35,8 +35,9 @@ template <CraftType C, class On, class F>
 OfTime<C, On, F> of_time(const C&, Of<On>, const F& function) {
   return {function};
 }
-template <class C, class On, class F>
-auto of_time(  // f(t): on b a torque, a force, a wrench, in frames of C; an effort on a joint; N m on a rotor
-    const C&, Of<On>, const F&) -> Refused = delete;
+template <class... Given>
+  requires(detail::about_frames<Given...>)
+auto of_time(  // craft, of<B>, f(t): torque, force, wrench in frames of C; an effort on a joint; N m, rotor
+    const Given&...) -> Refused = delete;
 
 }  // namespace vectrix

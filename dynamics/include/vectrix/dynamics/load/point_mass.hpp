@@ -110,8 +110,8 @@ template <CraftType C>
                                                             const Quantity<si::gravitational_parameter>& mu) {
     return {detail::trusted, craft, detail::positive("point_mass", "gravitational parameter", mu)};
   }
-template <class C, class Mu>
+template <CraftType C, class... Given>
 auto point_mass(  // point_mass(craft, mu): a craft whose hub is free_in<I>, so that it has a place; m^3/s^2
-    const C&, const Mu&) -> Refused = delete;
+    const C&, const Given&...) -> Refused = delete;
 
 }  // namespace vectrix

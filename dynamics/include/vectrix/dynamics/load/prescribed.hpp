@@ -9,19 +9,13 @@
 #include <vectrix/dynamics/craft/forces.hpp>
 #include <vectrix/dynamics/craft/given_function.hpp>
 #include <vectrix/dynamics/craft/joint_motion.hpp>
+#include <vectrix/dynamics/craft/prescribing.hpp>
 #include <vectrix/dynamics/craft/state.hpp>
 #include <vectrix/dynamics/load/joint_units.hpp>
 
 namespace vectrix {
 namespace detail {
 
-/// What a function of the time gives.
-template <class F> struct GivenMotion { using type = void; };
-template <class F>
-  requires std::invocable < const F&, const Quantity<si::time>
-& > struct GivenMotion<F> {
-  using type = std::remove_cvref_t<std::invoke_result_t<const F&, const Quantity<si::time>&>>;
-};
 template <class C, class B, class Given> constexpr bool is_motion() {
   if constexpr (C::shape::template has_axes<B>)
     return std::is_same_v<Given, typename MotionOfJoint<C::shape::template Part<B>::joint>::type>;
@@ -50,7 +44,14 @@ VECTRIX_EXPORT void require_motion(const GivenAxis& axis, double start, double e
 
 }  // namespace detail
 
-/// A joint or rotor that moves as a function of time says. Made by prescribed().
+/// prescribed(craft, of<B>, f): the joint of b moves as f(t) says, a JointMotion of a hinge or slider, a
+/// std::array of two of a gimbal; a rotor turns at a speed of time, a RotorMotion:
+///     u' = f''(t), whatever acts on it; CraftMotion::holding_effort(of<B>) is what the drive gives for it
+/// Springs and other efforts change only that. f must be smooth between the changes of the scenario. The
+/// numbers of the joint stay in the state and are integrated. A run throws BadInput with the numbers if it
+/// does not start at f and f' to 1e-6 of their largest values, or if f' and f'' are not the derivatives of f
+/// and f' to 1e-5, at five times from its start to its end; and it fails if the joint is also locked. A
+/// gimbal may be driven about one axis, about_axis<1> or about_axis<2>, and free about the other.
 template <CraftType C, class B, class F> struct PrescribedJoint {
   F motion;
 
@@ -106,47 +107,32 @@ template <CraftType C, class B, int axis, class F> struct PrescribedAxis {
 
 namespace detail {
 
-/// What prescribed(craft, of<B>, f) and prescribed(craft, of<B>, about_axis<i>, f) make, and of what they
-/// make it: one function for both, so that a refusal names few.
-template <class C, class B, class... F> struct IsPrescribed : std::false_type { using given = void; };
-template <class C, class B, class F>
-struct IsPrescribed<C, B, F> : std::bool_constant<is_motion<C, B, typename GivenMotion<F>::type>()> {
+/// Of a joint or rotor, and of one axis of a gimbal. A function with an error has said why.
+template <class C, class B, class Load, bool is_motion, class F> struct PrescribedLoad {
   using given = typename GivenMotion<F>::type;
-  using type = PrescribedJoint<C, B, std::decay_t<F>>;
+  static constexpr bool failed = has_error<F, const Quantity<si::time>&>();
+  static constexpr bool fits = is_motion || failed;
+  static auto made(const F& motion) {
+    if constexpr (failed) {
+      return Refused{};
+    } else {
+      require_function([] { return on_joint<B>("prescribed").text(); }, motion);
+      return Load{motion};
+    }
+  }
 };
-template <class C, class B, int axis, class F>
-struct IsPrescribed<C, B, AboutAxis<axis>, F>
-    : std::bool_constant<is_motion_of_axis<C, B, typename GivenMotion<F>::type>> {
-  using given = typename GivenMotion<F>::type;
-  using type = PrescribedAxis<C, B, axis, std::decay_t<F>>;
+template <CraftType C, class B, class F>
+struct Prescribed<C, Of<B>, F> : PrescribedLoad<C, B, PrescribedJoint<C, B, std::decay_t<F>>,
+                                                is_motion<C, B, typename GivenMotion<F>::type>(), F> {
+  static auto make(const C&, Of<B>, const F& motion) { return Prescribed::made(motion); }
 };
-template <class F> const F& last_of(const F& f) {
-  return f;
-}
-template <class Axis, class F> const F& last_of(const Axis&, const F& f) {
-  return f;
-}
+template <CraftType C, class B, int axis, class F>
+struct Prescribed<C, Of<B>, AboutAxis<axis>, F>
+    : PrescribedLoad<C, B, PrescribedAxis<C, B, axis, std::decay_t<F>>,
+                     is_motion_of_axis<C, B, typename GivenMotion<F>::type>, F> {
+  static auto make(const C&, Of<B>, AboutAxis<axis>, const F& motion) { return Prescribed::made(motion); }
+};
 
 }  // namespace detail
-
-/// The joint of b moves as f(t) says, a JointMotion of a hinge or slider, a std::array of two of a gimbal; a
-/// rotor turns at a speed of time, a RotorMotion:
-///     u' = f''(t), whatever acts on it; CraftMotion::holding_effort(of<B>) is what the drive gives for it
-/// Springs and other efforts change only that. f must be smooth between the changes of the scenario. The
-/// numbers of the joint stay in the state and are integrated. A run throws BadInput with the numbers if it
-/// does not start at f and f' to 1e-6 of their largest values, or if f' and f'' are not the derivatives of f
-/// and f' to 1e-5, at five times from its start to its end; and it fails if the joint is also locked. A
-/// gimbal may be driven about one axis, about_axis<1> or about_axis<2>, and free about the other.
-template <CraftType C, class B, class... F>
-  requires(detail::IsPrescribed<C, B, F...>::value)
-typename detail::IsPrescribed<C, B, F...>::type prescribed(const C&, Of<B>, const F&... motion) {
-  detail::require_function([] { return detail::on_joint<B>("prescribed").text(); },
-                           detail::last_of(motion...));
-  return {detail::last_of(motion...)};
-}
-template <class C, class B, class... F, class Given = typename detail::IsPrescribed<C, B, F...>::given>
-  requires(!detail::IsPrescribed<C, B, F...>::value)
-auto prescribed(  // of a hinge: JointMotion{rad, rad/s, rad/s^2}, gimbal: two, or an axis; rotor: RotorMotion
-    const C&, Of<B>, const F&...) -> Refused = delete;
 
 }  // namespace vectrix

@@ -45,9 +45,9 @@ template <CraftType C, class On, class Given>
     detail::require_pulse(start, end);
     return {detail::finite("pulse", "load", given), start, end};
   }
-template <class C, class On, class Given, class Start, class End>
-auto pulse(  // from t_1 to t_2: on b a torque, a force, a wrench, in frames of C; an effort on a joint; N m
-             // on a rotor
-    const C&, Of<On>, const Given&, const Start&, const End&) -> Refused = delete;
+template <class... Given>
+  requires(detail::about_frames<Given...>)
+auto pulse(  // craft, of<B>, x, t_1, t_2: torque, force, wrench in frames of C; an effort on a joint; N m
+    const Given&...) -> Refused = delete;
 
 }  // namespace vectrix

@@ -30,9 +30,10 @@ JointSpring<C, B, K, Q> spring(const C&, Of<B>, const Quantity<K>& stiffness, co
   const auto load = detail::on_joint<B>("spring");
   return {detail::finite(load, "stiffness", stiffness), detail::finite(load, "place of rest", at_rest)};
 }
-template <class C, class B, class K, class Q>
+template <class... Given>
+  requires(detail::about_frames<Given...>)
 auto spring(  // spring(craft, of<B>, k, q_0): b on a hinge, N m/rad and rad, or on a slider, N/m and m
-    const C&, Of<B>, const K&, const Q&) -> Refused = delete;
+    const Given&...) -> Refused = delete;
 
 /// A damper on the joint of b, N m s/rad or N s/m. Throws BadInput for a number that is not finite.
 template <CraftType C, class B, class D>
@@ -40,8 +41,9 @@ template <CraftType C, class B, class D>
 JointDamper<C, B, D> damper(const C&, Of<B>, const Quantity<D>& damping) {
   return {detail::finite(detail::on_joint<B>("damper"), "damping", damping)};
 }
-template <class C, class B, class D>
+template <class... Given>
+  requires(detail::about_frames<Given...>)
 auto damper(  // damper(craft, of<B>, c): b on a hinge, N m s/rad, or on a slider, N s/m
-    const C&, Of<B>, const D&) -> Refused = delete;
+    const Given&...) -> Refused = delete;
 
 }  // namespace vectrix

@@ -108,8 +108,9 @@ JointStops<C, B, K, D, Q> stop_at(const C&, Of<B>, const Quantity<Q>& lower, con
   return {lower, upper, detail::positive(load, "stiffness", stiffness),
           detail::not_negative(load, "damping", damping)};
 }
-template <class C, class B, class Lower, class Upper, class K, class D>
-auto stop_at(  // lower, upper, k, c of a hinge: rad, N m/rad, N m s/rad; of a slider: m, N/m, N s/m
-    const C&, Of<B>, const Lower&, const Upper&, const K&, const D&) -> Refused = delete;
+template <class... Given>
+  requires(detail::about_frames<Given...>)
+auto stop_at(  // craft, of<B>, lower, upper, k, c; hinge: rad, N m/rad, N m s/rad; slider: m, N/m, N s/m
+    const Given&...) -> Refused = delete;
 
 }  // namespace vectrix

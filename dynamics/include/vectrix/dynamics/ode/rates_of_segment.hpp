@@ -52,6 +52,7 @@ template <std::size_t N, SegmentRates<N> F> struct RatesOfSegment {
     }
     if (!finite(ydot)) [[unlikely]] {
       keep(ydot, " of the right-hand side is ", t);
+      trouble->text += why_not_finite(*problem, start, t, y);
     }
   }
 

@@ -88,6 +88,9 @@ struct Problem {
   bool dense_output = true;
   std::string caller = "ode::solve";         ///< name of the calling function, for messages
   std::vector<std::string> component_names;  ///< for messages: empty, or one for each component
+  /// For messages, may be empty: asked when the rates of (segment_start, t, y) are not finite, it says why,
+  /// as "the motor torque is nan N m", or nothing.
+  std::function<std::string(double segment_start, double t, std::span<const double> y)> why_not_finite;
 };
 
 namespace detail {
@@ -97,6 +100,9 @@ inline std::string component_name(const Problem& problem, std::size_t i) {
   return problem.component_names.empty() ? "component " + vectrix::detail::text(i)
                                          : problem.component_names.at(i);
 }
+/// What the problem says of rates that are not finite, after a colon; empty if it says nothing.
+VECTRIX_EXPORT std::string why_not_finite(const Problem& problem, double segment_start, double t,
+                                          std::span<const double> y);
 
 }  // namespace detail
 
