@@ -92,7 +92,7 @@ STANDARD = {
     "tuple": "tuple tuple_element tuple_element_t tuple_size tuple_size_v make_tuple tie apply tuple_cat get",
     "type_traits": "is_same_v is_same type_identity type_identity_t enable_if_t enable_if remove_cvref_t remove_cv_t "
                    "remove_reference_t conditional conditional_t invoke_result invoke_result_t is_integral_v is_base_of_v "
-                   "is_void_v is_empty_v is_arithmetic_v is_invocable_v is_floating_point_v is_convertible_v "
+                   "is_void_v is_empty_v is_final_v is_arithmetic_v is_invocable_v is_floating_point_v is_convertible_v "
                    "is_constructible_v is_default_constructible_v is_const_v is_reference_v is_lvalue_reference_v "
                    "is_trivially_copyable_v is_nothrow_move_constructible_v integral_constant bool_constant true_type "
                    "false_type decay_t common_type_t void_t add_const_t underlying_type_t is_enum_v is_class_v",

@@ -120,8 +120,7 @@ class Frames {
     const auto motion =
         reference_motion(record.file, name, with_t, orbit, scenario.orientation, reference_keys);
     const std::string axes = axes_of_reference(name);
-    hang(name, {"GCRF", axes.empty() ? axes_of_date(name) : "of the orbit, " + axes, false},
-         motion(t), {});
+    hang(name, {"GCRF", axes.empty() ? axes_of_date(name) : "of the orbit, " + axes, false}, motion(t), {});
   }
 
   // What the attitude is relative to.

@@ -107,14 +107,16 @@ TEST(FlownOrbit, RefusesAnEarthFixedMessageAndOldElements) {
       complaint(
           [&] { (void)orbit_of_elements(read_two_lines(elements), elements, later("2023-05-20T05:00:00")); },
           elements),
-      "FILE: the nearest element set, of 2023-04-19T13:52:37 UTC, is 31 days from the times that are looked at; at most "
+      "FILE: the nearest element set, of 2023-04-19T13:52:37 UTC, is 31 days from the times that are looked "
+      "at; at most "
       "7 are allowed");
   // The end alone is more than a week from it.
   EXPECT_EQ(
       complaint(
           [&] { (void)orbit_of_elements(read_two_lines(elements), elements, later("2023-04-26T13:52:00")); },
           elements),
-      "FILE: the nearest element set, of 2023-04-19T13:52:37 UTC, is 8 days from the times that are looked at; at most "
+      "FILE: the nearest element set, of 2023-04-19T13:52:37 UTC, is 8 days from the times that are looked "
+      "at; at most "
       "7 are allowed");
   EXPECT_EQ(complaint([&] {
               (void)orbit_of_elements(read_two_lines(elements), elements, later("2023-04-26T13:51:00"));

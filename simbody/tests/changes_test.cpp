@@ -178,7 +178,8 @@ TEST(SimbodyRun, says_which_load_is_no_number) {
   };
   expect_says(run(about([](Forces<Sat>& f, double x) { f.motor(of<WheelOfHub>, x * N_m); })),
               "load 1 of 1: the motor torque on vectrix_test");
-  expect_says(run(about([](Forces<Sat>& f, double x) { f.effort(of<Boom>, x * N_m); })), "load 1 of 1: the effort on the joint of");
+  expect_says(run(about([](Forces<Sat>& f, double x) { f.effort(of<Boom>, x * N_m); })),
+              "load 1 of 1: the effort on the joint of");
   expect_says(run([](const Now<Sat>&, Forces<Sat>& f) {
                 const auto most = vector(in<Hub>, 1.5e308 * N, 0.0 * N, 0.0 * N);
                 f.force(of<Boom>, most);

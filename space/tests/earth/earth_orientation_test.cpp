@@ -256,9 +256,8 @@ TEST(EarthOrientation, UnobservedStandsStillOverALeapSecond) {
 TEST(EarthOrientation, UnobservedRefusesBadInput) {
   const auto start = Epoch::from_utc("2030-01-01T00:00:00");
   const auto day = from_until(start, 86400.0 * si::second);
-  EXPECT_EQ(
-      complaint([&] { (void)EarthOrientation::unobserved(day, -37.1 * si::second); }),
-      "EarthOrientation::unobserved: UT1-UTC is -37.1 s; UTC keeps it within 0.9 s");
+  EXPECT_EQ(complaint([&] { (void)EarthOrientation::unobserved(day, -37.1 * si::second); }),
+            "EarthOrientation::unobserved: UT1-UTC is -37.1 s; UTC keeps it within 0.9 s");
   EXPECT_THROW((void)EarthOrientation::unobserved(day, std::nan("") * si::second), BadInput);
   EXPECT_EQ(
       complaint([&] { (void)EarthOrientation::unobserved(from_until(start, start), 0.0 * si::second); }),
