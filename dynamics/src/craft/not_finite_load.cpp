@@ -1,5 +1,7 @@
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <functional>
 #include <span>
 #include <string>
 #include <vectrix/dynamics/craft/craft_core.hpp>
@@ -75,6 +77,16 @@ std::string not_finite_load(const PlainSpacecraft& craft, const multibody::Work<
     if (!std::isfinite(work.modal[i]))
       found = said("force", craft.modes[i].name, text(work.modal[i]), "kg^1/2 m/s^2");
   return found.empty() ? said("field", "the craft", work.field, "m/s^2", craft.inertial) : found;
+}
+
+std::string first_not_finite_load(const PlainSpacecraft& craft, std::size_t count,
+                                  const std::function<const multibody::Work<double>&(std::size_t)>& of_load) {
+  for (std::size_t i = 1; i <= count; ++i) {
+    const std::string found = not_finite_load(craft, of_load(i));
+    if (!found.empty()) return "load " + text(i) + " of " + text(count) + ": " + found;
+  }
+  const std::string found = not_finite_load(craft, of_load(0));
+  return found.empty() ? found : "the loads together: " + found;
 }
 
 }  // namespace vectrix::detail

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
 #include <functional>
 #include <memory>
 #include <span>
@@ -77,8 +78,13 @@ void place_for_loads(const multibody::Tree<S>& tree, const S* y, multibody::Work
   work.hub.n = work.hub.f = multibody::zero_column<S>();
   for (auto& link : work.links) link.I.n = link.I.f = multibody::zero_column<S>();
 }
-/// What loads have given that is not finite, as "the motor torque on Wheel is nan N m"; empty if there is
-/// none. `work` is that of place_for_loads() with the loads.
+/// The first of so many loads that gives what is not finite, and what, as "load 2 of 3: the motor torque on
+/// Wheel is nan N m"; empty if there is none. of_load(i) places for the loads and lets load i act, counted
+/// from 1; of_load(0) lets all act.
+VECTRIX_EXPORT std::string first_not_finite_load(
+    const PlainSpacecraft& craft, std::size_t count,
+    const std::function<const multibody::Work<double>&(std::size_t)>& of_load);
+/// What loads have given that is not finite, without the number of the load.
 VECTRIX_EXPORT std::string not_finite_load(const PlainSpacecraft& craft, const multibody::Work<double>& work);
 /// Throws BadInput with the name of a number whose derivative is not finite, and with what `why` says then.
 VECTRIX_EXPORT void require_finite_rates(const CraftCore& core, const char* action, double time,

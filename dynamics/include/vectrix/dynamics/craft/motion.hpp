@@ -56,38 +56,24 @@ template <class C, class S, class... Loads> class CraftRatesIn {
     core_->tree.solve(y, ydot, work_);
   }
   /// The loads alone, for another engine: the (n, f) of each body are those of its loads, with the opposite
-  /// sign.
-  const multibody::Work<S>& loads(double t, const S* y) {
+  /// sign. All of them, or one, counted from 1.
+  [[gnu::cold, gnu::noinline]] const multibody::Work<S>& loads(double t, const S* y, std::size_t one = 0) {
     place_for_loads(core_->tree, y, work_);
-    add_loads(t, y);
+    if constexpr (sizeof...(Loads) > 0) {
+      const Now<C, S> now{trusted, *core_, t, y, work_};
+      Forces<C, S> forces{trusted, now, work_};
+      add_of(one, now, forces, std::index_sequence_for<Loads...>{});
+    }
     return work_;
   }
   /// The first load that gives what is not finite, and what; empty if there is none.
   std::string not_finite(double t, const S* y) {
-    if constexpr (sizeof...(Loads) == 0)
-      return "";
-    else
-      return first_not_finite(t, y, std::index_sequence_for<Loads...>{});
+    const auto of_load = [&](std::size_t one) -> const multibody::Work<S>& { return loads(t, y, one); };
+    return first_not_finite_load(core_->plain, sizeof...(Loads), std::ref(of_load));
   }
   multibody::Work<S>& work() { return work_; }
 
  private:
-  template <std::size_t... i> std::string first_not_finite(double t, const S* y, std::index_sequence<i...>) {
-    std::string found;
-    const auto is_not_finite = [&](const auto& load, std::size_t number) {
-      place_for_loads(core_->tree, y, work_);
-      const Now<C, S> now{trusted, *core_, t, y, work_};
-      Forces<C, S> forces{trusted, now, work_};
-      load(now, forces);
-      found = not_finite_load(core_->plain, work_);
-      if (found.empty()) return false;
-      found = "load " + text(number) + " of " + text(sizeof...(i)) + ": " + found;
-      return true;
-    };
-    if ((is_not_finite(std::get<i>(loads_), i + 1) || ...)) return found;
-    found = not_finite_load(core_->plain, loads(t, y));
-    return found.empty() ? found : "the loads together: " + found;
-  }
   [[gnu::always_inline]] void add_loads(double t, const S* y) {
     if constexpr (sizeof...(Loads) > 0) {
       const Now<C, S> now{trusted, *core_, t, y, work_};
@@ -99,6 +85,10 @@ template <class C, class S, class... Loads> class CraftRatesIn {
   [[gnu::always_inline]] void add(const Now<C, S>& now, Forces<C, S>& forces,
                                   std::index_sequence<i...>) const {
     (std::get<i>(loads_)(now, forces), ...);
+  }
+  template <std::size_t... i>
+  void add_of(std::size_t one, const Now<C, S>& now, Forces<C, S>& forces, std::index_sequence<i...>) const {
+    ((one == 0 || one == i + 1 ? std::get<i>(loads_)(now, forces) : void()), ...);
   }
 
   std::shared_ptr<const CraftCoreIn<S>> core_;
