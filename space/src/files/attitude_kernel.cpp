@@ -203,7 +203,8 @@ std::vector<TimeSpan> AttitudeKernel::coverage_of(const detail::FrameClaim& b, c
     for (const detail::TickSpan& interval : segment.intervals())
       if (interval.to - interval.from > segment.rounding()) all.push_back(interval);
   }
-  std::sort(all.begin(), all.end(), [](const auto& x, const auto& y) { return x.from < y.from; });
+  std::sort(all.begin(), all.end(),
+            [](const detail::TickSpan& x, const detail::TickSpan& y) { return x.from < y.from; });
   std::vector<TimeSpan> spans;
   for (const detail::TickSpan& one : detail::joined(all))
     spans.push_back(from_until(clock_.epoch({one.from}), clock_.epoch({one.to})));
