@@ -88,9 +88,10 @@ void write_orbit(OrbitRecord record, bool is_part, const ConvertOptions& options
   if (!options.orientation.empty())
     require_observed(options.frame, earth_frame_name(record.lines.ref_frame).value_or(record.lines.ref_frame),
                      "the orbit is in ");
-  if (!frame.empty())
-    record =
-        relative_to_frame(std::move(record), frame, read_orientation(options.orientation, times_of(record)));
+  if (!frame.empty()) {
+    const auto orientation = read_orientation(options.orientation, times_of(record));
+    record = relative_to_frame(std::move(record), frame, orientation);
+  }
   write_new(options.out,
             is_for_viewer ? czml_orbit(record, object_name(options.text, record.message, record.file))
             : is_table    ? orbit_table(record)
