@@ -58,7 +58,8 @@ StateDifferences::StateDifferences(std::shared_ptr<const CraftCore> core, double
       energy_{0.0, from},
       momentum_{0.0, from},
       angular_momentum_{0.0, from},
-      events_({0.0, from}) {
+      events_({0.0, from}),
+      impulses_({0.0, from}) {
   list_rows();
 }
 
@@ -135,6 +136,26 @@ void StateDifferences::set_events(std::vector<EventTime> ours, std::vector<Event
     put_larger(*events_, std::abs(ours[i].time - theirs[i].time), ours[i].time);
 }
 
+void StateDifferences::set_impulses(std::vector<double> ours, std::vector<double> theirs) {
+  our_impulses_ = std::move(ours);
+  their_impulses_ = std::move(theirs);
+  if (our_impulses_.size() != their_impulses_.size()) {
+    impulses_.reset();
+    return;
+  }
+  for (std::size_t i = 0; i < our_impulses_.size(); ++i)
+    put_larger(*impulses_, std::abs(our_impulses_[i] - their_impulses_[i]), our_impulses_[i]);
+}
+
+bool StateDifferences::is_between_impulses(double t) const {
+  if (!impulses_) return false;
+  for (std::size_t i = 0; i < our_impulses_.size(); ++i) {
+    const auto [first, last] = std::minmax(our_impulses_[i], their_impulses_[i]);
+    if (t >= first && t <= last) return true;
+  }
+  return false;
+}
+
 void StateDifferences::print(std::ostream& out) const {
   std::ostringstream table;  // whose format is not that of `out`
   std::size_t width = std::string("angular momentum").size();
@@ -150,6 +171,10 @@ void StateDifferences::print(std::ostream& out) const {
     table << "the events differ: " << our_events_ << " and " << their_events_ << ", or their names\n";
   else if (our_events_ > 0)
     print_row(table, width, "times of events", *events_, "s");
+  if (!impulses_)
+    table << "the impulses differ: " << our_impulses_.size() << " and " << their_impulses_.size() << '\n';
+  else if (!our_impulses_.empty())
+    print_row(table, width, "times of impulses", *impulses_, "s");
   out << table.str();
 }
 

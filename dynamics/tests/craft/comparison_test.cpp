@@ -5,6 +5,7 @@
 #include <string>
 #include <vectrix/dynamics/craft/comparison.hpp>
 #include <vectrix/dynamics/craft/propagate.hpp>
+#include <vectrix/dynamics/load/lockable.hpp>
 
 #include "short_units.hpp"
 #include "testing/attitudes.hpp"
@@ -150,6 +151,70 @@ TEST(Comparison, compares_the_times_of_events) {
   ASSERT_TRUE(shorter.events());
   EXPECT_EQ(shorter.events()->size, 0.0 * s);
   EXPECT_FALSE(compare(sat, run({.speed = 0.2}, 1.0, 8.0, 1.0), run({}, 1.0, 11.0)).events());
+}
+
+/// The arm, which moves along the hub, is locked where its coordinate passes `at`: an impulse stops it.
+CraftTrajectory<Sat, Locked<Arm>> latched(double arm_speed, double at, double end = 11.0) {
+  const Sat sat;
+  const auto none = 0.0 * rad_s;
+  const auto still = angular_velocity(of<Hub>, relative_to<Gcrf>, vector(in<Hub>, none, none, none));
+  const MovingTransform<Gcrf, Hub> hub{{aligned(to<Gcrf>, from<Hub>), still},
+                                       coincident(of<Hub>, relative_to<Gcrf>, in<Gcrf>),
+                                       velocity(of<Hub>, relative_to<Gcrf>, observed_from<Gcrf>,
+                                                vector(in<Gcrf>, 0.0 * m_s, 0.0 * m_s, 0.0 * m_s))};
+  const MovingTransform<Hub, Probe> probe{
+      {aligned(to<Hub>, from<Probe>),
+       angular_velocity(of<Probe>, relative_to<Hub>, vector(in<Probe>, none, none, none))},
+      coincident(of<Probe>, relative_to<Hub>, in<Hub>),
+      velocity(of<Probe>, relative_to<Hub>, observed_from<Hub>,
+               vector(in<Hub>, 0.0 * m_s, 0.0 * m_s, 0.0 * m_s))};
+  const auto latch = when(
+      "latch", [at](const Now<Sat>& now) { return now.coordinate(of<Arm>) - at * m; }, ode::Direction::rising,
+      becomes(Locked<Arm>{true}));
+  return propagate(scenario(sat, lockable(sat, of<Arm>), latch),
+                   state(sat, 1.0 * s, hub, starts(of<Arm>, 0.0 * m, arm_speed * m_s), starts(probe),
+                         spins(of<Wheel>, none)),
+                   {.end = end * s,
+                    .relative_tolerance = 1e-12,
+                    .absolute_tolerances = {1e-12 * rad, 1e-12 * rad_s, 1e-12 * m, 1e-12 * m_s, 1e-12}});
+}
+
+// Between the two impulses one run has stopped and the other has not: that is no difference of the mechanics.
+TEST(Comparison, compares_each_impulse_at_its_own_time) {
+  const Sat sat;
+  const double at = 0.5, later = at + 1e-9, speed = 0.25;  // after 2 s, and 4 ns later
+  const auto found = compare(sat, latched(speed, at), latched(speed, later));
+  EXPECT_NEAR(found.speed(of<Arm>).size.in(m_s), 0.0, rounding);
+  EXPECT_NEAR(found.velocity(of<Hub>).size.in(m_s), 0.0, rounding);
+  EXPECT_NEAR(found.coordinate(of<Arm>).size.in(m), later - at, rounding);
+  ASSERT_TRUE(found.impulses());
+  EXPECT_NEAR(found.impulses()->size.in(s), (later - at) / speed, rounding);
+  EXPECT_NEAR(found.impulses()->time.in(s), 1.0 + at / speed, rounding);
+  std::ostringstream out;
+  out << found;
+  EXPECT_NE(out.str().find("times of impulses  4.0e-09 s"), std::string::npos) << out.str();
+}
+
+// Other speeds at the impulse are seen, before it and after it.
+TEST(Comparison, sees_what_an_impulse_changes) {
+  const Sat sat;
+  const auto found = compare(sat, latched(0.25, 0.5), latched(0.26, 0.52));  // both after 2 s
+  EXPECT_NEAR(found.speed(of<Arm>).size.in(m_s), 0.01, rounding);
+  // The arm of 1 kg shares its momentum with the hub of 10 kg; the probe is on a free joint.
+  EXPECT_NEAR(found.momentum().size.value(), 0.01, rounding);
+  EXPECT_NEAR(found.velocity(of<Hub>).size.in(m_s), 0.01 / 11.0, rounding);
+}
+
+TEST(Comparison, says_that_one_run_has_an_impulse_and_the_other_none) {
+  const Sat sat;
+  const auto found = compare(sat, latched(0.25, 0.5), latched(0.25, 50.0));
+  EXPECT_FALSE(found.impulses());
+  EXPECT_NEAR(found.speed(of<Arm>).size.in(m_s), 0.25, rounding);
+  std::ostringstream out;
+  out << found;
+  EXPECT_NE(out.str().find("the impulses differ: 1 and 0\n"), std::string::npos) << out.str();
+  // One after the end of the other run is no difference.
+  ASSERT_TRUE(compare(sat, latched(0.25, 0.5, 2.0), latched(0.25, 0.5)).impulses());
 }
 
 TEST(Comparison, prints_a_row_for_each_quantity) {

@@ -39,12 +39,17 @@ class VECTRIX_EXPORT StateDifferences {
   StateDifferences(std::shared_ptr<const CraftCore> core, double from, double until);
   void add(double t, const double* ours, const double* theirs);
   void set_events(std::vector<EventTime> ours, std::vector<EventTime> theirs);
+  /// The times of impulses within the span, in order. If there are as many of both, the states from an
+  /// impulse to that of the other trajectory are not compared: only one has been struck.
+  void set_impulses(std::vector<double> ours, std::vector<double> theirs);
+  bool is_between_impulses(double t) const;
 
   const NumberDifference& at(std::size_t number) const { return numbers_[number]; }
   const NumberDifference& energy() const { return energy_; }
   const NumberDifference& momentum() const { return momentum_; }
   const NumberDifference& angular_momentum() const { return angular_momentum_; }
   const std::optional<NumberDifference>& events() const { return events_; }
+  const std::optional<NumberDifference>& impulses() const { return impulses_; }
   double from() const { return from_; }
   double until() const { return until_; }
   void print(std::ostream& out) const;
@@ -63,8 +68,9 @@ class VECTRIX_EXPORT StateDifferences {
   std::vector<Row> rows_;
   std::vector<NumberDifference> numbers_;
   NumberDifference energy_, momentum_, angular_momentum_;
-  std::optional<NumberDifference> events_;
+  std::optional<NumberDifference> events_, impulses_;
   std::size_t our_events_ = 0, their_events_ = 0;
+  std::vector<double> our_impulses_, their_impulses_;
 };
 
 }  // namespace detail
@@ -149,6 +155,11 @@ template <CraftType C> class CraftComparison {
     if (!differences_.events()) return std::nullopt;
     return typed<si::time>(*differences_.events());
   }
+  /// Of the times of impulses, as of a latch; empty if the two have not the same number of them.
+  std::optional<LargestDifference<si::time>> impulses() const {
+    if (!differences_.impulses()) return std::nullopt;
+    return typed<si::time>(*differences_.impulses());
+  }
 
   friend std::ostream& operator<<(std::ostream& out, const CraftComparison& comparison) {
     comparison.differences_.print(out);
@@ -176,8 +187,26 @@ template <CraftType C> class CraftComparison {
   detail::StateDifferences differences_;
 };
 
+namespace detail {
+
+/// The number of the node before each impulse within the span; the node after it has the same time.
+template <CraftType C, class... X>
+std::vector<std::size_t> before_impulses(const CraftTrajectory<C, X...>& trajectory,
+                                         const Quantity<si::time>& from, const Quantity<si::time>& until) {
+  std::vector<std::size_t> found;
+  for (std::size_t i = 1; i < trajectory.node_count(); ++i) {
+    const auto before = trajectory.node(i - 1), after = trajectory.node(i);
+    if (after.time() != before.time() || after.time() < from || after.time() > until) continue;
+    if (!std::equal(before.data(), before.data() + C::state_size, after.data())) found.push_back(i - 1);
+  }
+  return found;
+}
+
+}  // namespace detail
+
 /// Two trajectories of a craft, by different methods or engines, at the nodes of both within the time span
-/// that both have. Throws BadInput if they have none, or if one was made without its dense output.
+/// that both have; before and after an impulse, each at its own time of it, if both have as many impulses.
+/// Throws BadInput if they have no span in common, or if one was made without its dense output.
 template <CraftType C, class... X, class... Y>
 CraftComparison<C> compare(const C& craft, const CraftTrajectory<C, X...>& ours,
                            const CraftTrajectory<C, Y...>& theirs) {
@@ -199,10 +228,26 @@ CraftComparison<C> compare(const C& craft, const CraftTrajectory<C, X...>& ours,
                      " s, a node of the other: it was made without dense_output");
     }
   };
+  const auto our_impulses = detail::before_impulses(ours, from, until),
+             their_impulses = detail::before_impulses(theirs, from, until);
+  const auto times_of = [](const auto& trajectory, const std::vector<std::size_t>& nodes) {
+    std::vector<double> times;
+    for (const std::size_t i : nodes) times.push_back(trajectory.node(i).time().value());
+    return times;
+  };
+  differences.set_impulses(times_of(ours, our_impulses), times_of(theirs, their_impulses));
+  if (our_impulses.size() == their_impulses.size()) {
+    for (std::size_t k = 0; k < our_impulses.size(); ++k) {
+      for (const std::size_t after : {std::size_t{0}, std::size_t{1}}) {
+        const auto state = ours.node(our_impulses[k] + after);
+        differences.add(state.time().value(), state.data(), theirs.node(their_impulses[k] + after).data());
+      }
+    }
+  }
   const auto at_nodes_of = [&](const auto& trajectory) {
     for (std::size_t i = 0; i < trajectory.node_count(); ++i) {
       const Quantity<si::time> t = trajectory.node(i).time();
-      if (t >= from && t <= until)
+      if (t >= from && t <= until && !differences.is_between_impulses(t.value()))
         differences.add(t.value(), at("first", ours, t).data(), at("second", theirs, t).data());
     }
   };
