@@ -18,12 +18,8 @@ namespace bench {
 namespace {
 
 constexpr double length = 0.1;  // s
-constexpr double newton_metres = 1e-3;
 constexpr double same_tolerance = 1e-9;
 
-double torque_of(std::size_t segment) {
-  return segment % 2 == 0 ? newton_metres : -newton_metres;
-}
 double start_of_segment(std::size_t segment) {
   return length * static_cast<double>(segment);
 }
@@ -33,6 +29,9 @@ template <class P> struct Controlled {
   double& torque;
   P problem;
   std::size_t segments;
+  double newton_metres;
+
+  void set_torque(std::size_t segment) const { torque = segment % 2 == 0 ? newton_metres : -newton_metres; }
 };
 
 template <class Table, class P> Attitude stepped(const Controlled<P>& run, double tolerance) {
@@ -43,7 +42,7 @@ template <class Table, class P> Attitude stepped(const Controlled<P>& run, doubl
   ode::RungeKutta<Table, P::size, decltype(rates)> method(rates, tolerance, all<P::size>(tolerance));
   Numbers<P::size> y = own.initial;
   for (std::size_t i = 0; i < run.segments; ++i) {
-    run.torque = torque_of(i);
+    run.set_torque(i);
     method.start(start_of_segment(i), y, method.next_step());
     while (method.step(start_of_segment(i + 1)) == ode::Advance::stepped) {
     }
@@ -58,7 +57,7 @@ template <class P> Attitude solved(const Controlled<P>& run, ode::Method method)
   for (std::size_t i = 1; i < run.segments; ++i) problem.breakpoints.push_back(start_of_segment(i));
   std::size_t next = 0;
   problem.at_segment_start = [&](double, std::span<double>, std::span<const ode::Event>) {
-    run.torque = torque_of(next++);
+    run.set_torque(next++);
   };
   problem.rhs = [own = run.problem](double, double, std::span<const double> y,
                                     std::span<double> ydot) mutable { own(y.data(), ydot.data()); };
@@ -77,7 +76,7 @@ template <class P> Attitude propagated(const Controlled<P>& run, ode::Method met
   const auto controller = [](const Now<Craft>&, const Command& last) { return Command{-last.torque}; };
   const auto flight = std::apply(
       [&](const auto&... load) {
-        return scenario(craft, load..., motor, held(Command{-newton_metres}),
+        return scenario(craft, load..., motor, held(Command{-run.newton_metres}),
                         every(length * si::second, controller));
       },
       run.problem.loads());
@@ -90,7 +89,7 @@ template <template <class> class Peer, class P> Attitude called_directly(const C
   P own = run.problem;
   Peer<P> peer(own, same_tolerance);
   for (std::size_t i = 0; i < run.segments; ++i) {
-    run.torque = torque_of(i);
+    run.set_torque(i);
     if (i > 0) peer.restart();
     peer.run_to(start_of_segment(i + 1));
   }
@@ -105,7 +104,7 @@ template <class P> Attitude odeint_rkf78(const Controlled<P>& run) {
   Numbers<P::size> y = own.initial;
   const auto stepper = odeint::make_controlled(same_tolerance, same_tolerance, Fehlberg78<P::size>());
   for (std::size_t i = 0; i < run.segments; ++i) {
-    run.torque = torque_of(i);
+    run.set_torque(i);
     odeint::integrate_adaptive(stepper, rates, y, start_of_segment(i), start_of_segment(i + 1), length);
   }
   return attitude(y);
@@ -147,9 +146,9 @@ void print_segments_of(const char* craft, const Controlled<P>& run, double targe
 void print_segments() {
   constexpr std::size_t of_body = 10'000, of_panels = 1000;
   double torque = 0.0;
-  const Controlled<ControlledFreeBody> body{torque, ControlledFreeBody(&torque), of_body};
+  const Controlled<ControlledFreeBody> body{torque, ControlledFreeBody(&torque), of_body, 1e-3};
   const Controlled<HubWithPanels<Motor>> panels{
-      torque, HubWithPanels<Motor>(60.0, 0.05, 1000.0, Motor{&torque}), of_panels};
+      torque, HubWithPanels<Motor>(60.0, 0.05, 1000.0, Motor{&torque}), of_panels, 1.0};
   Misses misses;
   std::printf(
       "\n## A restart every 0.1 s\n\n"
