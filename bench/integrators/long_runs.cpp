@@ -1,5 +1,5 @@
 /// Long runs at equal accuracy: a free body, a hub with panels, a body on an orbit.
-#include <chrono>
+#include <array>
 #include <cstdio>
 #include <string>
 #include <vector>
@@ -97,7 +97,8 @@ void print_long_runs() {
       "run "
       "whose attitude at the end is within the error; the tolerances tried, relative and absolute, are half "
       "a "
-      "decade apart, because one tolerance means another error with another integrator. Times are lower "
+      "decade apart, because one tolerance means another error with another integrator. Times are of the "
+      "processor, lower "
       "quartiles of interleaved rounds. `RungeKutta` and `solve<N>` inline the right-hand side; `solve` "
       "keeps "
       "all nodes, with dense output also the interpolant of each step; `propagate` runs the typed craft, "
