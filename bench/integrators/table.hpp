@@ -56,23 +56,17 @@ inline double best_error(const Row& row) {
   return best;
 }
 
-/// Tolerances from 1e-5 down, half a decade a step, until the error is reached, or tighter ones make it no
-/// smaller.
+/// Tolerances from 1e-5 down, half a decade a step, until the error is reached.
 inline void sweep(Row& row, const Attitude& exact, double tightest) {
-  constexpr double loosest = 1e-5, least = 1e-15, converges = 1e-4;
-  constexpr int patience = 3;
-  int in_vain = 0;
-  for (double tolerance = loosest; tolerance > least && in_vain < patience; tolerance /= std::sqrt(10.0)) {
-    const double best = best_error(row);
-    double error = INFINITY;
+  constexpr double loosest = 1e-5, least = 1e-15;
+  for (double tolerance = loosest; tolerance > least; tolerance /= std::sqrt(10.0)) {
     try {
       const Result result = row.engine.run(tolerance);
-      error = angle_between(result.at_end, exact);
-      row.attempts.push_back({tolerance, error, result.evaluations});
-    } catch (const std::exception&) {  // too many steps, or a tolerance that it refuses
+      row.attempts.push_back({tolerance, angle_between(result.at_end, exact), result.evaluations});
+    } catch (const std::exception&) {
+      continue;  // too many steps, or a tolerance that it refuses
     }
-    if (error <= tightest) return;
-    in_vain = error < best || best > converges ? 0 : in_vain + 1;
+    if (row.attempts.back().error <= tightest) return;
   }
 }
 
@@ -83,6 +77,7 @@ inline const Attempt* cheapest(const Row& row, double error) {
     if (attempt.error <= error && (!best || attempt.evaluations < best->evaluations)) best = &attempt;
   return best;
 }
+
 /// A target that is not met, for the list below the tables.
 using Misses = std::vector<std::string>;
 inline void compare(double ratio, double target, const std::string& what, Misses& misses) {
