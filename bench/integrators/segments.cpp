@@ -1,4 +1,5 @@
 /// A controller at 10 Hz: a restart every 0.1 s, because the torque jumps.
+#include <cmath>
 #include <cstddef>
 #include <cstdio>
 #include <functional>
@@ -34,7 +35,7 @@ template <class P> struct Controlled {
   void set_torque(std::size_t segment) const { torque = segment % 2 == 0 ? newton_metres : -newton_metres; }
 };
 
-template <class Table, class P> Attitude stepped(const Controlled<P>& run, double longest = length) {
+template <class Table, class P> Attitude stepped(const Controlled<P>& run, double longest = INFINITY) {
   P own = run.problem;
   const auto rates = [&](double, std::span<const double, P::size> y, std::span<double, P::size> ydot) {
     own(y.data(), ydot.data());
