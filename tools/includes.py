@@ -3,7 +3,7 @@
 
 1. The direction of dependence:  frames <- kinematics <- space <- dynamics <- simbody <- examples, pictures, validation, accuracy.
    ERFA is known in space/src, space/tests, validation/erfa.cpp and bench/ alone, SUNDIALS in dynamics/src and
-   bench/integrators.cpp alone, Simbody in simbody/src/simbody_*, validation/**/simbody_* and bench/peer_simbody.cpp
+   bench/integrators alone, Simbody in simbody/src/simbody_*, validation/**/simbody_* and bench/peer_simbody.cpp
    alone. The multibody engine works on plain numbers: it includes nothing of ours but the scalars.
 2. Public headers do not use a name of these engines either (an enumerator such as cvode_adams is ours).
 3. A public header that says std::x or Eigen::x includes the header that declares it, itself or through headers of ours.
