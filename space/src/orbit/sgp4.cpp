@@ -165,6 +165,10 @@ template <class T> struct Mean {
 // m, m/s. With derivatives v stays empty: that of r is exact.
 template <class T> struct Motion { std::array<T, 3> r, v; };
 
+// The theory leaves out the square of J2 (R/p)^2, which is 1e-3 for an orbit that touches the surface: here
+// 1e-4 of the motion.
+constexpr double largest_flattening = 0.01;
+
 // For messages: a millionth is more than the clock's rounding.
 double rounded(double time) {
   return std::round(time * 1e6) / 1e6;
@@ -368,7 +372,13 @@ template <std::size_t order>
 std::array<Eigen::Vector3d, order + 1> Sgp4Model::derivatives(const Epoch& epoch) const {
   Taylor<order> t = minutes_to(epoch);
   t.c[1] = 1.0;
-  const auto r = motion_of(mean_at(*theory_, name_, t), name_, t.c[0]).r;
+  const auto mean = mean_at(*theory_, name_, t);
+  const double e = mean.x.e.c[0], p = mean.a.c[0] * (1.0 - e * e), small = J2 / (p * p);
+  if (!(small <= largest_flattening))
+    fail(name_, t.c[0],
+         "p = a (1 - e^2) is " + text(p * earth_radius) + " km, and J2 (R/p)^2 " + text(small) + "; above " +
+             text(largest_flattening) + " the derivatives of the position are no motion");
+  const auto r = motion_of(mean, name_, t.c[0]).r;
   std::array<Eigen::Vector3d, order + 1> all;
   double factor = 1.0;  // k! per second^k
   for (std::size_t k = 0; k <= order; ++k) {

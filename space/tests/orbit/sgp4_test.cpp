@@ -241,6 +241,24 @@ TEST(Sgp4, VelocityIsThatOfTheTheory) {
   }
 }
 
+// The terms of J2 grow with 1/p^2: deep inside the Earth the position is no motion, though the theory has
+// one.
+TEST(Sgp4, NoPathDeepThroughTheEarth) {
+  MeanElements elements = elements_of(11801);
+  EXPECT_NO_THROW((void)Orbit(elements, ten_days).path(elements.epoch));
+  elements.mean_anomaly.angle = convert<si::angle>(180.0 * si::degree);  // far from the perigee
+  elements.eccentricity = 0.98;
+  const Orbit orbit(elements, ten_days);
+  EXPECT_NO_THROW((void)orbit.at(elements.epoch));
+  const double n = elements.mean_motion.value(), mu = 3.986008e14;
+  const double p = std::cbrt(mu / (n * n)) * (1.0 - 0.98 * 0.98) / 1e3;
+  const std::string said = complaint([&] { (void)orbit.path(elements.epoch); });
+  const std::size_t at = said.find("p = a (1 - e^2) is ");
+  ASSERT_NE(at, std::string::npos) << said;
+  EXPECT_NEAR(std::stod(said.substr(at + 19)), p, 0.02 * p) << said;  // J2 changes a of the theory by 1/p^2
+  EXPECT_NE(said.find("above 0.01 the derivatives of the position are no motion"), std::string::npos) << said;
+}
+
 TEST(Sgp4, ThreadsShareOne) {
   const Orbit orbit(elements_of(8195), ten_days);
   constexpr int count = 400;
