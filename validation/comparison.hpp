@@ -30,6 +30,7 @@ Rows space_rows(const std::string& data);  // its figures are those of the tests
 Rows multibody_rows(const std::string& data);
 Rows trees_in_motion_rows(const std::string& data);
 Rows prescribed_rows(const std::string& data);
+Rows closed_form_rows(const std::string& data);
 
 /// The table in Markdown, one section per group.
 std::string markdown(const Rows& rows);

@@ -53,8 +53,8 @@ inline MovingTransform<Inertial, Body> moving(const State<Inertial, Body>& start
 }
 
 /// The attraction of a point mass without its gradient.
-inline auto point_field(const Quantity<si::gravitational_parameter>& mu) {
-  return [mu](const Now<Satellite>& now, Forces<Satellite>& forces) {
+template <CraftType C = Satellite> auto point_field(const Quantity<si::gravitational_parameter>& mu) {
+  return [mu](const Now<C>& now, Forces<C>& forces) {
     forces.field(
         point_mass_gravity(mu, now.position(of<Body>, relative_to<Inertial>, in<Inertial>).vector()));
   };

@@ -43,8 +43,8 @@ Arguments parse(int count, char** values) {
 
 int run(const Arguments& arguments) {
   Rows rows;
-  for (const auto source : {exact_rows, nasa_rows, basilisk_rows, erfa_rows, space_rows, multibody_rows,
-                            prescribed_rows, simbody_rows, trees_in_motion_rows}) {
+  for (const auto source : {exact_rows, closed_form_rows, nasa_rows, basilisk_rows, erfa_rows, space_rows,
+                            multibody_rows, prescribed_rows, simbody_rows, trees_in_motion_rows}) {
     const Rows more = source(arguments.data);
     rows.insert(rows.end(), more.begin(), more.end());
   }
