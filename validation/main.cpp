@@ -16,7 +16,8 @@ using namespace vectrix::validation;
 constexpr const char* heading =
     "# Validation\n\n"
     "`./dev validate` writes this page. Each row compares a run of Vectrix, at its tightest tolerances, with "
-    "a result that\nis not ours. *Reached* is the largest difference over the whole run; of trees of bodies, "
+    "a result that\nis not ours, with what a law keeps, or a rotor with the same wheel on a hinge. *Reached* "
+    "is the largest difference over the whole run; of trees of bodies, "
     "over all crafts, each at one state. "
     "`validation/data/README.md` lists the sources.\n\n"
     "In the last table *reached* is a ratio: the difference with Simbody's accuracy tightened a hundred "
