@@ -93,15 +93,15 @@ template <Point Q> class Sgp4 {
 
   /// Position and velocity relative to the centre of the Earth, as published. The velocity is that of the
   /// theory, which leaves out small terms: it is not quite the derivative of the position, 0.02 m/s off in a
-  /// low orbit, and up to 20 m/s in an eccentric one with a resonance. Throws BadInput if the epoch is
-  /// farther from that of the elements than the longest age, or the theory ends before it: the eccentricity
-  /// leaves [0, 1), or the body is below one Earth radius, decayed.
+  /// low orbit, up to 20 m/s in an eccentric one with a resonance, and more with much drag or e near 1.
+  /// Throws BadInput if the epoch is farther from that of the elements than the longest age, or the theory
+  /// ends before it: the eccentricity leaves [0, 1), or the body is below one Earth radius, decayed.
   [[nodiscard]] PointMotion<earth::Teme, Q, earth::Teme> at(const Epoch& epoch) const {
     return detail::point_motion_of<earth::Teme, Q, earth::Teme>(model_.at(epoch));
   }
   /// The same position with its own derivatives, exact, for frames with rates:
   ///     lvlh(from<L>, now.motion, now.acceleration, now.jerk)
-  /// Throws BadInput as at() does.
+  /// Throws BadInput as at() does, and for an orbit so deep through the Earth that J2 (R/p)^2 is above 0.01.
   [[nodiscard]] PointPath<earth::Teme, Q, earth::Teme> path(const Epoch& epoch) const {
     using earth::Teme;
     const auto [r, v, a, jerk] = model_.template derivatives<3>(epoch);

@@ -52,7 +52,7 @@ inline constexpr bool has_known_mu = !std::is_same_v<decltype(known_mu<B>), cons
 ///     a = mu (r_qb/|r_qb|^3 - r_pb/|r_pb|^3) = -mu/|r_qb|^3 (r_pq + F r_pb),    r_qb = r_pb - r_pq
 ///     F = x (3 + 3 x + x^2)/(1 + (1 + x)^3/2),    x = r_pq . (r_pq - 2 r_pb)/|r_pb|^2
 /// where nothing cancels (Battin, An Introduction to the Mathematics and Methods of Astrodynamics, section
-/// 8.4). For the Earth, the Sun and the Moon by their own mu, another body by one that says whose it is:
+/// 8.4). The Sun and the Moon attract by their own mu, another body by one that says whose it is:
 ///     third_body_acceleration(r, moon.motion(epoch).position)
 ///     third_body_acceleration(gravitational_parameter(of<sky::Jupiter>, mu), r, r_jupiter)
 /// b is where it is, geometric: its image does not compile. Throws BadInput if mu is not positive, or q or p

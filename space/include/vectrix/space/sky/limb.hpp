@@ -49,8 +49,8 @@ namespace wgs84 {
 
 /// The same for the ellipsoid of the Earth, in the plane of n and the centre of the Earth: zero if the line
 /// from p along n touches the ellipsoid, and up to 80 deg beside it within 1e-3 deg of the angle to the
-/// nearest point of the limb. The atmosphere is left out. Throws BadInput if p is inside the ellipsoid, or n
-/// is zero.
+/// nearest point of the limb, 2e-3 deg if p is near the ground. The atmosphere is left out. Throws BadInput
+/// if p is inside the ellipsoid, or n is zero.
 template <class Direction, class P, class Centre>
   requires(detail::is_earth<Centre>&& detail::HasAngle<Direction, Displacement<P, Centre, In<earth::Itrf>>>)
 Quantity<si::angle> angle_from_limb(const Direction& n,
