@@ -1,6 +1,7 @@
 #include "earth_frame.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <string_view>
 
@@ -61,8 +62,13 @@ std::optional<std::string> earth_frame_name(const std::string& name) {
   return found->second;
 }
 
-const char* earth_frame_names() {
-  return "EME2000, J2000, GCRF, ICRF, ITRF, TIRF, CIRF, TEME, TOD and MOD";
+std::string earth_frame_names() {
+  std::string all;
+  for (const std::string_view& name : names_of_earth_frames) {
+    if (!all.empty()) all += &name == std::end(names_of_earth_frames) - 1 ? " and " : ", ";
+    all += name;
+  }
+  return all;
 }
 
 std::string stated_earth_frame(const std::string& what, const std::string& name) {

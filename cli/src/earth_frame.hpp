@@ -24,7 +24,7 @@ std::optional<std::string> earth_frame_name(const std::string& name);
 /// The name that `what` states. Throws BadInput, with the nearest one, for another frame.
 std::string stated_earth_frame(const std::string& what, const std::string& name);
 /// "EME2000, J2000, GCRF, ..."
-const char* earth_frame_names();
+std::string earth_frame_names();
 
 /// What its axes are, if they are of date: "true equator, mean equinox of date"; "" of another.
 std::string axes_of_date(const std::string& frame);

@@ -136,24 +136,23 @@ void StateDifferences::set_events(std::vector<EventTime> ours, std::vector<Event
     put_larger(*events_, std::abs(ours[i].time - theirs[i].time), ours[i].time);
 }
 
-void StateDifferences::set_impulses(std::vector<double> ours, std::vector<double> theirs) {
-  our_impulses_ = std::move(ours);
-  their_impulses_ = std::move(theirs);
-  if (our_impulses_.size() != their_impulses_.size()) {
+void StateDifferences::set_impulses(const std::vector<double>& ours, const std::vector<double>& theirs) {
+  our_impulses_ = ours.size();
+  their_impulses_ = theirs.size();
+  if (our_impulses_ != their_impulses_) {
     impulses_.reset();
     return;
   }
-  for (std::size_t i = 0; i < our_impulses_.size(); ++i)
-    put_larger(*impulses_, std::abs(our_impulses_[i] - their_impulses_[i]), our_impulses_[i]);
+  for (std::size_t i = 0; i < ours.size(); ++i) {
+    put_larger(*impulses_, std::abs(ours[i] - theirs[i]), ours[i]);
+    between_impulses_.push_back({std::min(ours[i], theirs[i]), std::max(ours[i], theirs[i])});
+  }
 }
 
 bool StateDifferences::is_between_impulses(double t) const {
-  if (!impulses_) return false;
-  for (std::size_t i = 0; i < our_impulses_.size(); ++i) {
-    const auto [first, last] = std::minmax(our_impulses_[i], their_impulses_[i]);
-    if (t >= first && t <= last) return true;
-  }
-  return false;
+  const auto found = std::partition_point(between_impulses_.begin(), between_impulses_.end(),
+                                          [t](const auto& both) { return both[1] < t; });
+  return found != between_impulses_.end() && (*found)[0] <= t;
 }
 
 void StateDifferences::print(std::ostream& out) const {
@@ -172,8 +171,8 @@ void StateDifferences::print(std::ostream& out) const {
   else if (our_events_ > 0)
     print_row(table, width, "times of events", *events_, "s");
   if (!impulses_)
-    table << "the impulses differ: " << our_impulses_.size() << " and " << their_impulses_.size() << '\n';
-  else if (!our_impulses_.empty())
+    table << "the impulses differ: " << our_impulses_ << " and " << their_impulses_ << '\n';
+  else if (our_impulses_ > 0)
     print_row(table, width, "times of impulses", *impulses_, "s");
   out << table.str();
 }

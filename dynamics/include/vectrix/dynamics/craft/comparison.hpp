@@ -41,7 +41,7 @@ class VECTRIX_EXPORT StateDifferences {
   void set_events(std::vector<EventTime> ours, std::vector<EventTime> theirs);
   /// The times of impulses within the span, in order. If there are as many of both, the states from an
   /// impulse to that of the other trajectory are not compared: only one has been struck.
-  void set_impulses(std::vector<double> ours, std::vector<double> theirs);
+  void set_impulses(const std::vector<double>& ours, const std::vector<double>& theirs);
   bool is_between_impulses(double t) const;
 
   const NumberDifference& at(std::size_t number) const { return numbers_[number]; }
@@ -70,7 +70,8 @@ class VECTRIX_EXPORT StateDifferences {
   NumberDifference energy_, momentum_, angular_momentum_;
   std::optional<NumberDifference> events_, impulses_;
   std::size_t our_events_ = 0, their_events_ = 0;
-  std::vector<double> our_impulses_, their_impulses_;
+  std::size_t our_impulses_ = 0, their_impulses_ = 0;
+  std::vector<std::array<double, 2>> between_impulses_;  // from the first of both to the second
 };
 
 }  // namespace detail
